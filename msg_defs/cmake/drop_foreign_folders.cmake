@@ -1,0 +1,15 @@
+# The PyPI wheels of ROS name, in these targets, include folders of the machine that built them, and CMake refuses a folder that
+# is not there. Only such folders are dropped: on a ROS install all of them exist, and nothing changes.
+foreach(package IN LISTS message_dependencies ITEMS builtin_interfaces)
+  set(target ${package}::${package}__rosidl_generator_py)
+  if(TARGET ${target})
+    get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
+    set(existing_folders "")
+    foreach(folder IN LISTS folders)
+      if(EXISTS "${folder}")
+        list(APPEND existing_folders "${folder}")
+      endif()
+    endforeach()
+    set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing_folders}")
+  endif()
+endforeach()

@@ -1,0 +1,62 @@
+"""How cocorosim_ros is installed: by pip into a virtual environment, or by colcon into a ROS workspace."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from setuptools import find_packages, setup
+
+PACKAGE = "cocorosim_ros"
+INSTALLED_FOLDERS = ("config", f"{PACKAGE}/launch")
+
+
+def version() -> str:
+    """Return `__version__` of the package, read without importing it."""
+    text = Path(PACKAGE, "__init__.py").read_text(encoding="utf-8")
+    return re.search(r'^__version__ = "(.+)"$', text, re.MULTILINE)[1]
+
+
+def shared_files() -> list[tuple[str, list[str]]]:
+    """Return (folder under the prefix, files): index marker, package.xml, config and launch files."""
+    share = Path("share", PACKAGE)
+    files = [
+        ("share/ament_index/resource_index/packages", [f"resource/{PACKAGE}"]),
+        (str(share), ["package.xml"]),
+    ]
+    for root in map(Path, INSTALLED_FOLDERS):
+        for folder in sorted(path for path in (root, *root.rglob("*")) if path.is_dir()):
+            content = sorted(str(path) for path in folder.iterdir() if path.is_file())
+            if content and folder.name != "__pycache__":
+                files.append((str(share / folder.relative_to(root.parent)), content))
+    return files
+
+
+setup(
+    name=PACKAGE,
+    version=version(),
+    description="Swarms of underwater robots on ROS 2: simulated, recorded, replayed, open to real robots",
+    license="Apache-2.0",
+    maintainer="cocorosim_ros maintainers",
+    maintainer_email="maintainers@example.org",
+    packages=find_packages(include=[PACKAGE, f"{PACKAGE}.*"]),
+    package_data={
+        PACKAGE: [
+            "py.typed",
+            *("analysis/*.jinja", "reporting/*.jinja", "reporting/*.css", "pictures/*.jinja", "pictures/*.js"),
+        ]
+    },
+    data_files=shared_files(),
+    python_requires=">=3.11",
+    install_requires=["setuptools"],
+    extras_require={"bench": ["mujoco>=3", "scipy"]},
+    zip_safe=False,
+    entry_points={
+        "console_scripts": [
+            f"cocorosim = {PACKAGE}.commands.main:main",
+            f"physics_node = {PACKAGE}.nodes.physics_node:main",
+            f"controller_node = {PACKAGE}.nodes.controller_node:main",
+            f"metrics_node = {PACKAGE}.nodes.metrics_node:main",
+        ],
+    },
+)
