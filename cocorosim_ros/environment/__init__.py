@@ -1,0 +1,1 @@
+"""The world around the robots: the tank and who is near whom."""

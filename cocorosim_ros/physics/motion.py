@@ -1,0 +1,102 @@
+"""One tick of motion for all robots of all runs."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import allocating_kernel, kernel
+from cocorosim_ros.environment.tank import Tank
+from cocorosim_ros.physics.actuation import ACTUATION_BITS, actuate, admitted
+from cocorosim_ros.physics.contact import keep_in_tank
+from cocorosim_ros.physics.integrators import SCRATCH_ROWS, take_step
+from cocorosim_ros.physics.moment import NEIGHBOUR_SIZE
+from cocorosim_ros.physics.obstacle_contact import keep_out_of_obstacles
+from cocorosim_ros.physics.surroundings import look_around
+from cocorosim_ros.physics.vehicles import Body, Surroundings, Vehicles, body_of
+from cocorosim_ros.signals.state import STATE_SIZE
+
+Floats = NDArray[np.float64]
+
+
+class Stepping(NamedTuple):
+    """How a tick is cut into steps."""
+
+    integrator: int  # INTEGRATOR_CODE
+    steps: int  # per tick
+    step: float  # s
+    contact: int  # CONTACT_CODE
+
+
+@allocating_kernel
+def apply_commands(state: Floats, command: Floats, vehicles: Vehicles) -> None:
+    """Set the commands in `state` from `command` (runs, robots, actuators), fractions in -1..1, and what forces they
+    give where these hold for the whole tick.
+
+    What lies beyond counts as the limit, NaN as zero: an actuator that was told nothing is off.
+    """
+    nowhere = Surroundings(np.empty(0), np.empty(3), np.empty(3), np.empty((1, 0, NEIGHBOUR_SIZE)))
+    _apply_all(state, command, vehicles, nowhere)
+
+
+@kernel
+def _apply_all(state: Floats, command: Floats, vehicles: Vehicles, nowhere: Surroundings) -> None:
+    actuators = command.shape[2]
+    for run in range(state.shape[0]):
+        for robot in range(state.shape[1]):
+            force, kept, memory = actuator_columns(state[run, robot], actuators)
+            for actuator in range(actuators):
+                kept[actuator] = admitted(command[run, robot, actuator])
+            body = body_of(vehicles, nowhere, run, robot)
+            if body.active & ACTUATION_BITS == 0:
+                actuate(kept, memory, body, (0.0, 0.0), force)
+
+
+@allocating_kernel
+def move(state: Floats, vehicles: Vehicles, tank: Tank, stepping: Stepping, flow: Floats, time: float) -> None:
+    """Advance `state` (runs, robots, columns) in place by one tick that begins at `time` [s].
+
+    The commands in `state` (see `apply_commands`) hold for the tick; `flow` is the velocity of the water.
+    """
+    surroundings = Surroundings(flow, tank.lower, tank.upper, look_around(state, vehicles))
+    _move_all(state, vehicles, (tank, surroundings), stepping, time, np.empty((SCRATCH_ROWS, state.shape[2])))
+
+
+@kernel
+def actuator_columns(row: Floats, actuators: int) -> tuple[Floats, Floats, Floats]:
+    """Views of a robot's row: forces (actuators,), commands (actuators,), memory (MEMORY_SIZE * actuators,)."""
+    first, second = STATE_SIZE + actuators, STATE_SIZE + 2 * actuators
+    return row[STATE_SIZE:first], row[first:second], row[second:]
+
+
+@kernel
+def _move_all(
+    state: Floats,
+    vehicles: Vehicles,
+    place: tuple[Tank, Surroundings],
+    stepping: Stepping,
+    time: float,
+    scratch: Floats,
+) -> None:
+    tank, surroundings = place
+    for run in range(state.shape[0]):
+        for robot in range(state.shape[1]):
+            _move_one(state[run, robot], body_of(vehicles, surroundings, run, robot), tank, stepping, time, scratch)
+
+
+@kernel
+def _move_one(row: Floats, body: Body, tank: Tank, stepping: Stepping, time: float, scratch: Floats) -> None:
+    """One robot's tick. Forces that change within it are taken anew for every step, and at its end for who measures."""
+    force, command, memory = actuator_columns(row, body.actuator_wrench.shape[0])
+    changing = body.active & ACTUATION_BITS != 0
+    for step in range(stepping.steps):
+        now = time + step * stepping.step
+        if changing:
+            actuate(command, memory, body, (now, stepping.step), force)
+        take_step(stepping.integrator, row, now, stepping.step, body, scratch)
+        keep_out_of_obstacles(row, tank, stepping.contact)
+        keep_in_tank(row, tank, stepping.contact)
+    if changing:
+        actuate(command, memory, body, (time + stepping.steps * stepping.step, 0.0), force)

@@ -1,0 +1,221 @@
+"""A whole run as asked for: tank, swarm, time, integrator, seed, lock-step rules, recording."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Literal
+
+from cocorosim_ros.scenario.config_files import find_config
+from cocorosim_ros.scenario.controller_file import ControllerDescription
+from cocorosim_ros.scenario.corruption import Corruption, corruptions_tree, read_corruptions
+from cocorosim_ros.scenario.entry import Entry, entry_of
+from cocorosim_ros.scenario.light import Light
+from cocorosim_ros.scenario.platform import Platform
+from cocorosim_ros.scenario.quantity import nanoseconds_text, read_nanoseconds
+from cocorosim_ros.scenario.records import (
+    TEXT,
+    choice,
+    nested,
+    quantity,
+    read_record,
+    record_tree,
+    stored,
+)
+from cocorosim_ros.scenario.scenario_checks import check_scenario
+from cocorosim_ros.scenario.swarm import SwarmGroup, read_swarm, swarm_tree
+from cocorosim_ros.scenario.tank import Box, Sphere, Tank
+from cocorosim_ros.scenario.water import Water
+from cocorosim_ros.scenario.yaml_file import load_yaml, parse_yaml, yaml_text
+
+__all__ = [
+    "Box",
+    "Integrator",
+    "LockStep",
+    "Radio",
+    "Recording",
+    "RobotDescription",
+    "Scenario",
+    "Sphere",
+    "Tank",
+    "load_scenario",
+    "parse_scenario",
+    "read_scenario",
+]
+_LARGEST_SEED = 2**63 - 1
+
+
+def _read_names(entry: Entry) -> tuple[str, ...]:
+    return tuple(part.text() for part in entry.items())
+
+
+def _read_topics(entry: Entry) -> Literal["all"] | tuple[str, ...]:
+    return "all" if entry.value == "all" else _read_names(entry)
+
+
+@dataclass(frozen=True)
+class Integrator:
+    """How the equations of motion are stepped.
+
+    contact: `inelastic` walls take away the velocity into them, `stop_position` walls (the paper's) do not.
+    """
+
+    name: Literal["rk4", "semi_implicit_euler"] = field(metadata=choice("rk4", "semi_implicit_euler"))
+    step_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="step"))
+    contact: Literal["inelastic", "stop_position"] = field(
+        default="inelastic", metadata=choice("inelastic", "stop_position")
+    )
+
+    @property
+    def step(self) -> float:
+        """The step in seconds."""
+        return self.step_ns / 1e9
+
+
+@dataclass(frozen=True)
+class Radio:
+    """Settings of the radio that hold for all robots; `range` [m] replaces the platforms' own.
+
+    latency: `one_tick`, what is said at a tick is heard at the next, or `none`, it is heard at the same tick (the
+    paper's direct message passing; without ROS only, where all robots can speak before anyone decides).
+    """
+
+    range: float | None = field(default=None, metadata=quantity("length", "not negative"))
+    latency: Literal["one_tick", "none"] = field(default="one_tick", metadata=choice("one_tick", "none"))
+
+
+@dataclass(frozen=True)
+class BlueLight:
+    """Messages over blue light: `to_nearest` robot in each of the sender's cones, or heard `from_nearest`."""
+
+    delivery: Literal["to_nearest", "from_nearest"] = field(
+        default="to_nearest", metadata=choice("to_nearest", "from_nearest")
+    )
+
+
+@dataclass(frozen=True)
+class LockStep:
+    """What happens when a controller gives no answer within `patience` seconds of wall-clock time."""
+
+    silent_controller: Literal["stop", "thrusters_off"] = field(
+        default="thrusters_off", metadata=choice("stop", "thrusters_off")
+    )
+    patience: float = field(default=10.0, metadata=quantity("time", "positive"))
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Which topics are recorded: all, or those with these names."""
+
+    topics: Literal["all"] | tuple[str, ...] = field(
+        default="all", metadata=stored(_read_topics, lambda topics: topics)
+    )
+
+
+@dataclass(frozen=True)
+class RobotDescription:
+    """One robot: its name (and ROS namespace), body, controller, and whether somebody else controls it."""
+
+    name: str
+    platform: Platform
+    controller: ControllerDescription
+    external: bool
+
+    @property
+    def radio_range(self) -> float:
+        """How far this robot's radio reaches [m]; 0 without radio."""
+        return self.platform.sensors.radio_range
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """All that a run needs to be the same run again; times in whole nanoseconds. `origin` is its file."""
+
+    name: str = field(metadata=TEXT)
+    description: str = field(metadata=TEXT)
+    seed: int = field(metadata=stored(lambda entry: entry.whole_number(0, _LARGEST_SEED), int))
+    tick_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="tick"))
+    duration_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="duration"))
+    tank: Tank = field(metadata=nested(Tank))
+    integrator: Integrator = field(metadata=nested(Integrator))
+    swarm: tuple[SwarmGroup, ...] = field(metadata=stored(read_swarm, swarm_tree))
+    external: tuple[str, ...] = field(default=(), metadata=stored(_read_names, list))
+    radio: Radio = field(default_factory=Radio, metadata=nested(Radio))
+    blue_light: BlueLight = field(default_factory=BlueLight, metadata=nested(BlueLight))
+    light: Light = field(default_factory=Light, metadata=nested(Light))
+    corruption: tuple[Corruption, ...] = field(default=(), metadata=stored(read_corruptions, corruptions_tree))
+    lockstep: LockStep = field(default_factory=LockStep, metadata=nested(LockStep))
+    recording: Recording = field(default_factory=Recording, metadata=nested(Recording))
+    water: Water | None = field(default=None, metadata=nested(Water))
+    origin: str = field(default="", compare=False)
+
+    @property
+    def ticks(self) -> int:
+        """The number of ticks of the run."""
+        return self.duration_ns // self.tick_ns
+
+    @property
+    def tick(self) -> float:
+        """The length of a tick in seconds."""
+        return self.tick_ns / 1e9
+
+    @property
+    def duration(self) -> float:
+        """The length of the run in seconds."""
+        return self.duration_ns / 1e9
+
+    @property
+    def steps_per_tick(self) -> int:
+        """The number of integrator steps in a tick."""
+        return self.tick_ns // self.integrator.step_ns
+
+    @cached_property
+    def robots(self) -> tuple[RobotDescription, ...]:
+        """All robots, in the order of all arrays about them, with the scenario's radio range if any."""
+        return tuple(
+            RobotDescription(
+                name, self._with_radio(group.platform.of_robot(name)), group.controller, name in self.external
+            )
+            for group in self.swarm
+            for name in group.robot_names()
+        )
+
+    def to_yaml(self) -> str:
+        """The scenario as self-contained YAML, the same bytes each time, which `parse_scenario` reads."""
+        return yaml_text(record_tree(self))
+
+    def _with_radio(self, platform: Platform) -> Platform:
+        if self.radio.range is None:
+            return platform
+        return replace(platform, sensors=replace(platform.sensors, radio_range=self.radio.range))
+
+
+def load_scenario(
+    name_or_path: str | Path,
+    seed: int | None = None,
+    duration: str | None = None,
+    external: Sequence[str] | None = None,
+) -> Scenario:
+    """The scenario of that name in config/scenarios, or of that file, with what is given replaced.
+
+    duration: text with a unit, such as '60 s'. external: names of robots that somebody else controls.
+    Raises CocorosimError: one sentence with file, line and key for whatever is wrong with it.
+    """
+    entry = load_yaml(find_config("scenarios", str(name_or_path)))
+    options = {"seed": seed, "duration": duration, "external": None if external is None else list(external)}
+    given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
+    return read_scenario(replace(entry, value={**entry.mapping(), **given}))
+
+
+def parse_scenario(yaml: str, origin: str) -> Scenario:
+    """The scenario that `Scenario.to_yaml` wrote; complaints name `origin`."""
+    return read_scenario(parse_yaml(yaml, origin))
+
+
+def read_scenario(entry: Entry) -> Scenario:
+    """The checked scenario that a mapping describes."""
+    scenario = replace(read_record(Scenario, entry), origin=entry.file)
+    check_scenario(scenario, entry.mapping())
+    return scenario

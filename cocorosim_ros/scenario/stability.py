@@ -1,0 +1,36 @@
+"""The longest step of time at which an integrator stays stable for a robot.
+
+Quadratic drag pulls a deviation from the speed v back at the rate 2 k |v| / m, fastest at the terminal speed of all
+actuators together, sqrt(F / k): the rate is then 2 sqrt(k F) / m, and 2 sqrt(Cr N) / I in yaw. An integrator is stable
+while rate times step lies within its interval on the real axis: 2 for the semi-implicit Euler method, whose drag is
+explicit, and 2.785 for the classical Runge-Kutta method of fourth order.
+Left out: effects beyond the basic model, and currents faster than the robot.
+Source: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.2.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from cocorosim_ros.scenario.platform import Platform
+
+STABLE_INTERVAL = {"rk4": 2.785293563405282, "semi_implicit_euler": 2.0}
+
+
+def fastest_rate(platform: Platform) -> float:
+    """The rate [1/s] at which the fastest motion of a robot settles; 0 without drag or actuators."""
+    most = platform.actuator_limits().max(axis=1, initial=0.0)
+    wrench = np.abs(platform.actuator_wrenches()) * most[:, None]
+    force = float(np.linalg.norm(wrench[:, :3].sum(axis=0)))
+    torque = float(wrench[:, 3].sum())
+    swimming = 2.0 * math.sqrt(platform.drag * force) / platform.mass
+    turning = 2.0 * math.sqrt(platform.yaw_drag * torque) / platform.yaw_inertia
+    return max(swimming, turning)
+
+
+def longest_stable_step(integrator: str, platform: Platform) -> float:
+    """The step [s] above which an integrator is unstable for a robot at its full speed; inf if there is none."""
+    rate = fastest_rate(platform)
+    return STABLE_INTERVAL[integrator] / rate if rate > 0.0 else math.inf

@@ -1,0 +1,1 @@
+"""What a robot perceives: ideal measurements, one file per instrument."""

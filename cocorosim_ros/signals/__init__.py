@@ -1,0 +1,1 @@
+"""What flows between the stages: records of arrays with leading axes (runs, robots)."""

@@ -1,0 +1,1 @@
+"""One tick of the world, in order: sense, decide, move."""

@@ -1,0 +1,26 @@
+"""What the controllers of a swarm ask for beyond the instruments that everybody has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Wants:
+    """Each (robots,): who knows its neighbours exactly, hears or speaks over blue light, measures light or smells."""
+
+    neighbours: Flags
+    blue_light: Flags
+    illuminance: Flags
+    concentration: Flags
+    speaks_light: Flags
+
+
+def nothing(robots: int) -> Wants:
+    """Nobody wants anything."""
+    return Wants(*(np.zeros(robots, dtype=bool) for _ in range(5)))
