@@ -1,0 +1,1 @@
+"""The command `cocorosim`: one sub-command per file."""

@@ -1,0 +1,95 @@
+"""`cocorosim calibrate`: section 4 of the paper again, or a platform fitted to the bag of a calibration run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+from cocorosim_ros.errors import CocorosimError
+
+if TYPE_CHECKING:
+    from cocorosim_ros.calibration.fit import Fit
+    from cocorosim_ros.calibration.section_four import Row
+
+
+@click.command("calibrate", short_help="calibrate a platform")
+@click.argument("bag", required=False, type=click.Path(path_type=Path))
+@click.option("--platform", "platform_name", default="lily", show_default=True, help="platform to begin with")
+@click.option("--robot", help="whose run it is, if the recording has several")
+@click.option("--out", type=click.Path(path_type=Path), help="platform file to write")
+@click.option("--force", is_flag=True, help="replace the file if it is there")
+def command(bag: Path | None, platform_name: str, robot: str | None, out: Path | None, force: bool) -> None:
+    """Without BAG: Lily from the published measurements, with what does not fit together.
+
+    With the BAG of a calibration run (see the scenario calibration_run): fit the platform to it.
+    """
+    console = Console()
+    if bag is None:
+        if out is not None or robot is not None:
+            raise CocorosimError("--out and --robot belong to a recording; give the BAG of a calibration run too.")
+        _show_section_four(console)
+        return
+    _fit(console, bag, platform_name, robot, (out, force))
+
+
+def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: tuple[Path | None, bool]) -> None:
+    from cocorosim_ros.calibration.calibration_run import read_calibration_run
+    from cocorosim_ros.calibration.fit import fit_platform
+    from cocorosim_ros.calibration.platform_file import write_platform
+    from cocorosim_ros.scenario.platform import load_platform
+
+    out, force = target
+    if out is not None and out.exists() and not force:
+        raise CocorosimError(f"{out} exists already; give another --out, or --force to replace it.")
+    platform = load_platform(platform_name)
+    fit = fit_platform(platform, read_calibration_run(bag, platform, robot))
+    console.print(fit_table(fit, platform_name))
+    for name in fit.not_shown:
+        console.print(f"[yellow]The recording does not show {name}; it stays as it was.[/yellow]")
+    x, y, z, yaw = fit.scatter
+    console.print(f"left over (rms): {x:.2g} m, {y:.2g} m, depth {z:.2g} m, heading {yaw:.2g} rad")
+    if out is not None:
+        write_platform(out, platform, fit, str(bag), force=force)
+        console.print(f"{out}: the fitted platform")
+
+
+def _show_section_four(console: Console) -> None:
+    from cocorosim_ros.calibration.section_four import calibration_rows, findings
+
+    console.print(section_table(calibration_rows()))
+    for number, sentence in enumerate(findings(), 1):
+        console.print(f"{number}. {sentence}", highlight=False)
+
+
+def section_table(rows: list[Row]) -> Table:
+    """Paper, measured and ours, side by side."""
+    table = Table(title="Lily from the measurements of Read et al. 2013, section 4", title_justify="left")
+    table.add_column("quantity")
+    for heading in ("paper", "measured", "ours, paper's integrator", "ours, accurate"):
+        table.add_column(heading, justify="right")
+    table.add_column("unit")
+    for row in rows:
+        numbers = [_digits(value) for value in (row.paper, row.measured, row.paper_integrator, row.accurate)]
+        table.add_row(row.quantity, *numbers, row.unit)
+    return table
+
+
+def fit_table(fit: Fit, platform: str) -> Table:
+    """Each number before and after, with its interval."""
+    table = Table(title=f"{platform}, fitted to the recording", title_justify="left")
+    table.add_column("parameter")
+    for heading in ("before", "fitted", "95 % from", "to"):
+        table.add_column(heading, justify="right")
+    table.add_column("unit")
+    for number in fit.numbers:
+        values = (number.nominal, number.value, number.low, number.high)
+        table.add_row(number.name, *(_digits(value) for value in values), number.unit)
+    return table
+
+
+def _digits(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4g}"

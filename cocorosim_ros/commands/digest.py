@@ -1,0 +1,64 @@
+"""`cocorosim digest`: the digest of recordings, and where two of them differ."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from cocorosim_ros.commands.terminal import say
+from cocorosim_ros.recording.bag_reader import Bag, read_bag
+from cocorosim_ros.recording.bag_writer import METADATA_NAME
+from cocorosim_ros.recording.comparison import bag_digest, difference
+from cocorosim_ros.recording.digest import Digest
+
+EQUAL, DIFFERENT = 0, 1
+
+
+@click.command("digest", short_help="the digest of recordings, and where two of them differ")
+@click.argument("bags", nargs=-1, required=True, metavar="BAG [BAG ...]", type=click.Path(path_type=Path))
+@click.option("--topics", is_flag=True, help="also count, digest and type of every topic")
+@click.pass_context
+def command(ctx: click.Context, /, bags: tuple[Path, ...], topics: bool) -> None:
+    """Print the digest of each BAG: equal digests mean, topic by topic, equal header stamps and CDR bytes.
+
+    With several, say whether all are equal to the first, or where they first differ.
+
+    Exit status: 0 if they are equal (or one bag was given), 1 if they differ, or if one of them does not hold what it
+    held when it was closed; 2 if one cannot be read.
+    """
+    console = Console()
+    opened = [read_bag(path) for path in bags]
+    digests = [bag_digest(bag) for bag in opened]
+    pairs = list(zip(opened, digests, strict=True))
+    untouched = [_show(console, bag, digest, topics=topics) for bag, digest in pairs]
+    equal = [_compare(console, *pairs[0], *pair) for pair in pairs[1:]]
+    ctx.exit(EQUAL if all(untouched) and all(equal) else DIFFERENT)
+
+
+def _show(console: Console, bag: Bag, digest: Digest, *, topics: bool) -> bool:
+    """Print the digest; False if the recording says that it had another one."""
+    say(console, f"{digest.hexdigest()}  {bag.path}")
+    for line in digest.lines() if topics else []:
+        topic, type_name, count, topic_digest = line.split(" ")
+        say(console, f"  {topic_digest}  {count:>8}  {topic}  {type_name}")
+    errors = Console(file=sys.stderr)
+    if bag.summary.damage:
+        say(errors, bag.summary.damage, "yellow")
+    stored = bag.summary.metadata.get(METADATA_NAME, {}).get("digest")
+    if stored is None or stored == digest.hexdigest():
+        return True
+    say(errors, f"{bag.path} had the digest {stored} when it was closed: it was changed or damaged since.", "yellow")
+    return False
+
+
+def _compare(console: Console, first: Bag, digest: Digest, other: Bag, other_digest: Digest) -> bool:
+    """Say whether two recordings are equal, and where they differ."""
+    if digest.hexdigest() == other_digest.hexdigest():
+        say(console, f"{first.path} and {other.path} are equal.")
+        return True
+    for sentence in difference(first, other):
+        say(console, sentence)
+    return False

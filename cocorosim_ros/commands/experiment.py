@@ -1,0 +1,129 @@
+"""`cocorosim experiment`: all runs of a design, resumed where they were left; or one of them as a recording."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import click
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
+from cocorosim_ros.errors import CocorosimError
+
+INTERRUPTED = 130
+# Workers and OpenBLAS would fight for the same processors.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+@click.command("experiment", short_help="many runs without ROS, resumable")
+@click.argument("design")
+@click.option("--out", type=click.Path(path_type=Path), required=True, help="folder of the results")
+@click.option("--workers", type=int, help="processes [default: one per processor]")
+@click.option("--dask", metavar="SCHEDULER", help="calculate on the workers of this Dask scheduler")
+@click.option("--replicates", type=int, help="runs per group instead of the design's own")
+@click.option("--group", "groups", multiple=True, help="only this group (repeatable)")
+@click.option("--numerics", multiple=True, help="only these numerics (repeatable)")
+@click.option("--row", type=int, help="run this row again and record it as a bag in --out")
+@click.option("--force", is_flag=True, help="start again instead of resuming")
+@click.pass_context
+def command(ctx: click.Context, /, **options: Any) -> None:
+    """Run DESIGN (a name in config/designs, or a file): groups x replicates, one row a run in a Parquet table."""
+    from cocorosim_ros.experiments.design import load_design
+
+    selection = (options["replicates"], options["groups"], options["numerics"])
+    design = load_design(options["design"], *selection)
+    if options["workers"] is not None and options["workers"] < 1:
+        raise CocorosimError(f"--workers has {options['workers']}; give 1 or more.")
+    console = Console()
+    if options["row"] is not None:
+        ctx.exit(_record_row(design, options, console))
+    ctx.exit(_run_all(design, options, console))
+
+
+def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:
+    from cocorosim_ros.commands.interruption import Interruption
+    from cocorosim_ros.experiments.rows import chunks
+    from cocorosim_ros.experiments.store import Store
+
+    store = Store(options["out"], design, force=options["force"])
+    done = store.done()
+    left = list(chunks(design, done))
+    missing = sum(chunk.count for chunk in left)
+    began = time.monotonic()
+    if missing < design.runs:
+        console.print(f"{design.runs - missing} of {design.runs} runs are there already")
+    with Interruption() as interruption, _bar(console) as bar:
+        task = bar.add_task(design.name, total=design.runs, completed=design.runs - missing)
+        for rows in _calculated(left, options, lambda: not interruption.happened):
+            store.add(rows)
+            bar.advance(task, rows.num_rows)
+            missing -= rows.num_rows
+    if missing:
+        console.print(f"Interrupted; {design.runs - missing} of {design.runs} runs are kept. The same command goes on.")
+        return INTERRUPTED
+    table = store.complete()
+    console.print(f"{store.results}: {table.num_rows} rows, {time.monotonic() - began:.1f} s")
+    console.print(f"cocorosim report {options['out']}   shows them")
+    return 0
+
+
+def _calculated(left: list[Any], options: dict[str, Any], going: Any) -> Iterator[Any]:
+    from cocorosim_ros.experiments import execution
+
+    if options["dask"]:
+        from cocorosim_ros.experiments.on_dask import run_on_dask
+
+        return run_on_dask(left, options["dask"], going)
+    workers = min(options["workers"] or execution.usual_workers(), len(left))
+    if workers <= 1:
+        return execution.run_here(left, going)
+    return execution.run_in_processes(left, workers, going)
+
+
+def _bar(console: Console) -> Progress:
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        TextColumn("left"),
+        TimeRemainingColumn(compact=True),
+        console=console,
+        transient=not console.is_terminal,
+        disable=not console.is_terminal,
+    )
+
+
+def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
+    """One run of the design again, with its bag, statistics and picture."""
+    from cocorosim_ros.commands.interruption import Interruption
+    from cocorosim_ros.commands.progress import RunProgress
+    from cocorosim_ros.commands.run_folder import prepare_folder
+    from cocorosim_ros.commands.run_modes import Outcome
+    from cocorosim_ros.commands.show_results import show_results
+    from cocorosim_ros.messages.body import describe_body
+    from cocorosim_ros.runs.in_process import run_in_process
+    from cocorosim_ros.runs.results import recording_metadata
+    from cocorosim_ros.runs.run_record import RunRecord
+
+    cell, replicate = design.cell_of_row(options["row"])
+    scenario = cell.scenario
+    folder = prepare_folder(options["out"], force=options["force"])
+    metadata = {**recording_metadata(scenario), "run": str(replicate), "group": cell.group, "numerics": cell.numerics}
+    record = RunRecord(folder / "bag", [describe_body(robot) for robot in scenario.robots], metadata)
+    start = time.monotonic()
+    console.print(f"row {options['row']}: group {cell.group}, {cell.numerics} numerics, replicate {replicate}")
+    with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
+
+        def show(tick: int) -> bool:
+            progress.show(tick, 0)
+            return not interruption.happened
+
+        ticks = run_in_process(scenario, record, show, replicate)
+    outcome = Outcome(ticks, progress.seconds, progress.starting_after(start), interruption.happened)
+    show_results(console, scenario, folder, outcome)
+    return INTERRUPTED if outcome.interrupted else 0

@@ -1,0 +1,67 @@
+"""`cocorosim`: the one command, its sub-commands and how its errors are shown."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+
+import click
+
+from cocorosim_ros import __version__
+from cocorosim_ros.errors import CocorosimError
+
+UNUSABLE_INPUT = 2
+COMMANDS: dict[str, str] = {
+    "run": "run a scenario: node graph, recording, statistics, picture",
+    "replay": "publish a recording on its topics again",
+    "calibrate": "Lily's calibration from the published measurements, or a platform fitted to a recording",
+    "view": "look at a recording: a page that plays it",
+    "metrics": "shoaling statistics of any recording that has poses",
+    "diagnose": "where a recording and the model of a platform disagree, why, and a model that does not",
+    "convert": "other people's logs, CSV or bags, into the contract's recording",
+    "experiment": "many runs without ROS, resumable, as one table",
+    "report": "an experiment's table as a page with figures and tables",
+    "claims": "the paper's claims beside what experiments show",
+    "digest": "the digest of recordings, and where two of them differ",
+}
+
+
+class _Commands(click.Group):
+    """Loads a sub-command only when it is used, so that `--help` and errors are quick."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in COMMANDS:
+            return None
+        module = importlib.import_module(f"cocorosim_ros.commands.{cmd_name}")
+        command: click.Command = module.command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+@click.group(cls=_Commands)
+@click.version_option(__version__, prog_name="cocorosim")
+def cocorosim() -> None:
+    """Swarms of small underwater robots as a ROS 2 node graph."""
+
+
+def main() -> None:
+    """Entry point: an error is one sentence on standard error and status 2."""
+    try:
+        status = cocorosim.main(standalone_mode=False)
+        sys.exit(status if isinstance(status, int) else 0)
+    except CocorosimError as error:
+        click.echo(f"cocorosim: {error}", err=True)
+        sys.exit(UNUSABLE_INPUT)
+    except click.ClickException as error:
+        click.echo(f"cocorosim: {error.format_message()}", err=True)
+        sys.exit(UNUSABLE_INPUT)
+    except click.Abort:
+        sys.exit(130)
+    except BrokenPipeError:
+        sys.exit(0)

@@ -1,0 +1,63 @@
+"""`cocorosim metrics`: shoaling statistics of any recording that has poses, without ROS."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from cocorosim_ros.commands.show_results import metrics_table
+from cocorosim_ros.commands.terminal import say, show_table
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.recording.bag_reader import read_bag
+from cocorosim_ros.runs.results import draw_picture, measure_recording, summary_of, write_json
+from cocorosim_ros.scenario.entry import Entry
+from cocorosim_ros.scenario.quantity import read_nanoseconds
+
+
+@click.command("metrics", short_help="shoaling statistics of any recording that has poses")
+@click.argument("bag", type=click.Path(path_type=Path))
+@click.option("--json", "json_file", type=click.Path(path_type=Path), help="write the statistics to this file too")
+@click.option("--all", "all_metrics", is_flag=True, help="show every variant, not only the paper's six")
+@click.option("--interval", metavar="TIME", help="measure every TIME, such as '0.5 s', by interpolation")
+@click.option("--picture", type=click.Path(path_type=Path), help="draw tracks and statistics into this PNG file")
+@click.option("--force", is_flag=True, help="replace files that are there")
+def command(
+    bag: Path, json_file: Path | None, all_metrics: bool, interval: str | None, picture: Path | None, force: bool
+) -> None:
+    """Show the shoaling statistics of BAG (a rosbag2 folder, an .mcap file, or the folder of a run).
+
+    Robots are the topics NAMESPACE/pose of type geometry_msgs/msg/PoseStamped. Where all robots have the same stamps,
+    each stamp is a moment; otherwise poses are interpolated to common moments, gaps are left out, and both are said.
+    """
+    console = Console()
+    for file in (json_file, picture):
+        _check_writable(file, force=force)
+    opened = read_bag(bag)
+    tracks, samples, monitor = measure_recording(opened, _nanoseconds(interval))
+    summary = summary_of(opened, samples, monitor)
+    show_table(console, metrics_table(summary, paper_only=not all_metrics))
+    for sentence in summary["findings"]:
+        say(console, sentence, "yellow")
+    if json_file is not None:
+        write_json(json_file, summary)
+        say(console, f"wrote {json_file}")
+    if picture is not None:
+        draw_picture(picture, opened, tracks, monitor)
+        say(console, f"wrote {picture}")
+
+
+def _nanoseconds(interval: str | None) -> int | None:
+    return None if interval is None else read_nanoseconds(Entry(interval, "the command line", 0, "--interval"))
+
+
+def _check_writable(file: Path | None, *, force: bool) -> None:
+    """Raise CocorosimError, before anything is measured, if the file cannot be written or must not be."""
+    if file is None:
+        return
+    if file.is_dir() or not file.absolute().parent.is_dir():
+        wrong = "is a folder" if file.is_dir() else "lies in a folder that does not exist"
+        raise CocorosimError(f"{file} {wrong}; give the name of a file in a folder that exists.")
+    if file.exists() and not force:
+        raise CocorosimError(f"{file} exists already and is not overwritten; choose another name, or --force.")

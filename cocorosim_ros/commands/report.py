@@ -1,0 +1,41 @@
+"""`cocorosim report`: results of experiments as one page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from cocorosim_ros.errors import CocorosimError
+
+
+@click.command("report", short_help="results of experiments as one page")
+@click.argument("results", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--out", type=click.Path(path_type=Path), help="the page [default: report.html in the first folder]")
+@click.option("--table", "summary", type=click.Path(path_type=Path), help="CSV file of all medians and quartiles")
+@click.option("--force", is_flag=True, help="replace files that are there")
+def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, force: bool) -> None:
+    """Write one self-contained HTML page about RESULTS, folders that `cocorosim experiment` has made."""
+    from cocorosim_ros.analysis.report import render_report
+    from cocorosim_ros.analysis.results import load_results
+
+    page = out or results[0] / "report.html"
+    for path in (page, *([summary] if summary else [])):
+        if path.exists() and not force:
+            raise CocorosimError(f"{path} exists already; give another file, or --force.")
+    experiments = [load_results(folder) for folder in results]
+    _write(page, render_report(experiments))
+    Console().print(f"{page}: {page.stat().st_size / 1e6:.1f} MB, open it in a browser")
+    if summary:
+        from cocorosim_ros.analysis.summary_table import summary_csv
+
+        _write(summary, summary_csv(experiments))
+        Console().print(f"{summary}: medians, quartiles and effects of every metric")
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.write_text(text, "utf-8")
+    except OSError as error:
+        raise CocorosimError(f"{path} cannot be written: {error.strerror}; give another file.") from error

@@ -1,0 +1,80 @@
+"""`cocorosim run`: a scenario as node graph, composed, or without ROS."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from cocorosim_ros.commands.run_folder import prepare_folder
+from cocorosim_ros.commands.run_modes import (
+    Outcome,
+    RunChoices,
+    check_startable,
+    run_as_graph,
+    run_in_one_process,
+    run_without_ros,
+)
+from cocorosim_ros.commands.show_results import show_results
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+from cocorosim_ros.simulation.platform_effects import not_simulated
+
+FAILED, INTERRUPTED = 1, 130
+# OpenBLAS would start threads that a fork does not take along.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+@click.command(
+    "run",
+    short_help="run a scenario",
+    epilog="Exit status: 0 the run was done; 1 it began and failed midway (what was recorded stays); 2 the input is "
+    "unusable, nothing was touched; 130 interrupted by Ctrl-C or SIGTERM, the recording is complete until then.",
+)
+@click.argument("scenario")
+@click.option("--out", type=click.Path(path_type=Path), help="folder of the run [default: runs/NAME]")
+@click.option("--force", is_flag=True, help="replace a run that is there")
+@click.option("--seed", type=int, help="seed instead of the scenario's own")
+@click.option("--duration", help="length of the run, such as '60 s', instead of the scenario's own")
+@click.option("--external", multiple=True, metavar="ROBOT", help="leave this robot's controller to you (repeatable)")
+@click.option("--wait", type=float, default=60.0, show_default=True, help="seconds that controllers get to appear")
+@click.option("--rate", type=float, default=0.0, help="seconds of simulation per second; default: lock-step")
+@click.option("--composed", is_flag=True, help="all nodes in one process")
+@click.option("--in-process", "in_process", is_flag=True, help="the same run without ROS")
+@click.option("--network", is_flag=True, help="let other machines take part")
+@click.pass_context
+def command(ctx: click.Context, /, **options: object) -> None:
+    """Run SCENARIO (a name in config/scenarios, or a file) and leave a folder with bag, statistics and picture."""
+    choices = RunChoices(**options)  # type: ignore[arg-type]
+    console = Console()
+    scenario = load_scenario(
+        choices.scenario,
+        seed=choices.seed,
+        duration=choices.duration,
+        external=list(choices.external) or None,
+    )
+    check_startable(scenario, choices)
+    for sentence in not_simulated({robot.name: robot.platform for robot in scenario.robots}):
+        console.print(sentence, style="yellow", markup=False, highlight=False)
+    folder = prepare_folder(choices.out or Path("runs") / scenario.name, force=choices.force)
+    try:
+        outcome = _mode(choices)(scenario, choices, folder, console)
+    except CocorosimError as error:
+        click.echo(f"cocorosim: {error}{_what_is_left(folder)}", err=True)
+        ctx.exit(FAILED)
+    show_results(console, scenario, folder, outcome)
+    ctx.exit(INTERRUPTED if outcome.interrupted else 0)
+
+
+def _mode(choices: RunChoices) -> Callable[[Scenario, RunChoices, Path, Console], Outcome]:
+    """The function that does the run."""
+    if choices.in_process:
+        return run_without_ros
+    return run_in_one_process if choices.composed else run_as_graph
+
+
+def _what_is_left(folder: Path) -> str:
+    return f" What was recorded until then is in {folder / 'bag'}." if (folder / "bag").is_dir() else ""

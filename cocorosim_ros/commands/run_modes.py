@@ -1,0 +1,181 @@
+"""The three ways of running a scenario: as processes, composed in one process, without ROS."""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+
+from cocorosim_ros.commands.progress import RunProgress
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.messages.body import describe_body
+from cocorosim_ros.runs.latency import check_latency
+from cocorosim_ros.runs.run_record import run_topics, selected_topics
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.simulation.platform_effects import check_platform
+
+if TYPE_CHECKING:
+    from cocorosim_ros.nodes.graph import GraphPlan
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a run went."""
+
+    ticks: int
+    seconds: float  # of wall clock from the first tick to the last
+    starting: float  # s of wall clock until the first tick was done
+    interrupted: bool
+
+
+@dataclass(frozen=True)
+class RunChoices:
+    """The options of one call."""
+
+    scenario: str
+    out: Path | None
+    force: bool
+    seed: int | None
+    duration: str | None
+    external: tuple[str, ...]
+    rate: float
+    composed: bool
+    in_process: bool
+    network: bool
+    wait: float
+
+    def __post_init__(self) -> None:
+        """Raise CocorosimError for options that contradict each other."""
+        self._check()
+
+    def _check(self) -> None:
+        if not 0.0 <= self.rate < math.inf:
+            raise CocorosimError(f"--rate has {self.rate:g}; give a positive number, or leave it out for lock-step.")
+        if not 0.0 <= self.wait <= 86400.0:
+            raise CocorosimError(f"--wait has {self.wait:g}; give seconds from 0 to 86400.")
+        if self.composed and self.in_process:
+            raise CocorosimError("--composed and --in-process exclude each other; give one of them.")
+        if (self.composed or self.in_process) and self.rate > 0.0:
+            raise CocorosimError("--composed and --in-process run in lock-step; leave out --rate.")
+
+
+def check_startable(scenario: Scenario, choices: RunChoices) -> None:
+    """Nothing, if the scenario can be run so; raises CocorosimError before anything is touched."""
+    from cocorosim_ros.nodes.domain import domain_of_user
+
+    if (choices.composed or choices.in_process) and scenario.external:
+        raise CocorosimError(
+            f"The controller of {scenario.external[0]} is left to you, which needs nodes in processes of their own; "
+            "leave out --composed and --in-process, or take it out of --external and the scenario's 'external'."
+        )
+    if not choices.in_process:
+        check_latency(scenario)
+    for robot in scenario.robots:
+        check_platform(robot.platform)
+    bodies = [describe_body(robot) for robot in scenario.robots]
+    selected_topics(run_topics(bodies), scenario.recording.topics)
+    domain_of_user()
+
+
+def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
+    """Every node a process of its own."""
+    from cocorosim_ros.commands.interruption import Interruption
+    from cocorosim_ros.nodes.supervisor import Supervisor
+    from cocorosim_ros.runs.warm_up import compile_everything
+
+    with _own_domain(network=choices.network) as domain:
+        with console.status("compiling (once per version)"):
+            compile_everything(scenario)
+        console.print(_announcement(scenario, domain, choices), markup=False)
+        start = time.monotonic()
+        supervisor = Supervisor(_plan(scenario, choices, folder), _warner(console))
+        with Interruption() as interruption:
+            interruption.then(supervisor.interrupt)
+            try:
+                supervisor.start()
+                with RunProgress(console, scenario) as progress:
+                    supervisor.watch(lambda state: progress.show(state.ticks, state.missing_answers))
+            finally:
+                supervisor.end()
+    state = supervisor.state
+    return Outcome(state.ticks, state.seconds, state.starting_after(start), supervisor.interrupted)
+
+
+def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
+    """All nodes in this process, still on ROS topics."""
+    from cocorosim_ros.commands.interruption import Interruption
+    from cocorosim_ros.nodes.composed import run_composed
+
+    with _own_domain(network=choices.network):
+        start = time.monotonic()
+        with Interruption() as interruption, RunProgress(console, scenario) as progress:
+            run_composed(
+                _plan(scenario, choices, folder),
+                lambda graph: interruption.then(graph.physics.request_stop),
+                progress.show,
+                _warner(console),
+            )
+    return Outcome(progress.ticks, progress.seconds, progress.starting_after(start), interruption.happened)
+
+
+def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
+    """The same ticks and the same bag, without ROS."""
+    from cocorosim_ros.commands.interruption import Interruption
+    from cocorosim_ros.runs.in_process import run_in_process
+    from cocorosim_ros.runs.results import recording_metadata
+    from cocorosim_ros.runs.run_record import RunRecord
+
+    bodies = [describe_body(robot) for robot in scenario.robots]
+    selection = scenario.recording.topics
+    record = RunRecord(folder / "bag", bodies, recording_metadata(scenario), selection=selection)
+    start = time.monotonic()
+    with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
+
+        def show(tick: int) -> bool:
+            progress.show(tick, 0)
+            return not interruption.happened
+
+        ticks = run_in_process(scenario, record, show)
+    return Outcome(ticks, progress.seconds, progress.starting_after(start), interruption.happened)
+
+
+@contextmanager
+def _own_domain(*, network: bool) -> Iterator[int]:
+    """Within, the number of a ROS domain of one's own, for all processes started from here."""
+    from cocorosim_ros.nodes.domain import OwnDomain, keep_on_this_machine
+
+    domain = OwnDomain()
+    os.environ["ROS_DOMAIN_ID"] = str(domain.number)
+    keep_on_this_machine(network=network)
+    try:
+        yield domain.number
+    finally:
+        domain.release()
+
+
+def _plan(scenario: Scenario, choices: RunChoices, folder: Path) -> GraphPlan:
+    from cocorosim_ros.nodes.graph import GraphPlan
+
+    return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait)
+
+
+def _warner(console: Console) -> Callable[[str], None]:
+    return lambda words: console.print(words, style="yellow", markup=False, highlight=False)
+
+
+def _announcement(scenario: Scenario, domain: int, choices: RunChoices) -> str:
+    where = "on the network" if choices.network else "on this machine only"
+    pace = f"at {choices.rate:g} x real time" if choices.rate else "in lock-step"
+    words = f"{len(scenario.robots)} robots {pace}, ROS domain {domain}, {where}"
+    if scenario.external:
+        words += f"\nup to {choices.wait:g} s for the controllers of {', '.join(scenario.external)}; in their shell:"
+        words += f"\n  export ROS_DOMAIN_ID={domain}"
+        words += "" if choices.network else " ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"
+    return words

@@ -1,0 +1,1 @@
+"""What is read from bytes by compiled functions."""

@@ -1,0 +1,34 @@
+"""What the metrics remember from tick to tick."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+CONTACT_KINDS = 3
+"""Ways of being in contact that the lost counters tell apart."""
+
+
+class Memory(NamedTuple):
+    """What the metrics of `runs` swarms of `robots` robots remember from tick to tick; changed in place."""
+
+    position: NDArray[np.float64]
+    """(runs, robots, 3) at the previous tick [m; world]."""
+    present: NDArray[np.bool_]
+    """(runs, robots) at the previous tick."""
+    contact: NDArray[np.bool_]
+    """(runs, robots, kinds) robot had contact when last seen."""
+    lost: NDArray[np.int64]
+    """(runs, kinds) events so far."""
+
+
+def new_memory(runs: int, robots: int) -> Memory:
+    """Memory of swarms that have not been measured yet."""
+    return Memory(
+        np.zeros((runs, robots, 3)),
+        np.zeros((runs, robots), np.bool_),
+        np.zeros((runs, robots, CONTACT_KINDS), np.bool_),
+        np.zeros((runs, CONTACT_KINDS), np.int64),
+    )
