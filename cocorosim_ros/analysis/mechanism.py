@@ -1,0 +1,92 @@
+"""Claim S22: by blue light the robots perceive the shoal's centre nearer than it is.
+
+In runs of BLT both offsets are taken of the same robot at the same moment: the exact one that Vanilla steers by (to the
+coordinate-wise median of all neighbours within 0.5 m) and the one that BLT steers by (the sum, over its sensors, of the
+range along the sensor's axis, where it is trusted). Both in metres, without weights.
+Source: Read et al. 2013, section 5 ("boids thus perceiving swarm centres to be closer than they in fact are").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.analysis.answers import NOT_REPRODUCED, REPRODUCED, Answer
+from cocorosim_ros.experiments.design import Cell, load_design
+from cocorosim_ros.metrics.swarms import CONTACT_RANGE
+from cocorosim_ros.scenario.seeding import start_poses
+from cocorosim_ros.signals.state import YAW, X, Z
+from cocorosim_ros.simulation.assembly import build_world
+from cocorosim_ros.simulation.simulation import Simulation
+
+Floats = NDArray[np.float64]
+_RUNS, _TICKS, _EVERY = 20, 3000, 25
+
+
+@dataclass(frozen=True)
+class PerceivedCentre:
+    """Lengths [m] of both offsets, and how often the perceived one is the shorter."""
+
+    exact: float  # median over robots and moments
+    perceived: float
+    nearer: float  # share
+
+
+def perceived_centres(cell: Cell, runs: int = _RUNS, ticks: int = _TICKS) -> PerceivedCentre:
+    """What the robots of a cell perceive, every 12.5 s of some runs; moments without neighbours are left out."""
+    scenario = cell.scenario
+    trust = float(scenario.robots[0].controller.parameters["neighbour_trust"].value)
+    starts = np.stack([start_poses(scenario, run) for run in range(runs)])
+    simulation = Simulation(build_world(scenario, runs), starts)
+    pairs = []
+    for tick in range(ticks):
+        readings = simulation.sense()
+        if tick % _EVERY == 0:
+            lengths = exact_length(simulation.state), perceived_length(simulation, readings.neighbour_range, trust)
+            pairs.append(np.stack(lengths).reshape(2, -1))
+        simulation.decide()
+        simulation.advance()
+    exact, perceived = np.hstack(pairs)
+    seen = np.isfinite(exact) & (perceived > 0.0)
+    nearer = float(np.mean(perceived[seen] < exact[seen]))
+    return PerceivedCentre(float(np.median(exact[seen])), float(np.median(perceived[seen])), nearer)
+
+
+def exact_length(state: Floats) -> Floats:
+    """(runs, robots) distance [m] to the coordinate-wise median of the neighbours [body axes], NaN without any."""
+    place, yaw = state[..., X : Z + 1], state[..., YAW]
+    offset = place[:, None, :, :] - place[:, :, None, :]
+    cosine, sine = np.cos(yaw)[..., None], np.sin(yaw)[..., None]
+    ahead = offset[..., 0] * cosine + offset[..., 1] * sine
+    left = offset[..., 1] * cosine - offset[..., 0] * sine
+    body = np.stack([ahead, left, offset[..., 2]], axis=-1)
+    near = np.linalg.norm(offset, axis=-1) <= CONTACT_RANGE
+    near &= ~np.eye(place.shape[1], dtype=bool)
+    masked = np.ma.array(body, mask=np.repeat(~near[..., None], 3, axis=-1))
+    middle = np.ma.median(masked, axis=2).filled(np.nan)  # type: ignore[no-untyped-call]
+    length: Floats = np.linalg.norm(middle, axis=-1)
+    return length
+
+
+def perceived_length(simulation: Simulation, ranges: Floats, trust: float) -> Floats:
+    """(runs, robots) length [m] of the sum of `ranges` (runs, robots, sensors) along the axes; 0 without any."""
+    trusted = np.where(ranges < trust, ranges, 0.0)
+    total = np.einsum("ijk,jkl->ijl", trusted, simulation.world.crew.sensor_axis)
+    length: Floats = np.linalg.norm(total, axis=-1)
+    return length
+
+
+def mechanism_answers() -> Iterator[Answer]:
+    """S22 in both kinds of numerics of the design `boids`."""
+    for cell in load_design("boids", groups=["BLT"]).cells:
+        found = perceived_centres(cell)
+        nearer = found.perceived < found.exact and found.nearer > 0.5
+        ours = (
+            f"median {found.perceived:.3f} m instead of {found.exact:.3f} m; nearer in {100 * found.nearer:.0f} % "
+            "of all moments"
+        )
+        subject = "BLT: offset to the centre, perceived and exact"
+        yield Answer("S22", subject, "perceived nearer", cell.numerics, ours, REPRODUCED if nearer else NOT_REPRODUCED)

@@ -1,0 +1,89 @@
+"""Claims about the method: M1 enough runs, M2 currents cost most, M3 large swarms are feasible.
+
+M1 follows the procedure of analysis.sample_size; its answer depends on no simulation, because A is free of the
+distribution. M2 compares the processor time of a robot's tick in the two designs. M3 measures one run here and now.
+Source: Read et al. 2013, sections 1, 5 and 5.1.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from cocorosim_ros.analysis.answers import NO_RUNS, NOT_REPRODUCED, REPRODUCED, Answer
+from cocorosim_ros.analysis.effect_size import SMALL
+from cocorosim_ros.analysis.results import Results
+from cocorosim_ros.analysis.sample_size import consistency_by_chance
+from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+from cocorosim_ros.scenario.seeding import start_poses
+from cocorosim_ros.scenario.swarm import StartBox
+from cocorosim_ros.simulation.assembly import build_world
+from cocorosim_ros.simulation.simulation import Simulation
+
+RUNS, FEWER, REPETITIONS = 400, 200, 300
+CROWD, TICKS = 1000, 40
+_SUBJECT_M3 = f"{CROWD:,} Lilys (BLT) as dense as eleven in 6 x 6 x 2 m, one processor"
+
+
+def method_answers(experiments: Mapping[str, Results]) -> Iterator[Answer]:
+    """M1 to M3; M2 where both designs are there."""
+    chance, less = (consistency_by_chance(runs, REPETITIONS, np.random.default_rng(0)) for runs in (RUNS, FEWER))
+    ours = (
+        f"largest of 19 scores {chance.median_of_largest:.3f} (median), below {SMALL} in "
+        f"{100 * chance.enough:.0f} % of repetitions; with {FEWER} runs in {100 * less.enough:.0f} %"
+    )
+    verdict = REPRODUCED if chance.median_of_largest < SMALL else NOT_REPRODUCED
+    yield Answer("M1", f"A of {RUNS} runs by chance", f"below {SMALL}", "both", ours, verdict)
+    if {"boids", "turbulence"} <= experiments.keys():
+        for numerics in experiments["turbulence"].numerics:
+            yield _bottleneck(experiments, numerics)
+    yield _crowd_answer()
+
+
+def _bottleneck(experiments: Mapping[str, Results], numerics: str) -> Answer:
+    still, moving = (_cost(experiments["boids"], numerics, "BLT"), _cost(experiments["turbulence"], numerics, "T5e-4"))
+    ours = f"{1e6 * still:.2g} us without, {1e6 * moving:.2g} us with them"
+    verdict = NO_RUNS if math.isnan(still + moving) else REPRODUCED if moving > 2.0 * still else NOT_REPRODUCED
+    subject = "time of a robot's tick, BLT and T5e-4"
+    return Answer("M2", subject, "currents are the bottleneck", numerics, ours, verdict)
+
+
+def _cost(results: Results, numerics: str, group: str) -> float:
+    """Median time of a robot's tick [s]."""
+    seconds = results.values(numerics, group, "wall_seconds")
+    return float(np.median(seconds) / (results.about["ticks"] * results.about["robots"])) if seconds.size else math.nan
+
+
+def crowd_scenario() -> Scenario:
+    """A thousand Lilys in a tank that is as much larger."""
+    scenario = load_scenario("eleven_lilys")
+    growth = (CROWD / len(scenario.robots)) ** 0.5
+    width, breadth, depth = scenario.tank.size
+    tank = replace(scenario.tank, size=(width * growth, breadth * growth, depth))
+    group = replace(scenario.swarm[0], count=CROWD)
+    box = StartBox((0.0, 0.0, -depth / 2), (width * growth - 1.0, breadth * growth - 1.0, depth - 1.0))
+    return replace(scenario, tank=tank, swarm=(replace(group, start=replace(group.start, box=box)),))
+
+
+def crowd_speed(ticks: int = TICKS) -> float:
+    """How many times real time a run of a thousand Lilys goes, compiling left out."""
+    scenario = crowd_scenario()
+    simulation = Simulation(build_world(scenario), start_poses(scenario)[None])
+    began = 0.0
+    for tick in range(ticks + 1):
+        if tick == 1:
+            began = time.perf_counter()
+        simulation.sense()
+        simulation.decide()
+        simulation.advance()
+    return ticks * scenario.tick / (time.perf_counter() - began)
+
+
+def _crowd_answer() -> Answer:
+    speed = crowd_speed()
+    verdict = REPRODUCED if speed > 1.0 else NOT_REPRODUCED
+    return Answer("M3", _SUBJECT_M3, "large swarms are feasible", "both", f"{speed:.2g} times real time", verdict)

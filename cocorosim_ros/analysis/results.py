@@ -1,0 +1,87 @@
+"""The results of an experiment as arrays, group by group."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from cocorosim_ros.analysis.effect_size import Effect, effect
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.experiments.store import DESIGN, PARTS, RESULTS, group_rows, read_rows
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Median and quartiles of one column of one group."""
+
+    runs: int
+    median: float
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class Results:
+    """A table with the design that it belongs to."""
+
+    about: dict[str, Any]
+    """What design.json says."""
+    table: pa.Table
+
+    @property
+    def groups(self) -> list[str]:
+        """In the order of the design."""
+        return list(dict.fromkeys(cell["group"] for cell in self.about["cells"]))
+
+    @property
+    def numerics(self) -> list[str]:
+        """In the order of the design."""
+        return list(dict.fromkeys(cell["numerics"] for cell in self.about["cells"]))
+
+    @property
+    def baseline(self) -> str:
+        """The group that the others are compared with."""
+        return str(self.about["baseline"])
+
+    def values(self, numerics: str, group: str, column: str) -> Floats:
+        """One number per run, NaN where undefined."""
+        rows = group_rows(self.table, numerics, group)
+        return np.asarray(rows[column].to_numpy(zero_copy_only=False), dtype=np.float64)
+
+    def spread(self, numerics: str, group: str, column: str) -> Spread:
+        """Median and quartiles over the runs at which the column is defined."""
+        values = self.values(numerics, group, column)
+        known = values[~np.isnan(values)]
+        if known.size == 0:
+            return Spread(0, np.nan, np.nan, np.nan)
+        lower, median, upper = np.quantile(known, [0.25, 0.5, 0.75])
+        return Spread(known.size, float(median), float(lower), float(upper))
+
+    def effect(self, numerics: str, group: str, column: str) -> Effect:
+        """A of a group against the baseline."""
+        return effect(self.values(numerics, group, column), self.values(numerics, self.baseline, column))
+
+
+def load_results(folder: Path) -> Results:
+    """The results of an experiment, finished or not. Raises CocorosimError if the folder holds none."""
+    note = folder / DESIGN
+    if not note.is_file():
+        raise CocorosimError(f"{folder} holds no experiment; give a folder that 'cocorosim experiment --out' has made.")
+    files = [path for path in (folder / RESULTS, *sorted((folder / PARTS).glob("*.parquet"))) if path.is_file()]
+    if not files:
+        raise CocorosimError(f"{folder} holds no finished runs yet; let 'cocorosim experiment' go on.")
+    table = pa.concat_tables([read_rows(path) for path in files])
+    results = Results(json.loads(note.read_text("utf-8")), table)
+    if group_rows(table, results.numerics[0], results.baseline).num_rows == 0:
+        raise CocorosimError(
+            f"{folder} holds no runs of the baseline '{results.baseline}' yet; let it be calculated first."
+        )
+    return results

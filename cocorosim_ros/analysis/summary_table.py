@@ -1,0 +1,49 @@
+"""Every column of every group in numbers: runs, quartiles, and A against the baseline, as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Iterator
+
+from cocorosim_ros.analysis.results import Results
+from cocorosim_ros.experiments.rows import STATISTICS
+from cocorosim_ros.metrics import METRICS
+
+HEADING = (
+    *("design", "numerics", "group", "metric", "unit", "over time", "runs", "lower quartile", "median"),
+    *("upper quartile", "A against baseline", "A from", "A to"),
+)
+_WORDS = {"": "own definition", "_time_mean": "mean", "_time_median": "median"}
+
+
+def summary_csv(experiments: Iterable[Results]) -> str:
+    """The table as text, one line for each group, kind of numerics, metric and way of summing up over time."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(HEADING)
+    for results in experiments:
+        writer.writerows(_lines(results))
+    return stream.getvalue()
+
+
+def _lines(results: Results) -> Iterator[tuple[str, ...]]:
+    for numerics in results.numerics:
+        for group in results.groups:
+            for name, metric in METRICS.items():
+                for statistic in STATISTICS:
+                    words = (str(results.about["design"]), numerics, group, name, metric.unit, _WORDS[statistic])
+                    yield *words, *_numbers(results, numerics, group, f"{name}{statistic}")
+
+
+def _numbers(results: Results, numerics: str, group: str, column: str) -> tuple[str, ...]:
+    spread = results.spread(numerics, group, column)
+    quartiles = (spread.lower, spread.median, spread.upper)
+    found = results.effect(numerics, group, column)
+    against = ("", "", "") if group == results.baseline else tuple(map(_digits, (found.value, found.low, found.high)))
+    return (str(spread.runs), *map(_digits, quartiles), *against)
+
+
+def _digits(value: float) -> str:
+    return "" if math.isnan(value) else f"{value:.6g}"
