@@ -1,0 +1,68 @@
+"""The contest: candidates refined with everything else let loose, ranked by evidence, added one by one, pruned."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.candidate import Candidate
+from cocorosim_ros.diagnosis.columns import READING_NOISE_OF_KIND, WATER_NOISE
+from cocorosim_ros.diagnosis.entry import Scene
+from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, with_noise
+from cocorosim_ros.diagnosis.kernels.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.screening import Screened
+from cocorosim_ros.diagnosis.unknowns import prior_precision
+
+Floats = NDArray[np.float64]
+CLEAR = 3.0  # nats from which a candidate is worth the last steps
+
+
+@dataclass(frozen=True)
+class Refined:
+    """A candidate in a fit of everything; `nats`: logarithm of the Bayes factor over the model without it."""
+
+    candidate: Candidate
+    fit: Fit
+    count: int  # unknowns that it added, the last ones of the fit's laws
+    nats: float
+
+
+def log_evidence(fit: Fit) -> float:
+    """Laplace's approximation of the logarithm of the evidence, up to what all models of the same noise share.
+
+    Each law's q has the prior of its Unknown; a flat one would make evidence meaningless, so none is flat.
+    """
+    if not fit.laws:
+        return fit.objective
+    matrix = information(fit).matrix
+    precision = prior_precision(fit.laws)
+    if not (np.isfinite(matrix).all() and math.isfinite(fit.objective)):
+        return -math.inf
+    _, log_matrix = np.linalg.slogdet(matrix)
+    return fit.objective + 0.5 * float(np.sum(np.log(precision))) - 0.5 * float(log_matrix)
+
+
+def _readings_of(candidate: Candidate) -> tuple[str, ...]:
+    """The noise that an effect of a stream may have been taken for."""
+    names = dict.fromkeys(READING_NOISE_OF_KIND[kind] for kind in KINDS_OF_STREAM.get(candidate.entry.topic or "", ()))
+    return tuple(f"reading.{name}" for name in names)
+
+
+def refine(fit: Fit, screened: Screened, scene: Scene, base_evidence: float) -> Refined:
+    """The candidate let loose together with everything else, from where the screening saw it."""
+    candidate = screened.candidate
+    rows = candidate.write(fit.rows, screened.values)
+    new = [*candidate.amplitudes(), *candidate.shape_unknowns(screened.values, scene)]
+    shapes = len(new) - len(screened.q)
+    start = np.concatenate([fit.q, screened.q, np.zeros(shapes)])
+    trial = evaluated(replace(fit, rows=rows, laws=(*fit.laws, *new), q=start))
+    cautious = evaluated(replace(trial, q=np.concatenate([fit.q, 0.3 * screened.q, np.zeros(shapes)])))
+    trial = trial if trial.objective > cautious.objective else cautious
+    trial = improved(trial, 3)
+    trial = improved(with_noise(trial, 1, WATER_NOISE), 3)
+    if trial.objective - fit.objective > CLEAR:
+        trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(candidate))), 2)
+    return Refined(candidate, trial, len(new), log_evidence(trial) - base_evidence)

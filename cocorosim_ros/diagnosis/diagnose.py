@@ -1,0 +1,138 @@
+"""The whole diagnosis: recalibrate, locate, name, show, advise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+from cocorosim_ros.diagnosis.catalogue import IDS
+from cocorosim_ros.diagnosis.detectability import is_blind, not_shown, screened_effects
+from cocorosim_ros.diagnosis.estimates import found_effects, recalibrated
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fit import Fit, finite
+from cocorosim_ros.diagnosis.framing import mixed_up
+from cocorosim_ros.diagnosis.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.location import locate
+from cocorosim_ros.diagnosis.manoeuvres import advise
+from cocorosim_ros.diagnosis.naming import THRESHOLD, Naming, name_effects, without_weakest
+from cocorosim_ros.diagnosis.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.recalibration import RECALIBRATED, base_fit, nominal_fit
+from cocorosim_ros.diagnosis.residual import smoothed_tracks
+from cocorosim_ros.diagnosis.residual_force import residual_forces
+from cocorosim_ros.diagnosis.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.sentence import sentence_of
+from cocorosim_ros.evidence.intake import take_in
+from cocorosim_ros.evidence.log import Evidence
+
+Floats = NDArray[np.float64]
+Progress = Callable[[str, float], None]
+WORSE = 1.1
+SURE = 0.01  # chance that a clear shift of the platform's numbers is none
+
+
+def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
+    """What the recordings say of the platform's model; `progress` is told what is done, and the share that is done."""
+    progress("checking the recordings", 0.0)
+    intake = take_in(evidence)
+    if intake.reasons:
+        return _abstained(evidence, intake.reasons)
+    progress("fitting the platform's own numbers", 0.05)
+    base = base_fit(intake.evidence)
+    if not finite(base):
+        name = evidence.platform.name
+        return _abstained(
+            evidence,
+            (f"The model of '{name}' cannot be run through these recordings; check the numbers of its platform file.",),
+        )
+    naming = name_effects(base, lambda words, share: progress(words, 0.2 + 0.5 * share))
+    progress("locating what was missing", 0.7)
+    courses = smoothed_tracks(base)
+    located = locate(base, naming.screened, naming.laws, courses)
+    progress("running free on what the fit did not see", 0.8)
+    naming, table, runs = _that_helps(naming)
+    progress("writing down", 0.95)
+    effects = (*mixed_up(intake), *found_effects(naming.fit, naming.accused))
+    every, moved = recalibrated(naming.fit)
+    moved = moved or (_strongest(every) if _shifted(base) else ())
+    unseen = tuple(name for name in not_shown(naming.screened) if name not in {part.id for part in effects})
+    verdict = _verdict(effects, moved, unseen)
+    final_courses = smoothed_tracks(naming.fit)
+    return Diagnosis(
+        verdict,
+        sentence_of(verdict, effects, moved, table),
+        moved,
+        located,
+        effects,
+        unseen,
+        advise(verdict, effects, unseen),
+        table,
+        every,
+        screened_effects(naming.screened),
+        residual_forces(base, courses),
+        residual_forces(naming.fit, final_courses),
+        readings=residual_readings(base, naming.fit, (courses, final_courses), effects),
+        free_runs=runs,
+        remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
+        needed_nats=THRESHOLD,
+        noise=noise_levels(naming.fit),
+    )
+
+
+def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
+    """What is left of the accusations when those are taken back that make free runs on unseen data worse."""
+    table, runs = held_out_free_runs(naming.base, naming.fit)
+    while naming.accused and any(_is_worse(row) for row in table.values()):
+        naming = without_weakest(naming)
+        table, runs = held_out_free_runs(naming.base, naming.fit)
+    return naming, table, runs
+
+
+def _is_worse(row: HeldOut) -> bool:
+    """Whether the model with its effects errs clearly more than the one without."""
+    clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
+    return clear and row.augmented > WORSE * max(row.recalibrated, row.noise_floor)
+
+
+def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
+    """What is said where no model can be fitted at all."""
+    remarks = tuple(remark for recording in evidence.recordings for remark in recording.remarks)
+    everything = ("frame_mixup", *IDS)
+    return Diagnosis(
+        "insufficient",
+        " ".join(reasons),
+        (),
+        (),
+        (),
+        everything,
+        advise("insufficient", (), everything),
+        {},
+        remarks=remarks,
+    )
+
+
+def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str]) -> Verdict:
+    if effects:
+        return "mismatch"
+    if is_blind(unseen):
+        return "insufficient"
+    return "recalibrate" if moved else "consistent"
+
+
+def _shifted(base: Fit) -> bool:
+    """Whether the platform's own numbers do not fit, all of them taken together."""
+    gain = base.objective - nominal_fit(base).objective
+    return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.laws)))
+
+
+def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:
+    """The number that moved most by its interval, where only all together are clear."""
+
+    def moved(part: Recalibrated) -> float:
+        width = part.estimate.high - part.estimate.low
+        return abs(part.estimate.value - part.nominal) / width if width > 0.0 else 0.0
+
+    own = [part for part in every if part.parameter in {name for name, _ in RECALIBRATED.values()}]
+    return (max(own, key=moved),) if own else ()

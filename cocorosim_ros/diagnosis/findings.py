@@ -1,0 +1,165 @@
+"""What a diagnosis has found: the content of diagnosis.json, typed, and what only the report shows beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
+Tier = Literal["suspected", "confirmed"]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number with its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Recalibrated:
+    """A parameter of the platform, as fitted to these robots."""
+
+    parameter: str
+    nominal: float
+    estimate: Estimate
+    robots: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Located:
+    """Where simulation and recording differ: which equation, in proportion to what, where and when."""
+
+    robots: tuple[str, ...]
+    equation: str
+    regressor: str
+    where: str
+    when: tuple[float, float]  # s
+    size: float
+    unit: str
+    z: float
+
+
+@dataclass(frozen=True)
+class Rival:
+    """Another explanation, so many nats behind."""
+
+    id: str
+    nats_behind: float
+
+
+@dataclass(frozen=True)
+class FoundEffect:
+    """An effect that the model lacked, its law and its numbers, by the identifiers of the contract."""
+
+    id: str
+    name: str
+    equation: str
+    robots: tuple[str, ...]
+    tier: Tier
+    parameters: Mapping[str, Estimate]
+    nats: float
+    ambiguous_with: tuple[Rival, ...] = ()
+    topic: str | None = None
+    correction: str | None = None  # of a frame mix-up, in words
+    held_out_nats: float = float("nan")  # what it gains on data that its fit did not see
+    settings: Mapping[str, float] = field(default_factory=dict)  # what the simulator's effect needs beside `parameters`
+
+
+@dataclass(frozen=True)
+class HeldOut:
+    """Root mean square error of free runs on data that no fit saw, of one channel."""
+
+    nominal: float
+    recalibrated: float
+    augmented: float
+    noise_floor: float
+    unit: str
+    intervals: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # 95 %, of nominal, recalibrated, ...
+
+
+@dataclass(frozen=True)
+class ScreenedEffect:
+    """One entry of the catalogue as it was screened: what it could explain at first, and what it could show at all."""
+
+    id: str
+    nats: float  # gained by it alone over the recalibrated model
+    detectable: Mapping[str, float]  # per parameter the smallest value that these recordings would show
+
+
+@dataclass(frozen=True)
+class ResidualForce:
+    """Force that the model lacks, over time, from the smoother.
+
+    time (n,) [s]; force and spread (n, 4): X, Y, Z [N], N [N m] in body axes and their standard deviations; place
+    (n, 4) x, y, z [m], yaw [rad]; velocity (n, 4) u, v, w [m/s], r [rad/s]. regressors: (n,) each, what else the force
+    may depend on, by the names of the contract: thrust, yaw_command, pump, neighbour_distance, ...
+    """
+
+    robot: str
+    time: Floats
+    force: Floats
+    spread: Floats
+    place: Floats
+    velocity: Floats
+    regressors: Mapping[str, Floats] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class ResidualReading:
+    """What a stream shows less what the model expects there, over time; (n,) each.
+
+    against: what the deviation is drawn over, named `regressor`, such as the yaw [rad] for a compass.
+    """
+
+    robot: str
+    topic: str
+    unit: str
+    regressor: str
+    time: Floats
+    against: Floats
+    before: Floats  # of the recalibrated model
+    after: Floats  # of the model with the effects
+
+
+@dataclass(frozen=True)
+class FreeRun:
+    """One stretch of held-out data and the free runs of the models through it; (n,) and (n, 4) x, y, z, yaw."""
+
+    robot: str
+    time: Floats
+    measured: Floats
+    nominal: Floats
+    recalibrated: Floats
+    augmented: Floats
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """Everything that was found."""
+
+    verdict: Verdict
+    sentence: str  # what an engineer would say
+    recalibrated: tuple[Recalibrated, ...]
+    mismatch: tuple[Located, ...]
+    effects: tuple[FoundEffect, ...]
+    not_shown: tuple[str, ...]
+    next_manoeuvre: str | None
+    fit: Mapping[str, HeldOut]
+    all_recalibrated: tuple[Recalibrated, ...] = ()  # also those whose interval holds the nominal value
+    screened: tuple[ScreenedEffect, ...] = ()
+    residual_before: tuple[ResidualForce, ...] = ()  # of the recalibrated model
+    residual_after: tuple[ResidualForce, ...] = ()  # of the model with the effects
+    readings: tuple[ResidualReading, ...] = ()
+    free_runs: tuple[FreeRun, ...] = ()
+    remarks: tuple[str, ...] = ()
+    needed_nats: float = float("nan")  # evidence from which an effect is accused
+    noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors

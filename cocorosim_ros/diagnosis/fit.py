@@ -1,0 +1,245 @@
+"""Maximum likelihood of the filter: laws by Gauss-Newton with the filter's gains held, noise by Fisher scoring.
+
+With the gains held, the innovations are a smooth function of the laws and cost a tenth of a full pass; each step is
+accepted by the full likelihood alone. Terms of the score that come from the change of the gains have expectation zero.
+Source: Ljung, System Identification (1999), chapter 7; Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.kernels.products import weighted_products
+from cocorosim_ros.diagnosis.track import Pass, Track
+from cocorosim_ros.diagnosis.unknowns import Unknown, prior_centre, prior_precision, write_values
+
+Floats = NDArray[np.float64]
+LARGEST_NOISE_STEP = 1.0  # of a logarithm
+NOISE_STEP = 0.02
+LEAST_GAIN = 0.02  # nats below which an iteration has converged
+HALVINGS = 4
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A model fitted to the tracks: q of the unknown laws and of the unknown noise, and the passes there."""
+
+    tracks: tuple[Track, ...]
+    rows: Floats  # (tracks, columns) what is not fitted
+    laws: tuple[Unknown, ...]
+    noise: tuple[Unknown, ...]
+    q: Floats  # (laws,)
+    q_noise: Floats  # (noise,)
+    passes: tuple[Pass, ...]
+
+    @property
+    def log_likelihood(self) -> float:
+        """Of all readings of all tracks."""
+        return sum(part.log_likelihood for part in self.passes)
+
+    @property
+    def objective(self) -> float:
+        """Log-likelihood and log prior."""
+        return self.log_likelihood + _log_prior(self.laws, self.q) + _log_prior(self.noise, self.q_noise)
+
+    @property
+    def filled(self) -> Floats:
+        """(tracks, columns) the rows with all fitted values."""
+        return write_values(write_values(self.rows, self.laws, self.q), self.noise, self.q_noise)
+
+    @cached_property
+    def information(self) -> Information:
+        """What the recordings tell of its laws."""
+        return _information(self)
+
+    @property
+    def count(self) -> int:
+        """How many readings there are."""
+        return sum(len(part.innovation) for part in self.passes)
+
+
+def _log_prior(unknowns: Sequence[Unknown], q: Floats) -> float:
+    return -0.5 * float(np.sum(prior_precision(unknowns) * (q - prior_centre(unknowns)) ** 2))
+
+
+def make_fit(
+    tracks: Sequence[Track],
+    rows: Floats,
+    laws: Sequence[Unknown],
+    noise: Sequence[Unknown],
+    start: tuple[Floats, Floats] | None = None,
+) -> Fit:
+    """The model at the start values, evaluated."""
+    q, q_noise = start if start is not None else (prior_centre(laws), prior_centre(noise))
+    empty = Fit(tuple(tracks), rows, tuple(laws), tuple(noise), q, q_noise, ())
+    return evaluated(empty)
+
+
+def evaluated(fit: Fit) -> Fit:
+    """The fit with the passes at its q."""
+    filled = fit.filled
+    return replace(fit, passes=tuple(track.full(row) for track, row in zip(fit.tracks, filled, strict=True)))
+
+
+def slopes(fit: Fit, laws: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
+    """Per track (m, laws): derivative of the innovations by each of `laws` at q, gains held; 0 where not believed.
+
+    At q the laws must leave the model as the fit has it: its own, or new ones that are still neutral.
+    """
+    found = tuple(np.zeros((len(laws), len(part.innovation))) for part in fit.passes)
+    filled = write_values(fit.filled, laws, q)
+    for index, law in enumerate(laws):
+        step = law.step if law.clipped(q[index] + law.step) == q[index] + law.step else -law.step
+        nudged = write_values(filled, [law], np.array([q[index] + step]))
+        for number in law.tracks:
+            fit.tracks[number].slope(nudged[number], fit.passes[number], step, found[number][index])
+    return tuple(part.T for part in found)
+
+
+def _shorter(change: Floats, track: Track) -> Floats:
+    """Changes of angles by the shorter way."""
+    return np.where(track.is_angle, change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)), change)
+
+
+@dataclass(frozen=True)
+class Information:
+    """Slopes of the laws by track, their Fisher information with the prior's, and the score, in q."""
+
+    slopes: tuple[Floats, ...]
+    matrix: Floats
+    score: Floats
+
+
+def information(fit: Fit) -> Information:
+    """What the recordings tell of the laws of the fit; found once for each fit."""
+    return fit.information
+
+
+def _information(fit: Fit) -> Information:
+    parts = slopes(fit, fit.laws, fit.q)
+    precision = prior_precision(fit.laws)
+    matrix, score = np.diag(precision), -precision * (fit.q - prior_centre(fit.laws))
+    for part, slope in zip(fit.passes, parts, strict=True):
+        matrix = matrix + weighted_products(slope, slope, part.variance)
+        score = score - weighted_products(slope, part.innovation[:, None], part.variance)[:, 0]
+    return Information(parts, matrix, score)
+
+
+def solve(matrix: Floats, right: Floats) -> Floats:
+    """matrix^-1 right for a symmetric matrix that may be singular: directions without information stay 0."""
+    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
+        return np.zeros_like(right)
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    values, vectors = np.linalg.eigh(matrix * scale[:, None] * scale)
+    inverse = np.where(values > 1e-10, 1.0 / np.maximum(values, 1e-300), 0.0)
+    shaped = right * (scale if right.ndim == 1 else scale[:, None])
+    result = vectors @ ((vectors.T @ shaped).T * inverse).T
+    return np.asarray(result * (scale if right.ndim == 1 else scale[:, None]))
+
+
+def improved(fit: Fit, rounds: int) -> Fit:
+    """The fit after at most so many Gauss-Newton steps of its laws."""
+    for _ in range(rounds):
+        if not fit.laws:
+            return fit
+        known = information(fit)
+        step = solve(known.matrix, known.score)
+        better = _stepped(fit, step)
+        if better is None or better.objective - fit.objective < LEAST_GAIN:
+            return better if better is not None else fit
+        fit = better
+    return fit
+
+
+def _stepped(fit: Fit, step: Floats) -> Fit | None:
+    """The fit a step further, the step halved until it is better; None if it never is."""
+    for halving in range(HALVINGS):
+        q = fit.q + step / 2.0**halving
+        q = np.array([law.clipped(number) for law, number in zip(fit.laws, q, strict=True)])
+        trial = evaluated(replace(fit, q=q))
+        if trial.objective > fit.objective:
+            return trial
+    return None
+
+
+def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit:
+    """The fit after at most so many scoring steps of its noise, of the columns in `which` or all."""
+    chosen = [index for index, unknown in enumerate(fit.noise) if which is None or unknown.column in which]
+    for _ in range(rounds):
+        if not chosen:
+            return fit
+        better = _noise_step(fit, chosen)
+        if better is None:
+            return fit
+        gain = better.objective - fit.objective
+        fit = better
+        if gain < LEAST_GAIN:
+            return fit
+    return fit
+
+
+def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
+    score, matrix = _noise_information(fit, chosen)
+    step = np.zeros(len(fit.noise))
+    step[chosen] = np.clip(solve(matrix, score), -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
+    for halving in range(HALVINGS):
+        q = fit.q_noise + step / 2.0**halving
+        q = np.array([unknown.clipped(number) for unknown, number in zip(fit.noise, q, strict=True)])
+        trial = evaluated(replace(fit, q_noise=q))
+        if trial.objective > fit.objective:
+            return trial
+    return None
+
+
+def _noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
+    """Score (n,) and Fisher information (n, n) of the chosen noise: Gaussian innovations e with variance s.
+
+    -2 L = sum e^2 / s + log s; E[d2] = sum de_i de_j / s + ds_i ds_j / (2 s^2).
+    """
+    unknowns = [fit.noise[index] for index in chosen]
+    precision = prior_precision(unknowns)
+    score = -precision * (fit.q_noise[chosen] - prior_centre(unknowns))
+    matrix = np.diag(precision)
+    filled = fit.filled
+    for number, (track, part) in enumerate(zip(fit.tracks, fit.passes, strict=True)):
+        mean, spread = np.zeros((2, len(chosen), len(part.innovation)))
+        for column, (index, unknown) in enumerate(zip(chosen, unknowns, strict=True)):
+            if number not in unknown.tracks:
+                continue
+            nudged = write_values(filled, [unknown], np.array([fit.q_noise[index] + NOISE_STEP]))[number]
+            other = track.full(nudged)
+            believed = part.believed & other.believed
+            change = _shorter(other.innovation - part.innovation, track)
+            mean[column] = np.where(believed, change / NOISE_STEP, 0.0)
+            spread[column] = (other.variance - part.variance) / NOISE_STEP
+        excess = np.where(part.believed, part.innovation**2 / part.variance - 1.0, 0.0)
+        relative = spread / part.variance
+        one = np.ones_like(part.variance)
+        score = score - weighted_products(mean.T, part.innovation[:, None], part.variance)[:, 0]
+        score = score + 0.5 * weighted_products(relative.T, excess[:, None], one)[:, 0]
+        matrix = matrix + weighted_products(mean.T, mean.T, part.variance)
+        matrix = matrix + 0.5 * weighted_products(relative.T, relative.T, one)
+    return score, matrix
+
+
+def covariance(fit: Fit) -> Floats:
+    """(laws, laws) of q, by the information at the fit."""
+    matrix = information(fit).matrix
+    return solve(matrix, np.eye(len(matrix)))
+
+
+def finite(fit: Fit) -> bool:
+    """Whether the model could be evaluated at all."""
+    return math.isfinite(fit.log_likelihood)
+
+
+def noise_covariance(fit: Fit) -> Floats:
+    """(noise, noise) of q_noise."""
+    _, matrix = _noise_information(fit, range(len(fit.noise)))
+    return solve(matrix, np.eye(len(matrix)))

@@ -1,0 +1,141 @@
+"""The covariance of the filter: how it spreads from step to step, and shrinks with each reading.
+
+Matrices are flat. Rows of the horizontal ones have PADDED columns, the last ones zero, so that vectors of four fit.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import add_four, kernel, stack_array
+from cocorosim_ros.diagnosis.kernels.layout import HFX, HORIZONTAL, PADDED, VERTICAL, VFZ
+
+Floats = NDArray[np.float64]
+GATE = 6.0  # standard deviations beyond which a reading is not believed
+
+
+@kernel
+def _add_eight(target: Floats, at: int, source: Floats, first: int, factor: float) -> None:
+    add_four(target, np.uint64(at), source, np.uint64(first), factor)
+    add_four(target, np.uint64(at + 4), source, np.uint64(first + 4), factor)
+
+
+@kernel
+def _add_row(target: Floats, at: int, source: Floats, first: int, factor: float) -> None:
+    """target[at : at + PADDED] += factor * source[first : first + PADDED]."""
+    _add_eight(target, at, source, first, factor)
+    add_four(target, np.uint64(at + 8), source, np.uint64(first + 8), factor)
+
+
+@kernel
+def transition(slope: Floats, step: float, decay: float, ahead: Floats, back: Floats) -> None:
+    """ahead = exp(slope step) to second order, back its transpose; random forces decay by themselves.
+
+    slope (HFX, PADDED), ahead and back (HORIZONTAL, PADDED).
+    """
+    for i in range(HFX):
+        for j in range(PADDED):
+            ahead[i * PADDED + j] = step * slope[i * PADDED + j]
+        for k in range(HFX):
+            factor = 0.5 * step * step * slope[i * PADDED + k]
+            if factor != 0.0:
+                _add_row(ahead, i * PADDED, slope, k * PADDED, factor)
+        ahead[i * PADDED + i] += 1.0
+    for i in range(HFX, HORIZONTAL):
+        ahead[i * PADDED + i] = decay
+    for i in range(HORIZONTAL):
+        for j in range(HORIZONTAL):
+            back[j * PADDED + i] = ahead[i * PADDED + j]
+
+
+@kernel
+def spread(covariance: Floats, ahead: Floats, back: Floats) -> None:
+    """covariance = ahead covariance back, all (HORIZONTAL, PADDED)."""
+    work = stack_array(108)
+    for i in range(HFX):
+        for k in range(HORIZONTAL):
+            factor = ahead[i * PADDED + k]
+            if factor != 0.0:
+                _add_row(work, i * PADDED, covariance, k * PADDED, factor)
+    for i in range(HFX, HORIZONTAL):
+        _add_row(work, i * PADDED, covariance, i * PADDED, ahead[i * PADDED + i])
+    for i in range(HORIZONTAL):
+        for j in range(PADDED):
+            covariance[i * PADDED + j] = 0.0
+        for k in range(HFX):  # the forces' own columns are zero there, but for two in the second four
+            _add_eight(covariance, i * PADDED, back, k * PADDED, work[i * PADDED + k])
+        for k in range(HFX, HORIZONTAL):
+            _add_row(covariance, i * PADDED, back, k * PADDED, work[i * PADDED + k])
+    for i in range(HORIZONTAL):
+        for j in range(i):
+            covariance[j * PADDED + i] = covariance[i * PADDED + j]
+
+
+@kernel
+def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: float) -> float:
+    """Variance of the innovation; writes the gain (PADDED,) and shrinks the covariance. `gate`: its square allowed."""
+    for i in range(PADDED):
+        gain[i] = 0.0
+    for j in range(HORIZONTAL):
+        if seen[j] != 0.0:
+            _add_row(gain, 0, covariance, j * PADDED, seen[j])
+    variance = noise
+    for i in range(HORIZONTAL):
+        variance += seen[i] * gain[i]
+    doubted = gate > GATE * GATE * variance
+    for i in range(0 if doubted else HORIZONTAL):
+        _add_row(covariance, i * PADDED, gain, 0, -gain[i] / variance)
+    for i in range(HORIZONTAL):
+        gain[i] = 0.0 if doubted else gain[i] / variance
+    return variance
+
+
+@kernel
+def transition_upright(slope: Floats, step: float, decay: float, ahead: Floats) -> None:
+    """The same of the vertical block: slope (VFZ, VERTICAL), ahead (VERTICAL, VERTICAL)."""
+    for i in range(VFZ):
+        for j in range(VERTICAL):
+            square = 0.0
+            for k in range(VFZ):
+                square += slope[i * VERTICAL + k] * slope[k * VERTICAL + j]
+            ahead[i * VERTICAL + j] = step * slope[i * VERTICAL + j] + 0.5 * step * step * square
+        ahead[i * VERTICAL + i] += 1.0
+    ahead[VFZ * VERTICAL + VFZ] = decay
+
+
+@kernel
+def spread_upright(covariance: Floats, ahead: Floats) -> None:
+    """covariance = ahead covariance ahead^T, all (VERTICAL, VERTICAL)."""
+    work = stack_array(9)
+    for i in range(VERTICAL):
+        for j in range(VERTICAL):
+            for k in range(VERTICAL):
+                work[i * VERTICAL + j] += ahead[i * VERTICAL + k] * covariance[k * VERTICAL + j]
+    for i in range(VERTICAL):
+        for j in range(i + 1):
+            total = 0.0
+            for k in range(VERTICAL):
+                total += work[i * VERTICAL + k] * ahead[j * VERTICAL + k]
+            covariance[i * VERTICAL + j] = total
+            covariance[j * VERTICAL + i] = total
+
+
+@kernel
+def update_upright(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: float) -> float:
+    """`update` of the vertical block."""
+    variance = noise
+    for i in range(VERTICAL):
+        total = 0.0
+        for j in range(VERTICAL):
+            total += covariance[i * VERTICAL + j] * seen[j]
+        gain[i] = total
+        variance += seen[i] * total
+    doubted = gate > GATE * GATE * variance
+    for i in range(0 if doubted else VERTICAL):
+        for j in range(i + 1):
+            covariance[i * VERTICAL + j] -= gain[i] * gain[j] / variance
+            covariance[j * VERTICAL + i] = covariance[i * VERTICAL + j]
+    for i in range(VERTICAL):
+        gain[i] = 0.0 if doubted else gain[i] / variance
+    return variance

@@ -1,0 +1,275 @@
+"""Continuous-discrete extended Kalman filter of one robot: the likelihood of a recording under a model.
+
+State: pose, velocity through `state_rate` of the simulator, and the random force of the water on surge and sway (in
+world axes), heave and yaw, each an Ornstein-Uhlenbeck process. The mean is carried by Runge-Kutta steps, the
+covariance to second order in the step, in two blocks (horizontal and vertical) that are taken as independent of each
+other. Readings between two steps are predicted by a Taylor series from the nearer one.
+
+Source: Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225; Jazwinski, Stochastic Processes and Filtering
+Theory (1970), section 8.3.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import allocating_kernel, kernel, outlined_kernel, stack_array
+from cocorosim_ros.diagnosis.kernels.covariance import (
+    GATE,
+    spread,
+    spread_upright,
+    transition,
+    transition_upright,
+    update,
+    update_upright,
+)
+from cocorosim_ros.diagnosis.kernels.layout import (
+    CORRELATION,
+    FORCE_XY,
+    FORCE_Z,
+    HFX,
+    HFY,
+    HN,
+    HORIZONTAL,
+    HR,
+    HU,
+    HV,
+    HX,
+    HY,
+    HYAW,
+    MOMENT_YAW,
+    PADDED,
+    VELOCITY_U,
+    VERTICAL,
+    VFZ,
+    VW,
+    VZ,
+)  # fmt: skip
+from cocorosim_ros.diagnosis.kernels.motion import (
+    FORCE,
+    Motion,
+    advance,
+    make_motion,
+    put_drive,
+    responses,
+    write_slopes,
+)
+from cocorosim_ros.diagnosis.kernels.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
+from cocorosim_ros.diagnosis.kernels.records import Belief, Drive, History, Past, Readings
+from cocorosim_ros.physics import dynamics
+from cocorosim_ros.physics.vehicles import Body
+from cocorosim_ros.signals.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+
+Floats = NDArray[np.float64]
+
+
+class Spread(NamedTuple):
+    """The covariance and how it moves: slopes, transitions, all flat."""
+
+    wide: Floats  # (HORIZONTAL, PADDED)
+    wide_slope: Floats  # (HFX, PADDED)
+    wide_step: Floats  # (HORIZONTAL, PADDED)
+    back: Floats  # (HORIZONTAL, PADDED) transpose of wide_step
+    high: Floats  # (VERTICAL, VERTICAL)
+    high_slope: Floats  # (VFZ, VERTICAL)
+    high_step: Floats  # (VERTICAL, VERTICAL)
+    response: Floats  # (4,) acceleration by unit of force
+
+
+@allocating_kernel
+def _make_spread(deviation: Floats, noise: Floats) -> Spread:
+    """As the standard deviation of the state (8,) and the random force (4,) have it."""
+    wide, high = np.zeros(HORIZONTAL * PADDED), np.zeros(VERTICAL * VERTICAL)
+    places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
+    for i in range(6):
+        wide[i * PADDED + i] = deviation[places[i]] ** 2
+    high[0], high[VW * VERTICAL + VW] = deviation[Z] ** 2, deviation[HEAVE] ** 2
+    size = HORIZONTAL * PADDED
+    parts = Spread(
+        wide, np.zeros(HFX * PADDED), np.zeros(size), np.zeros(size), high, np.zeros(6), np.zeros(9), np.zeros(4)
+    )
+    _add_force(parts, noise, 1.0)
+    return parts
+
+
+@kernel
+def _add_force(parts: Spread, noise: Floats, share: float) -> None:
+    """Let in a share of the variance of the random force."""
+    parts.wide[HFX * PADDED + HFX] += share * noise[FORCE_XY] ** 2
+    parts.wide[HFY * PADDED + HFY] += share * noise[FORCE_XY] ** 2
+    parts.wide[HN * PADDED + HN] += share * noise[MOMENT_YAW] ** 2
+    parts.high[VFZ * VERTICAL + VFZ] += share * noise[FORCE_Z] ** 2
+
+
+@outlined_kernel
+def relative_velocity(row: Floats, time: float, body: Body, relative: Floats) -> None:
+    """`dynamics.relative_velocity`, out of line."""
+    dynamics.relative_velocity(row, time, body, relative)
+
+
+@kernel
+def _correct(row: Floats, body: Body, kind: int, gain: Floats, innovation: float) -> None:
+    """Move the mean by gain times innovation."""
+    if is_upright(kind):
+        row[Z] += gain[VZ] * innovation
+        row[HEAVE] += gain[VW] * innovation
+        body.parameters[FORCE + 2] += gain[VFZ] * innovation
+        return
+    row[X] += gain[HX] * innovation
+    row[Y] += gain[HY] * innovation
+    row[YAW] += gain[HYAW] * innovation
+    row[SURGE] += gain[HU] * innovation
+    row[SWAY] += gain[HV] * innovation
+    row[YAW_RATE] += gain[HR] * innovation
+    body.parameters[FORCE] += gain[HFX] * innovation
+    body.parameters[FORCE + 1] += gain[HFY] * innovation
+    body.parameters[FORCE + 3] += gain[HN] * innovation
+
+
+@kernel
+def _remember(row: Floats, body: Body, parts: Spread, point: int, history: History) -> None:
+    """Write down what is believed before the readings of a grid point."""
+    _keep_mean(row, body, history.before[point])
+    _keep_wide(parts.wide, history.wide_before[point])
+    _keep_wide(parts.wide_step, history.wide_step[point])
+    for i in range(VERTICAL):
+        for j in range(VERTICAL):
+            history.high_before[point, i, j] = parts.high[i * VERTICAL + j]
+            history.high_step[point, i, j] = parts.high_step[i * VERTICAL + j]
+
+
+@kernel
+def _remember_after(row: Floats, body: Body, parts: Spread, point: int, history: History) -> None:
+    _keep_mean(row, body, history.after[point])
+    _keep_wide(parts.wide, history.wide_after[point])
+    for i in range(VERTICAL):
+        for j in range(VERTICAL):
+            history.high_after[point, i, j] = parts.high[i * VERTICAL + j]
+
+
+@kernel
+def _keep_wide(flat: Floats, kept: Floats) -> None:
+    for i in range(HORIZONTAL):
+        for j in range(HORIZONTAL):
+            kept[i, j] = flat[i * PADDED + j]
+
+
+@kernel
+def _keep_mean(row: Floats, body: Body, mean: Floats) -> None:
+    for column in range(STATE_SIZE):
+        mean[column] = row[column]
+    for column in range(4):
+        mean[STATE_SIZE + column] = body.parameters[FORCE + column]
+
+
+@kernel
+def _move(
+    motion: Motion, parts: Spread, clock: tuple[float, float, float], drive: Drive, point: int, body: Body
+) -> None:
+    """Carry mean and covariance from the grid point before to `point`, without what the random force adds."""
+    time, step, decay = clock
+    if point > 0:
+        put_drive(motion.row, drive, point - 1, point - 1, body)
+        write_slopes(motion, time - step, body, parts.response, parts.wide_slope, parts.high_slope)
+        transition(parts.wide_slope, step, decay, parts.wide_step, parts.back)
+        transition_upright(parts.high_slope, step, decay, parts.high_step)
+        spread(parts.wide, parts.wide_step, parts.back)
+        spread_upright(parts.high, parts.high_step)
+    advance(motion, clock, drive, point, body)
+
+
+@outlined_kernel
+def _filter(
+    readings: Readings, drive: Drive, motion: Motion, parts: Spread, body: Body, numbers: tuple[Floats, Floats, Floats],
+    belief: Belief,
+) -> None:  # fmt: skip
+    sensor, noise, reading_variance = numbers
+    row, seen, gain, water = motion.row, stack_array(12), stack_array(12), stack_array(4)
+    decay = math.exp(-readings.step / noise[CORRELATION])
+    keep = belief.history.after.shape[0] > 0
+    responses(motion, readings.begin, body, parts.response)
+    for point in range(readings.first.shape[0] - 1):
+        time = readings.begin + point * readings.step
+        _move(motion, parts, (time, readings.step, decay), drive, point, body)
+        if point > 0:
+            _add_force(parts, noise, 1.0 - decay * decay)
+        if keep:
+            _remember(row, body, parts, point, belief.history)
+        for index in range(readings.first[point], readings.first[point + 1]):
+            kind, after, origin = readings.kind[index], readings.after[index], readings.origin[index]
+            if kind >= VELOCITY_U:
+                relative_velocity(row, time, body, water)
+            shown = expected(kind, after, readings.stamp[index], row, motion.rate, sensor, water)
+            innovation = deviation(kind, readings.value[index], shown)
+            variance = reading_variance[kind] * readings.share[index]
+            if is_upright(kind):
+                sensitivity_upright(kind, after, sensor, parts.high_slope, seen)
+                variance = update_upright(parts.high, seen, variance, gain, innovation * innovation)
+            else:
+                sensitivity(kind, after, row, sensor, parts.wide_slope, seen)
+                variance = update(parts.wide, seen, variance, gain, innovation * innovation)
+            if innovation * innovation > GATE * GATE * variance:
+                innovation = math.copysign(GATE * math.sqrt(variance), innovation)
+            belief.innovation[origin], belief.variance[origin] = innovation, variance
+            for column in range(VERTICAL if is_upright(kind) else HORIZONTAL):
+                belief.gain[origin, column] = gain[column]
+            _correct(row, body, kind, gain, innovation)
+        if keep:
+            _remember_after(row, body, parts, point, belief.history)
+
+
+@allocating_kernel
+def filter_pass(
+    readings: Readings, drive: Drive, start: Floats, body: Body, numbers: tuple[Floats, Floats, Floats], belief: Belief
+) -> None:
+    """The whole filter over a recording.
+
+    start (2, 8): state at grid point 0 and its standard deviation. numbers: the sensors' (SENSOR_COLUMNS), the random
+    force's (4,) and the variance of a single reading of each kind (KINDS,). Results are in `belief`.
+    """
+    parts = _make_spread(start[1], numbers[1])
+    _filter(readings, drive, make_motion(start[0], body), parts, body, numbers, belief)
+
+
+@outlined_kernel
+def _slope(
+    readings: Readings, drive: Drive, motion: Motion, body: Body, numbers: tuple[Floats, float, float], past: Past,
+    slope: Floats,
+) -> None:  # fmt: skip
+    sensor, correlation, step = numbers
+    row, water = motion.row, stack_array(4)
+    decay = math.exp(-readings.step / correlation)
+    for point in range(readings.first.shape[0] - 1):
+        time = readings.begin + point * readings.step
+        advance(motion, (time, readings.step, decay), drive, point, body)
+        for index in range(readings.first[point], readings.first[point + 1]):
+            kind, origin = readings.kind[index], readings.origin[index]
+            if kind >= VELOCITY_U:
+                relative_velocity(row, time, body, water)
+            shown = expected(kind, readings.after[index], readings.stamp[index], row, motion.rate, sensor, water)
+            innovation = deviation(kind, readings.value[index], shown)
+            _correct(row, body, kind, past.gain[origin], innovation)
+            change = deviation(kind, innovation, past.innovation[origin])
+            slope[origin] = change / step if past.believed[origin] else 0.0
+
+
+@allocating_kernel
+def slope_pass(
+    readings: Readings,
+    drive: Drive,
+    start: Floats,
+    body: Body,
+    numbers: tuple[Floats, float, float],
+    past: Past,
+    slope: Floats,
+) -> None:
+    """The filter with the gains of another pass, its mean alone, at a fraction of the cost.
+
+    numbers: the sensors', the correlation time [s], and by how much the numbers of this pass differ from those of the
+    past one. Writes (m,) the change of the innovations over that: what a number explains. 0 where not believed.
+    """
+    _slope(readings, drive, make_motion(start, body), body, numbers, past, slope)

@@ -1,0 +1,187 @@
+"""How the mean of the filter moves: Runge-Kutta steps of the simulator's dynamics, and their slopes."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import allocating_kernel, kernel, stack_array
+from cocorosim_ros.diagnosis.kernels.layout import (
+    HFX,
+    HFY,
+    HN,
+    HR,
+    HU,
+    HV,
+    HX,
+    HY,
+    HYAW,
+    PADDED,
+    VFZ,
+    VW,
+    VZ,
+)
+from cocorosim_ros.diagnosis.kernels.records import Drive
+from cocorosim_ros.physics.dynamics import state_rate
+from cocorosim_ros.physics.effects import BASIC_EFFECTS
+from cocorosim_ros.physics.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Body
+from cocorosim_ros.signals.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+
+Floats = NDArray[np.float64]
+
+FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behind each other
+ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
+NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
+STAGES = 4
+BASIC_BITS = sum(EFFECT_BIT[name] for name in BASIC_EFFECTS)  # effects that do not depend on the place
+
+
+class Motion(NamedTuple):
+    """Working space: the moving row, a trial of it, and rates."""
+
+    row: Floats
+    trial: Floats
+    rate: Floats  # at the grid point that was reached last
+
+
+@allocating_kernel
+def make_motion(start: Floats, body: Body) -> Motion:
+    """At rest of all actuators in the state `start` (8,), without random forces."""
+    size = STATE_SIZE + ROW_SHARE * body.actuator_wrench.shape[0]
+    motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size))
+    motion.row[:STATE_SIZE] = start
+    body.parameters[FORCE : FORCE + 4] = 0.0
+    return motion
+
+
+@kernel
+def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -> None:
+    """Write what acts into the row: the mean of the drive at two grid points (the same twice for that of one)."""
+    actuators = drive.force.shape[1]
+    memory = STATE_SIZE + 2 * actuators
+    for column in range(actuators):
+        row[STATE_SIZE + column] = 0.5 * (drive.force[point, column] + drive.force[earlier, column])
+        row[memory + MEMORY_SIZE * column + RATE] = 0.5 * (drive.rate[point, column] + drive.rate[earlier, column])
+    for other in range(body.neighbours.shape[0]):
+        for column in range(body.neighbours.shape[1]):
+            body.neighbours[other, column] = drive.around[point, other, column]
+
+
+@kernel
+def _settle(motion: Motion, length: float, decay: float, total: Floats, body: Body) -> None:
+    """End a step: the mean of the rates over it is known, random forces have faded."""
+    for column in range(STATE_SIZE):
+        motion.row[column] += length / 6.0 * total[column]
+    for column in range(4):
+        body.parameters[FORCE + column] *= decay
+
+
+@kernel
+def advance(motion: Motion, clock: tuple[float, float, float], drive: Drive, point: int, body: Body) -> None:
+    """Carry the row from the grid point before to `point`, by one Runge-Kutta step over which what acts holds.
+
+    clock: time [s] of `point`, step [s] and the share of random forces that is left after it. `motion.rate` is then
+    that at the point, under the mean of what acts before and behind it. From point 0 on, nothing moves.
+    """
+    time, length, decay = clock
+    row, trial, rate, total = motion.row, motion.trial, motion.rate, stack_array(8)
+    if point > 0:
+        put_drive(row, drive, point - 1, point - 1, body)
+        for column in range(row.shape[0]):
+            trial[column] = row[column]
+    for stage in range(0 if point > 0 else STAGES, STAGES + 1):
+        if stage == STAGES:
+            _settle(motion, length, decay, total, body)
+            put_drive(row, drive, point, max(point - 1, 0), body)
+            for column in range(row.shape[0]):
+                trial[column] = row[column]
+        back = length if stage == 0 else 0.0 if stage >= STAGES - 1 else 0.5 * length
+        state_rate(trial, time - back, body, rate)
+        if stage < STAGES:
+            weight = 1.0 if stage == 0 or stage == STAGES - 1 else 2.0
+            ahead = length if stage == STAGES - 2 else 0.5 * length
+            for column in range(STATE_SIZE):
+                total[column] += weight * rate[column]
+                trial[column] = row[column] + ahead * rate[column]
+
+
+@kernel
+def responses(motion: Motion, time: float, body: Body, response: Floats) -> None:
+    """Write the acceleration (4,) by unit of force or moment along each body axis [1/kg, 1/kg, 1/kg, 1/(kg m^2)]."""
+    row, rate = motion.row, motion.rate
+    cosine, sine = NUDGE * math.cos(row[YAW]), NUDGE * math.sin(row[YAW])
+    for nudged in range(2):
+        if nudged == 1:
+            body.parameters[FORCE], body.parameters[FORCE + 1] = cosine - sine, sine + cosine
+            body.parameters[FORCE + 2], body.parameters[FORCE + 3] = NUDGE, NUDGE
+        state_rate(row, time, body, rate)
+        for axis in range(4):
+            response[axis] = (rate[SURGE + axis] - response[axis]) / (NUDGE if nudged == 1 else 1.0)
+    for column in range(4):
+        body.parameters[FORCE + column] = 0.0
+
+
+@kernel
+def _put_force_slopes(yaw: float, response: Floats, across: Floats, upright: Floats) -> None:
+    sine, cosine = math.sin(yaw), math.cos(yaw)
+    across[HU * PADDED + HFX], across[HU * PADDED + HFY] = response[0] * cosine, response[0] * sine
+    across[HV * PADDED + HFX], across[HV * PADDED + HFY] = -response[1] * sine, response[1] * cosine
+    across[HR * PADDED + HN] = response[3]
+    upright[VW * 3 + VFZ] = response[2]
+
+
+@kernel
+def write_slopes(motion: Motion, time: float, body: Body, response: Floats, across: Floats, upright: Floats) -> None:
+    """Write the derivative of the rates by the state into `across` (6, PADDED) and `upright` (2, 3), both flat."""
+    row, rate, base = motion.row, motion.trial, motion.rate
+    placed = body.flow.shape[0] > 0 or body.active & ~BASIC_BITS != 0
+    for place in range(-1, STATE_SIZE):
+        if X <= place <= Z and not placed:
+            continue
+        if place >= 0:
+            kept = row[place]
+            row[place] = kept + NUDGE
+        state_rate(row, time, body, rate)
+        if place < 0:
+            for column in range(STATE_SIZE):
+                base[column] = rate[column]
+            continue
+        row[place] = kept
+        if place == Z or place == HEAVE:  # noqa: PLR1714
+            column = VZ if place == Z else VW
+            upright[VZ * 3 + column] = (rate[Z] - base[Z]) / NUDGE
+            upright[VW * 3 + column] = (rate[HEAVE] - base[HEAVE]) / NUDGE
+            continue
+        column = place if place < Z else HR if place == YAW_RATE else place - 1
+        across[HX * PADDED + column] = (rate[X] - base[X]) / NUDGE
+        across[HY * PADDED + column] = (rate[Y] - base[Y]) / NUDGE
+        across[HYAW * PADDED + column] = (rate[YAW] - base[YAW]) / NUDGE
+        across[HU * PADDED + column] = (rate[SURGE] - base[SURGE]) / NUDGE
+        across[HV * PADDED + column] = (rate[SWAY] - base[SWAY]) / NUDGE
+        across[HR * PADDED + column] = (rate[YAW_RATE] - base[YAW_RATE]) / NUDGE
+    _put_force_slopes(row[YAW], response, across, upright)
+
+
+@allocating_kernel
+def run_free(
+    drive: Drive, start: Floats, body: Body, clock: tuple[float, float], span: tuple[int, int, Floats]
+) -> Floats:
+    """(points, 8) the course of the model alone from `start` (8,).
+
+    clock: time of grid point 0 and step [s]; span: first grid point, how many, and the random force that acts
+    (points, 4), world x, y, z [N] and moment [N m], empty for none.
+    """
+    begin, step = clock
+    first, points, push = span
+    motion = make_motion(start, body)
+    path = np.empty((points, STATE_SIZE))
+    for point in range(points):
+        if point > 0:
+            if push.shape[0] > 0:
+                body.parameters[FORCE : FORCE + 4] = push[point - 1]
+            advance(motion, (begin + (first + point) * step, step, 1.0), drive, first + point, body)
+        path[point] = motion.row[:STATE_SIZE]
+    return path

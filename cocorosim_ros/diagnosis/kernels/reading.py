@@ -1,0 +1,157 @@
+"""What a reading shows, and how that depends on the state."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import kernel
+from cocorosim_ros.diagnosis.kernels.layout import (
+    ACCEL_X,
+    ACCEL_Y,
+    ACCEL_Z,
+    BIAS_GYRO,
+    BIAS_X,
+    BIAS_Y,
+    BIAS_Z,
+    COMPASS,
+    COSINE,
+    GYRO,
+    HORIZONTAL,
+    HR,
+    HU,
+    HV,
+    HX,
+    HY,
+    HYAW,
+    OFFSET,
+    PADDED,
+    POSE_X,
+    POSE_Y,
+    POSE_YAW,
+    POSE_Z,
+    PRESSURE,
+    PRESSURE_OFFSET,
+    PRESSURE_RATE,
+    SCALE,
+    SINE,
+    VELOCITY_U,
+    VELOCITY_V,
+    VELOCITY_W,
+    VFZ,
+    VW,
+    VZ,
+)  # fmt: skip
+from cocorosim_ros.signals.angles import sine_cosine
+from cocorosim_ros.signals.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+
+# mypy: disable-error-code="no-any-return"
+
+Floats = NDArray[np.float64]
+
+GRAVITY = 9.81  # m/s^2
+WEIGHT = 1000.0 * GRAVITY  # Pa/m, the contract's
+ATMOSPHERE = 101325.0  # Pa
+
+
+@kernel
+def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, sensor: Floats, water: Floats) -> float:
+    """What a reading of this kind would show, `after` [s] the moment of `row`; `rate` is the state's there."""
+    half = 0.5 * after * after
+    if kind <= POSE_Y:
+        sine, cosine = sine_cosine(row[YAW])
+        forward, left = rate[SURGE] - row[SWAY] * row[YAW_RATE], rate[SWAY] + row[SURGE] * row[YAW_RATE]
+        if kind == POSE_X:
+            ahead = after * (row[SURGE] * cosine - row[SWAY] * sine) + half * (forward * cosine - left * sine)
+            return sensor[SCALE] * (row[X] + ahead)
+        ahead = after * (row[SURGE] * sine + row[SWAY] * cosine) + half * (forward * sine + left * cosine)
+        return sensor[SCALE] * (row[Y] + ahead)
+    if kind == POSE_Z or kind == PRESSURE:  # noqa: PLR1714
+        height = row[Z] + after * row[HEAVE] + half * rate[HEAVE]
+        if kind == POSE_Z:
+            return sensor[SCALE] * height
+        return ATMOSPHERE - WEIGHT * height + sensor[PRESSURE_OFFSET] + sensor[PRESSURE_RATE] * stamp
+    if kind == POSE_YAW or kind == COMPASS:  # noqa: PLR1714
+        yaw = row[YAW] + after * row[YAW_RATE] + half * rate[YAW_RATE]
+        if kind == POSE_YAW:
+            return yaw
+        return yaw + sensor[OFFSET] + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
+    if kind == GYRO:
+        return row[YAW_RATE] + after * rate[YAW_RATE] + sensor[BIAS_GYRO]
+    if kind == ACCEL_X:
+        return rate[SURGE] - row[SWAY] * row[YAW_RATE] + sensor[BIAS_X]
+    if kind == ACCEL_Y:
+        return rate[SWAY] + row[SURGE] * row[YAW_RATE] + sensor[BIAS_Y]
+    if kind == ACCEL_Z:
+        return rate[HEAVE] + GRAVITY + sensor[BIAS_Z]
+    return water[kind - VELOCITY_U]
+
+
+@kernel
+def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Floats, seen: Floats) -> None:
+    """Write the derivative of a horizontal reading by the horizontal state into `seen` (PADDED,)."""
+    for column in range(PADDED):
+        seen[column] = 0.0
+    sine, cosine = sine_cosine(row[YAW])
+    if kind == POSE_X:
+        seen[HX] = sensor[SCALE]
+        seen[HYAW] = -sensor[SCALE] * after * (row[SURGE] * sine + row[SWAY] * cosine)
+        seen[HU], seen[HV] = sensor[SCALE] * after * cosine, -sensor[SCALE] * after * sine
+    elif kind == POSE_Y:
+        seen[HY] = sensor[SCALE]
+        seen[HYAW] = sensor[SCALE] * after * (row[SURGE] * cosine - row[SWAY] * sine)
+        seen[HU], seen[HV] = sensor[SCALE] * after * sine, sensor[SCALE] * after * cosine
+    elif kind == POSE_YAW:
+        seen[HYAW], seen[HR] = 1.0, after
+    elif kind == COMPASS:
+        slope = 1.0 + sensor[SINE] * cosine - sensor[COSINE] * sine
+        seen[HYAW], seen[HR] = slope, slope * after
+    elif kind == GYRO:
+        for column in range(HORIZONTAL):
+            seen[column] = after * across[HR * PADDED + column]
+        seen[HR] += 1.0
+    elif kind == ACCEL_X:
+        for column in range(HORIZONTAL):
+            seen[column] = across[HU * PADDED + column]
+        seen[HV] -= row[YAW_RATE]
+        seen[HR] -= row[SWAY]
+    elif kind == ACCEL_Y:
+        for column in range(HORIZONTAL):
+            seen[column] = across[HV * PADDED + column]
+        seen[HU] += row[YAW_RATE]
+        seen[HR] += row[SURGE]
+    elif kind == VELOCITY_U:
+        seen[HU] = 1.0
+    elif kind == VELOCITY_V:
+        seen[HV] = 1.0
+
+
+@kernel
+def sensitivity_upright(kind: int, after: float, sensor: Floats, upright: Floats, seen: Floats) -> None:
+    """Write the derivative of a vertical reading by the vertical state into `seen` (3,)."""
+    seen[VZ], seen[VW], seen[VFZ] = 0.0, 0.0, 0.0
+    if kind == POSE_Z:
+        seen[VZ], seen[VW] = sensor[SCALE], sensor[SCALE] * after
+    elif kind == PRESSURE:
+        seen[VZ], seen[VW] = -WEIGHT, -WEIGHT * after
+    elif kind == ACCEL_Z:
+        seen[VZ], seen[VW], seen[VFZ] = upright[VW * 3], upright[VW * 3 + 1], upright[VW * 3 + 2]
+    else:
+        seen[VW] = 1.0
+
+
+@kernel
+def is_upright(kind: int) -> bool:
+    """Whether a reading of this kind is of the vertical block."""
+    return kind == POSE_Z or kind == PRESSURE or kind == ACCEL_Z or kind == VELOCITY_W  # noqa: PLR1714
+
+
+@kernel
+def deviation(kind: int, value: float, expected: float) -> float:
+    """Reading less expectation, angles by the shorter way."""
+    difference = value - expected
+    if kind == POSE_YAW or kind == COMPASS:  # noqa: PLR1714
+        difference -= 2.0 * math.pi * math.floor(difference / (2.0 * math.pi) + 0.5)
+    return difference

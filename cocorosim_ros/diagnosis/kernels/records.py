@@ -1,0 +1,63 @@
+"""What goes into the filter and what it leaves."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+class Readings(NamedTuple):
+    """The readings of one robot in the order of the grid points next to them."""
+
+    step: float  # s between grid points
+    begin: float  # s, time of grid point 0
+    first: Integers  # (points + 1,) where the readings of each grid point begin
+    kind: Integers  # (m,)
+    after: Floats  # (m,) s after the grid point, may be negative
+    stamp: Floats  # (m,) s, as it stands in the recording
+    value: Floats  # (m,)
+    share: Floats  # (m,) variance as a share of that of a single reading of its kind
+    origin: Integers  # (m,) their numbers in the order of the track, in which all results are
+
+
+class Drive(NamedTuple):
+    """What acts on the robot from each grid point to the next."""
+
+    force: Floats  # (points, A) mean force of every actuator [N]
+    rate: Floats  # (points, A) at which it changes [N/s]
+    around: Floats  # (points, robots, NEIGHBOUR_SIZE) all robots as neighbours feel them; (1, 0, ...) if nobody asks
+
+
+class History(NamedTuple):
+    """The state at every grid point: x y z yaw u v w r, force x y z, moment; before and after its readings."""
+
+    before: Floats  # (points, 12)
+    after: Floats  # (points, 12)
+    wide_before: Floats  # (points, 9, 9) covariance of the horizontal block
+    wide_after: Floats
+    wide_step: Floats  # (points, 9, 9) transition from the grid point before
+    high_before: Floats  # (points, 3, 3) the same of the vertical block
+    high_after: Floats
+    high_step: Floats
+
+
+class Belief(NamedTuple):
+    """What the filter leaves for each reading, and for each grid point after its readings."""
+
+    innovation: Floats  # (m,)
+    variance: Floats  # (m,) of the innovation
+    gain: Floats  # (m, HORIZONTAL); vertical readings use the first three
+    history: History  # empty if not wanted
+
+
+class Past(NamedTuple):
+    """What is kept of a pass of the filter, by reading."""
+
+    innovation: Floats  # (m,)
+    gain: Floats  # (m, HORIZONTAL)
+    believed: NDArray[np.bool_]  # (m,) innovations within the gate

@@ -1,0 +1,219 @@
+"""Which effects are missing: a contest of catalogue and laws, step by step, then pruned.
+
+An effect is accused if its evidence passes THRESHOLD (7 nats for 14 entries, more for a longer catalogue), if it also
+foretells what its fit did not see, and if no rival explains more. What comes within AMBIGUITY nats is named with it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.candidate import Candidate, expand
+from cocorosim_ros.diagnosis.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.columns import WATER_NOISE
+from cocorosim_ros.diagnosis.contest import Refined, log_evidence, refine
+from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS
+from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
+from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
+from cocorosim_ros.diagnosis.laws import law_entries
+from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.screening import Screen, Screened
+
+THRESHOLD = 7.0 + math.log(40 / 14)  # nats
+AMBIGUITY = 3.0  # nats
+WORTH_REFINING = 2.0  # nats of the screening
+LEADERS = 4
+MOST_REFINED = 8
+MOST_EFFECTS = 4
+CHECKED = 60.0  # nats below which an accusation is checked against a model that was fitted anew
+FORM_SHARE = 0.025  # of what an effect explains may be left over, because its law is not quite the sea's
+LAW_MARGIN = 3.0  # nats by which a law has to beat the catalogue
+Progress = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Accused:
+    """An effect that was added: where its unknowns stand in the fit, its evidence, its rivals."""
+
+    candidate: Candidate
+    first: int  # of its unknowns among the fit's laws
+    count: int
+    nats: float
+    rivals: tuple[tuple[Candidate, float], ...]  # and how far behind
+    held_out: HeldOutGain
+
+
+@dataclass(frozen=True)
+class Naming:
+    """The recalibrated fit, the fit with all that is accused, and what the first screening saw."""
+
+    base: Fit
+    fit: Fit
+    accused: tuple[Accused, ...]
+    screened: tuple[Screened, ...]
+    laws: tuple[Screened, ...]
+
+
+def name_effects(base: Fit, progress: Progress) -> Naming:
+    """The contest from the recalibrated model on."""
+    fit = base
+    accused: tuple[Accused, ...] = ()
+    first: tuple[Screened, ...] = ()
+    first_laws: tuple[Screened, ...] = ()
+    for round_number in range(MOST_EFFECTS):
+        progress("looking for what is missing", round_number / MOST_EFFECTS)
+        scene = scene_of(fit.tracks, smoothed_tracks(fit))
+        screen = Screen(fit, scene)
+        taken = {key for part in accused for key in _keys(part.candidate)}
+        entries: list[Candidate] = [part for part in expand(ENTRIES, fit.tracks, fit.rows) if not taken & _keys(part)]
+        laws = expand(
+            law_entries(scene, sum(part.candidate.entry.law is not None for part in accused)), fit.tracks, base.rows
+        )
+        laws = [part for part in laws if not taken & _keys(part)]
+        tested, tested_laws = _ranked(screen, entries), _ranked(screen, laws)
+        if round_number == 0:
+            first, first_laws = tested, tested_laws
+        found = _best(fit, accused, screen, tested, tested_laws)
+        if found is None:
+            break
+        fit, accused = found
+    fit, accused = _pruned(fit, accused)
+    return Naming(base, fit, accused, first, first_laws)
+
+
+def _keys(candidate: Candidate) -> set[tuple[str, str | None, str]]:
+    return {(candidate.entry.id, candidate.entry.topic, robot) for robot in candidate.robots}
+
+
+def _ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, ...]:
+    return tuple(sorted((screen.test(part) for part in candidates), key=lambda part: -part.nats))
+
+
+def _best(
+    fit: Fit, accused: tuple[Accused, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
+) -> tuple[Fit, tuple[Accused, ...]] | None:
+    """The fit with the best addition, or None if none passes."""
+    chosen = [*_worth_refining(tested), *(part for part in laws[:2] if part.nats > WORTH_REFINING)]
+    if not chosen:
+        return None
+    base_evidence = log_evidence(fit)
+    refined = [_refined(fit, part, screen, base_evidence) for part in chosen]
+    refined.sort(key=lambda part: -_standing(part))
+    for best in refined:
+        needed = max(THRESHOLD, FORM_SHARE * _explained(accused, best))
+        if _standing(best) < needed:
+            return None
+        if best.nats < CHECKED and _regained(best) < needed:
+            continue
+        gain = held_out_gain(fit, best.fit)
+        if gain.total > 0.0 and not _is_tiny(best):
+            rivals = [(part.candidate, best.nats - part.nats) for part in refined if part is not best]
+            near = tuple(
+                (part, max(0.0, behind)) for part, behind in rivals if behind <= AMBIGUITY and part.entry.law is None
+            )
+            added = Accused(best.candidate, len(fit.laws), best.count, best.nats, near, gain)
+            return best.fit, (*accused, added)
+    return None
+
+
+def _regained(part: Refined) -> float:
+    """Its evidence over a model without it that was let loose again from there, lest an unfinished fit be its merit."""
+    without = _without(part.fit, len(part.fit.laws) - part.count, part.count)
+    nats = log_evidence(part.fit) - log_evidence(without) - part.candidate.entry.prior_nats
+    return _standing(replace(part, nats=nats))
+
+
+def _is_tiny(part: Refined) -> bool:
+    """Whether all of its amplitudes are too small to be believed."""
+    new = part.fit.laws[-part.count :]
+    values = [law.value(float(q)) for law, q in zip(new, part.fit.q[-part.count :], strict=True)]
+    entry = part.candidate.entry
+    amplitudes = [entry.amplitudes[index % len(entry.amplitudes)] for index in range(_amplitude_count(part))]
+    return all(abs(value - each.neutral) < each.smallest for value, each in zip(values, amplitudes, strict=False))
+
+
+def _amplitude_count(part: Refined) -> int:
+    owners = 1 if part.candidate.entry.water else len(part.candidate.tracks)
+    return owners * len(part.candidate.entry.amplitudes)
+
+
+def _explained(accused: tuple[Accused, ...], best: Refined) -> float:
+    """Nats of the effects on the same side, motion or sensors, whose form may be a little wrong."""
+    side = _side(best.candidate)
+    return max((part.nats for part in accused if _side(part.candidate) == side), default=0.0) if side else 0.0
+
+
+def _side(candidate: Candidate) -> str:
+    """Which motion an effect acts on first; nothing for sensors, whose laws are exact."""
+    channel = candidate.entry.channel
+    return "" if channel in SENSOR_CHANNELS else "upright" if channel == "heave" else "level"
+
+
+def _standing(part: Refined) -> float:
+    """Evidence; a law outside the catalogue is believed only if it is clearly better than what is known."""
+    return part.nats - (LAW_MARGIN if part.candidate.entry.law is not None else 0.0)
+
+
+def _refined(fit: Fit, screened: Screened, screen: Screen, base_evidence: float) -> Refined:
+    result = refine(fit, screened, screen.scene, base_evidence)
+    return replace(result, nats=result.nats - screened.candidate.entry.prior_nats)
+
+
+def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
+    """The leaders, and of their groups whoever explains something."""
+    leaders = [part for part in tested[:LEADERS] if part.nats > WORTH_REFINING]
+    groups = {part.candidate.entry.group for part in leaders if part.candidate.entry.group}
+    more = [
+        part
+        for part in tested[LEADERS:]
+        if part.candidate.entry.group in groups and part.nats > min(WORTH_REFINING, 0.1 * leaders[0].nats)
+    ]
+    return [*leaders, *more][:MOST_REFINED]
+
+
+def _pruned(fit: Fit, accused: tuple[Accused, ...]) -> tuple[Fit, tuple[Accused, ...]]:
+    """Take back what the others have made superfluous, the weakest first."""
+    while len(accused) > 1:
+        whole = log_evidence(fit)
+        losses = []
+        for part in accused:
+            without = _without(fit, part.first, part.count)
+            losses.append((whole - log_evidence(without) - part.candidate.entry.prior_nats, part, without))
+        losses.sort(key=lambda entry: entry[0])
+        loss, weakest, without = losses[0]
+        kept = {part.candidate.key: change for change, part, _ in losses}
+        accused = tuple(replace(part, nats=kept[part.candidate.key]) for part in accused)
+        if loss >= THRESHOLD:
+            break
+        fit, accused = without, _moved(accused, weakest)
+    return fit, accused
+
+
+def without_weakest(naming: Naming) -> Naming:
+    """The naming without the accusation that has the least evidence."""
+    weakest = min(naming.accused, key=lambda part: part.nats)
+    return replace(
+        naming, fit=_without(naming.fit, weakest.first, weakest.count), accused=_moved(naming.accused, weakest)
+    )
+
+
+def _without(fit: Fit, first: int, count: int) -> Fit:
+    """The fit without so many of its laws from `first` on, the rest let loose again."""
+    stays = np.ones(len(fit.laws), dtype=bool)
+    stays[first : first + count] = False
+    laws = tuple(law for law, keep in zip(fit.laws, stays, strict=True) if keep)
+    smaller = evaluated(replace(fit, laws=laws, q=fit.q[stays]))
+    return improved(with_noise(improved(smaller, 2), 2, WATER_NOISE), 2)
+
+
+def _moved(accused: tuple[Accused, ...], gone: Accused) -> tuple[Accused, ...]:
+    """The others, with their new places among the laws."""
+    return tuple(
+        replace(part, first=part.first - (gone.count if part.first > gone.first else 0))
+        for part in accused
+        if part.candidate.key != gone.candidate.key
+    )

@@ -1,0 +1,179 @@
+"""The platform's own numbers fitted together with the random forces of the water: the honest base of all comparisons.
+
+Mass is not fitted: forces, drag and inertia are known relative to it alone. Which numbers can move is a table.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.columns import (
+    COLUMN,
+    NEUTRAL,
+    PHYSICS,
+    READING_COLUMNS,
+    READING_NOISE,
+    READING_NOISE_OF_KIND,
+    WATER_NOISE,
+)
+from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, make_fit, with_noise
+from cocorosim_ros.diagnosis.kernels.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.surroundings import introduce
+from cocorosim_ros.diagnosis.track import Track
+from cocorosim_ros.diagnosis.unknowns import Unknown
+from cocorosim_ros.evidence.log import Evidence, RobotLog
+from cocorosim_ros.scenario.ranges import Ranges
+
+Floats = NDArray[np.float64]
+
+# Columns, by the name that the contract reports, and their unit.
+RECALIBRATED: dict[str, tuple[str, str]] = {
+    "thrust_gain": ("thrust_gain", "1"),
+    "yaw_torque_gain": ("yaw_torque_gain", "1"),
+    "drag": ("drag", "kg/m"),
+    "yaw_drag": ("yaw_drag", "N m s^2"),
+    "yaw_inertia": ("inertia", "kg m^2"),
+    "buoyancy_gain": ("buoyancy_gain", "1"),
+}
+PRIOR = 0.2  # of the logarithm of a number that the platform gives without a range
+SHUT = 0.2  # share of readings beyond belief
+MOST_DOUBLINGS = 12
+MOST_ROUNDS = 10  # of a fit that a good start ends after two or three
+FIRST_DISTURBANCE = 0.01  # of full thrust
+FIRST_CORRELATION = 2.5  # s
+LEAST_READING_NOISE = 1e-9
+
+
+def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
+    """A track for every robot in every recording that has readings."""
+    tracks = []
+    for recording in evidence.recordings:
+        fellows = [Track(evidence.platform, recording, log, _span(log)) for log in recording.robots if _times(log)]
+        introduce(fellows)
+        tracks += fellows
+    return tuple(tracks)
+
+
+def _times(log: RobotLog) -> list[Floats]:
+    return [stream.time for stream in log.streams.values() if len(stream.time)]
+
+
+def _span(log: RobotLog) -> tuple[float, float]:
+    """From the first reading to the last [s]."""
+    times = _times(log)
+    return min(float(time[0]) for time in times), max(float(time[-1]) for time in times)
+
+
+def base_rows(tracks: Sequence[Track]) -> Floats:
+    """(tracks, columns) the platform's numbers, nothing out of the ordinary, noise as it is estimated at first."""
+    rows = np.tile(NEUTRAL, (len(tracks), 1))
+    for row, track in zip(rows, tracks, strict=True):
+        row[PHYSICS] = track.platform_row
+        for known, value in track.known.items():
+            row[COLUMN[known]] = value
+        force = track.force_scale
+        across = max(force[0], force[1], 1e-6)
+        row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * across)
+        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * max(force[2] * 0.1, across))
+        row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(force[3], 0.02 * across))
+        row[COLUMN["random.correlation"]] = math.log(FIRST_CORRELATION)
+        for name, kinds in KINDS_OF_STREAM.items():
+            if name not in track.log.streams:
+                continue
+            noise = track.log.streams[name].noise
+            for column, kind in enumerate(kinds):
+                if np.isfinite(noise[column]):
+                    level = max(float(noise[column]), LEAST_READING_NOISE)
+                    row[COLUMN[f"reading.{READING_NOISE_OF_KIND[kind]}"]] = math.log(level)
+    return rows
+
+
+def base_laws(tracks: Sequence[Track]) -> list[Unknown]:
+    """The numbers of each robot's platform that may move."""
+    laws = []
+    for robot in dict.fromkeys(track.name for track in tracks):
+        numbers = tuple(index for index, track in enumerate(tracks) if track.name == robot)
+        ranges = tracks[numbers[0]].ranges
+        for column in RECALIBRATED:
+            base = float(tracks[numbers[0]].platform_row[COLUMN[column]])
+            # Moments are known relative to the inertia alone, as forces are to the mass: it stays unless it is unknown.
+            if base > 0.0 and (column != "yaw_inertia" or column in ranges):
+                prior = _prior(column, ranges)
+                laws.append(Unknown(column, numbers, base, logarithmic=True, prior=prior, bounds=(-4.0, 4.0)))
+    return laws
+
+
+def _prior(column: str, ranges: Ranges) -> float:
+    """Standard deviation of the logarithm: a quarter of the platform's range, where it gives one."""
+    wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
+    found = [part for key, part in ranges.items() if key.endswith(wanted) and part.low > 0.0]
+    widths = [math.log(part.high / part.low) / 4.0 for part in found]
+    return max([PRIOR, *widths])
+
+
+def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
+    """Random forces, one for all robots; noise of readings, one for each robot."""
+    everybody = tuple(range(len(tracks)))
+    spreads = {"random.force": 3.0, "random.heave_force": 3.0, "random.moment": 3.0, "random.correlation": 0.7}
+    found = [
+        Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=spreads[name], bounds=(-7.0, 7.0))
+        for name in WATER_NOISE
+    ]
+    for robot in dict.fromkeys(track.name for track in tracks):
+        numbers = tuple(index for index, track in enumerate(tracks) if track.name == robot)
+        present = {
+            READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
+        }
+        for column in READING_NOISE:
+            if column.partition(".")[2] in present:
+                base = float(rows[numbers[0], COLUMN[column]])
+                found.append(Unknown(column, numbers, base, prior=0.7, bounds=(-3.0, 5.0)))
+    return found
+
+
+def base_fit(evidence: Evidence) -> Fit:
+    """The recalibrated model: the platform's numbers and the noise at their most likely values."""
+    tracks = make_tracks(evidence)
+    rows = base_rows(tracks)
+    fit = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    fit = _opened(fit)
+    for _ in range(MOST_ROUNDS):
+        before = fit.objective
+        fit = improved(with_noise(fit, 2), 3)
+        if fit.objective - before < 0.1:
+            break
+    return fit
+
+
+def _opened(fit: Fit) -> Fit:
+    """The fit with the noise of those readings raised that are mostly beyond belief, lest nothing be learnt from them.
+
+    A sensor that is off by many times its noise is no outlier; its effect takes the noise back.
+    """
+    for _ in range(MOST_DOUBLINGS):
+        shut = [_is_shut(fit, unknown) for unknown in fit.noise]
+        if not any(shut):
+            return fit
+        fit = evaluated(replace(fit, q_noise=fit.q_noise + math.log(2.0) * np.array(shut)))
+    return fit
+
+
+def _is_shut(fit: Fit, noise: Unknown) -> bool:
+    """Whether many of the readings of which this is the noise are not believed."""
+    kinds = np.flatnonzero(COLUMN[noise.column] == READING_COLUMNS)
+    for number in noise.tracks:
+        chosen = np.isin(fit.tracks[number].readings.kind, kinds)
+        if chosen.any() and np.mean(fit.passes[number].believed[chosen]) < 1.0 - SHUT:
+            return True
+    return False
+
+
+def nominal_fit(base: Fit) -> Fit:
+    """The platform as its file has it, with the random forces that it then needs."""
+    start = evaluated(replace(base, q=np.zeros(len(base.laws))))
+    return with_noise(start, 3, WATER_NOISE)

@@ -1,0 +1,74 @@
+"""The random force that a model needs, over time, and what it looks like: its swings, typical sizes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.signal import find_peaks, periodogram
+
+from cocorosim_ros.diagnosis.entry import Scene
+from cocorosim_ros.diagnosis.fit import Fit
+from cocorosim_ros.diagnosis.surroundings import FAR
+from cocorosim_ros.diagnosis.track import Smoothed, Track
+
+Floats = NDArray[np.float64]
+FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
+PEAKS = 3
+SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
+SHORTEST_PERIOD = 5.0  # s
+
+
+def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
+    """The most likely course of every track."""
+    return tuple(track.smoothed(row) for track, row in zip(fit.tracks, fit.filled, strict=True))
+
+
+def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
+    """What the recordings span, and how the residual force swings."""
+    places = np.concatenate([course.mean[:, :3] for course in courses])
+    seen = np.concatenate([course.mean for course in courses])
+    lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
+    duration = max(float(course.time[-1]) for course in courses)
+    periods = {name: _periods(courses, column) for name, column in FORCE_COLUMNS.items()}
+    return Scene(
+        tuple(lower.tolist()),
+        tuple(upper.tolist()),
+        duration,
+        tracks[0].hull,
+        tracks[0].arm,
+        periods,
+        _scales(tracks[0], seen, duration),
+    )
+
+
+def _periods(courses: Sequence[Smoothed], column: int) -> tuple[float, ...]:
+    """At which the force swings most, strongest first, and the longest that a recording shows [s]."""
+    longest = max(courses, key=lambda course: len(course.time))
+    duration = float(longest.time[-1] - longest.time[0])
+    total: Floats = np.zeros(0)
+    for course in courses:
+        step = float(course.time[1] - course.time[0])
+        frequency, power = periodogram(course.mean[:, column], fs=1.0 / step, nfft=4 * len(longest.time))
+        total = power if len(total) == 0 else total + power
+    wanted = (frequency > SWINGS / duration) & (frequency < 1.0 / SHORTEST_PERIOD)
+    peaks, _ = find_peaks(np.where(wanted, total, 0.0))
+    strongest = peaks[np.argsort(total[peaks])[::-1][:PEAKS]]
+    return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS)
+
+
+def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
+    """Root mean squares of the regressors, and full forces by equation."""
+    rms = np.sqrt(np.mean(seen**2, axis=0))
+    force = np.maximum(track.force_scale, 1e-9)
+    across = float(max(force[0], force[1]))
+    return {
+        **dict(zip(("x", "y", "z", "yaw", "u", "v", "w", "r"), np.maximum(rms[:8], 1e-6).tolist(), strict=True)),
+        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)), "thrust": 0.5 * across,
+        "yaw_command": 0.3 * float(force[3]), "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
+        "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
+        "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
+        "surge_force": across, "heave_force": float(max(0.1 * force[2], across)), "yaw_force": float(force[3]),
+    }  # fmt: skip

@@ -1,0 +1,68 @@
+"""From recordings to evidence: every robot's streams and commands, clean, on one clock, with their noise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.evidence.cleaning import cleaned, timing_sentence
+from cocorosim_ros.evidence.clocks import clock_skews, on_one_clock, skew_sentence
+from cocorosim_ros.evidence.identities import with_true_identities
+from cocorosim_ros.evidence.log import STREAMS, Evidence, Recording
+from cocorosim_ros.evidence.robot_logs import robot_log, seconds
+from cocorosim_ros.evidence.topic_rows import COMMAND, read_topic_rows
+from cocorosim_ros.messages.stamps import NANOSECONDS
+from cocorosim_ros.recording.bag_reader import Bag, read_bag
+from cocorosim_ros.scenario.platform import Platform
+
+
+def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
+    """What these recordings say of robots of this platform.
+
+    Raises CocorosimError where a file cannot be used: it is no recording, holds no topic of any robot, or commands
+    only actuators that the platform does not have. Where a usable file merely says too little, nothing is raised:
+    see `reasons_to_abstain`.
+    """
+    return Evidence(platform, tuple(gather_recording(Path(bag), platform) for bag in bags))
+
+
+def gather_recording(path: Path, platform: Platform) -> Recording:
+    """What one recording says of robots of this platform. Raises CocorosimError as `gather_evidence`."""
+    bag = read_bag(path)
+    try:
+        topics, remarks = read_topic_rows(bag, platform.actuator_names)
+    except CocorosimError as error:
+        raise CocorosimError(f"{path}: {error}") from error
+    topics, clock_remarks = on_one_clock(topics)
+    remarks = [*([bag.summary.damage] if bag.summary.damage else []), *remarks, *clock_remarks]
+    skews = clock_skews(topics)
+    sentences = [skew_sentence(rows.name, skew) for rows, skew in zip(topics, skews, strict=True)]
+    remarks += [sentence for sentence in sentences if sentence]
+    clean = []
+    for rows in topics:
+        result = cleaned(rows)
+        clean.append(result.rows)
+        remarks += [*rows.remarks, *result.remarks]
+    if not any(len(rows.stamp_ns) for rows in clean):
+        raise _nothing_usable(path, bag)
+    start = min(int(rows.stamp_ns[0]) for rows in clean if len(rows.stamp_ns))
+    duration = max((int(rows.stamp_ns[-1]) - start) / NANOSECONDS for rows in clean if len(rows.stamp_ns))
+    robots = []
+    for name in sorted({rows.robot for rows in clean}):
+        mine = [(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
+        log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
+        robots.append(log)
+        remarks += log_remarks
+    robots, identity_remarks = with_true_identities(robots, platform)
+    remarks += identity_remarks
+    remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]
+    return Recording(str(path), duration, tuple(robots), tuple(remarks))
+
+
+def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:
+    found = ", ".join(topic.topic for topic in bag.summary.topics if topic.count) or "none"
+    return CocorosimError(
+        f"{path} has no message of a robot's {', '.join([*STREAMS, COMMAND])}, and its topics are: {found}; "
+        "bring it into the contract with `cocorosim convert`, or give another recording."
+    )

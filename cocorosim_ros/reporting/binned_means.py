@@ -1,0 +1,67 @@
+"""Means of a residual in classes of something else, with honest error bars."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+_LEAST_VISITS = 3
+
+
+class BinnedMeans(NamedTuple):
+    """Per class: mean of the abscissa, mean of the values, half width of its 95 % interval (NaN: too few visits)."""
+
+    centre: Floats
+    mean: Floats
+    half_width: Floats
+
+
+def binned_means(abscissa: Floats, values: Floats, classes: int = 12) -> BinnedMeans:
+    """The means in classes of about equal numbers of samples.
+
+    Neighbouring samples of a smoothed residual are no independent ones: what counts is how often the robot came into
+    a class, so the interval is that of the mean over visits.
+    """
+    good = np.isfinite(abscissa) & np.isfinite(values)
+    abscissa, values = abscissa[good], values[good]
+    if not len(values):
+        return BinnedMeans(*(np.empty(0) for _ in range(3)))
+    edges = np.unique(np.quantile(abscissa, np.linspace(0.0, 1.0, classes + 1)))
+    number = np.clip(np.searchsorted(edges, abscissa, side="right") - 1, 0, max(len(edges) - 2, 0))
+    rows = [_class_mean(abscissa, values, number == each) for each in np.unique(number)]
+    return BinnedMeans(*np.array(rows).T)
+
+
+def _class_mean(abscissa: Floats, values: Floats, inside: NDArray[np.bool_]) -> tuple[float, float, float]:
+    starts = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0) == 1)
+    visits = np.searchsorted(starts, np.flatnonzero(inside), side="right") - 1
+    counts = np.bincount(visits)
+    means = np.bincount(visits, weights=values[inside]) / counts
+    mean = float(values[inside].mean())
+    if len(starts) < _LEAST_VISITS:
+        return float(abscissa[inside].mean()), mean, float("nan")
+    # Long visits weigh more in the mean, and so they do in its error.
+    weights = counts / counts.sum()
+    error = float(np.sqrt(np.sum(weights**2 * (means - mean) ** 2) * len(starts) / (len(starts) - 1)))
+    return float(abscissa[inside].mean()), mean, 1.96 * error
+
+
+def mean_map(place: Floats, values: Floats, edges: tuple[Floats, Floats], least: int = 1) -> Floats:
+    """(rows along y, columns along x, ...) means of values (n, ...) in a grid of places (n, 2).
+
+    NaN in cells with fewer than `least` samples.
+    """
+    columns = np.digitize(place[:, 0], edges[0]) - 1
+    rows = np.digitize(place[:, 1], edges[1]) - 1
+    shape = (len(edges[1]) - 1, len(edges[0]) - 1)
+    inside = (columns >= 0) & (columns < shape[1]) & (rows >= 0) & (rows < shape[0])
+    total = np.zeros((*shape, *values.shape[1:]))
+    count = np.zeros(shape)
+    np.add.at(total, (rows[inside], columns[inside]), values[inside])
+    np.add.at(count, (rows[inside], columns[inside]), 1.0)
+    count[count < least] = np.nan
+    return total / count.reshape(*shape, *[1] * (values.ndim - 1))

@@ -1,0 +1,86 @@
+"""A diagnosis as the machine-readable file diagnosis.json: exactly the fields of the contract, never NaN."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, HeldOut, Located, Recalibrated
+
+
+def diagnosis_json(diagnosis: Diagnosis) -> str:
+    """The text of the file; numbers that are not finite are null."""
+    return json.dumps(diagnosis_tree(diagnosis), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
+    """The content of the file as nested plain values."""
+    return {
+        "verdict": diagnosis.verdict,
+        "recalibrated": [_recalibrated(each) for each in diagnosis.recalibrated],
+        "mismatch": [_located(each) for each in diagnosis.mismatch],
+        "effects": [_effect(each) for each in diagnosis.effects],
+        "not_shown_by_this_recording": list(diagnosis.not_shown),
+        "next_manoeuvre": diagnosis.next_manoeuvre,
+        "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
+    }
+
+
+def _recalibrated(found: Recalibrated) -> dict[str, Any]:
+    return {
+        "parameter": found.parameter,
+        "nominal": _finite(found.nominal),
+        **_estimate(found.estimate),
+        "robots": list(found.robots),
+    }
+
+
+def _located(found: Located) -> dict[str, Any]:
+    return {
+        "robots": list(found.robots),
+        "equation": found.equation,
+        "regressor": found.regressor,
+        "where": found.where,
+        "when": [_finite(moment) for moment in found.when],
+        "size": _finite(found.size),
+        "unit": found.unit,
+        "z": _finite(found.z),
+    }
+
+
+def _effect(found: FoundEffect) -> dict[str, Any]:
+    tree: dict[str, Any] = {"id": found.id, "name": found.name, "equation": found.equation}
+    if found.topic is not None:
+        tree["topic"] = found.topic
+    parameters = {name: _estimate(estimate) for name, estimate in found.parameters.items()}
+    if found.correction is not None:
+        # Words have neither interval nor unit, but whoever reads the file finds the same keys everywhere.
+        parameters["correction"] = {"value": found.correction, "ci95": [None, None], "unit": None}
+    rivals = [{"id": rival.id, "nats_behind": _finite(rival.nats_behind)} for rival in found.ambiguous_with]
+    return tree | {
+        "robots": list(found.robots),
+        "tier": found.tier,
+        "parameters": parameters,
+        "nats": _finite(found.nats),
+        "ambiguous_with": rivals,
+    }
+
+
+def _estimate(estimate: Estimate) -> dict[str, Any]:
+    interval = [_finite(estimate.low), _finite(estimate.high)]
+    return {"value": _finite(estimate.value), "ci95": interval, "unit": estimate.unit}
+
+
+def _held_out(found: HeldOut) -> dict[str, Any]:
+    return {
+        "nominal": _finite(found.nominal),
+        "recalibrated": _finite(found.recalibrated),
+        "augmented": _finite(found.augmented),
+        "noise_floor": _finite(found.noise_floor),
+        "unit": found.unit,
+    }
+
+
+def _finite(number: float) -> float | None:
+    return float(number) if math.isfinite(number) else None
