@@ -1,0 +1,38 @@
+"""S22: both offsets to the shoal's centre, against vectors done by hand."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.analysis.mechanism import exact_length, perceived_length
+from cocorosim_ros.signals.state import YAW
+
+
+def test_the_exact_offset() -> None:
+    """Two of three others are within 0.5 m: the median of (0.3, 0, 0) and (0.1, 0.2, 0) is (0.2, 0.1, 0)."""
+    state = np.zeros((1, 4, 11))
+    state[0, :, :3] = [[0, 0, -1], [0.3, 0, -1], [0.1, 0.2, -1], [2.0, 0, -1]]
+    length = exact_length(state)
+    assert length[0, 0] == pytest.approx(math.hypot(0.2, 0.1))
+    assert math.isnan(length[0, 3])
+
+
+def test_the_median_is_taken_in_the_body() -> None:
+    """Turned by 45 deg, the three offsets (1, 0), (0, 1), (0.7, 0.7) tenths have another coordinate-wise median."""
+    state = np.zeros((1, 4, 11))
+    state[0, :, :2] = [[0, 0], [0.1, 0], [0, 0.1], [0.07, 0.07]]
+    state[0, 0, YAW] = 0.25 * math.pi
+    # Along the bow 0.0707, 0.0707, 0.0990; to the left -0.0707, 0.0707, 0.
+    assert exact_length(state)[0, 0] == pytest.approx(0.1 * math.sqrt(0.5))
+
+
+def test_the_perceived_offset() -> None:
+    """0.4 m ahead and 0.3 m to the left are 0.5 m away; 0.48 m is beyond trust, nothing is 0."""
+    axes = np.array([[[1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]]] * 2)
+    simulation = SimpleNamespace(world=SimpleNamespace(crew=SimpleNamespace(sensor_axis=axes)))
+    ranges = np.array([[[0.4, 0.3, 0.48], [np.inf, np.inf, np.inf]]])
+    np.testing.assert_allclose(perceived_length(simulation, ranges, 0.475), [[0.5, 0.0]])  # type: ignore[arg-type]

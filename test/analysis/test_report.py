@@ -1,0 +1,85 @@
+"""The page: self-contained, and its numbers are those of the table."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pytest
+
+from cocorosim_ros.errors import CocorosimError
+
+DESIGN = """
+name: little
+description: a <small> design
+scenario: eleven_lilys
+numerics: [paper]
+seed: 5
+replicates: 30
+change: {duration: 20 s}
+baseline: BLT
+metrics: [polarisation, lost]
+groups:
+  BLT: {description: as it is}
+  deaf: {description: hears nothing, change: {swarm: {overrides: {alignment_weight: 0}}}}
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Results of numbers that are made up: polarisation of `deaf` is lower throughout, lost is 0 everywhere."""
+    from cocorosim_ros.experiments.design import load_design
+    from cocorosim_ros.experiments.rows import SCHEMA
+    from cocorosim_ros.experiments.store import Store
+
+    path = tmp_path / "little.yaml"
+    path.write_text(DESIGN, "utf-8")
+    store = Store(tmp_path / "results", load_design(path))
+    for place, group in enumerate(("BLT", "deaf")):
+        columns: dict[str, Any] = {}
+        for field in SCHEMA:
+            columns[field.name] = ["x"] * 30 if field.type == pa.string() else np.zeros(30)
+        columns |= {"numerics": ["paper"] * 30, "group": [group] * 30, "replicate": np.arange(30)}
+        columns["polarisation"] = 0.9 - 0.5 * place + np.arange(30) / 1000
+        store.add(pa.table({name: pa.array(values, SCHEMA.field(name).type) for name, values in columns.items()}))
+    return tmp_path / "results"
+
+
+def test_spreads_and_effects(folder: Path) -> None:
+    """Median and quartiles of 0, 1, ... 29 thousandths are 14.5, 7.25 and 21.75; the lower group has A = 0."""
+    from cocorosim_ros.analysis.results import load_results
+
+    results = load_results(folder)
+    spread = results.spread("paper", "BLT", "polarisation")
+    assert [spread.median, spread.lower, spread.upper] == pytest.approx([0.9145, 0.90725, 0.92175])
+    found = results.effect("paper", "deaf", "polarisation")
+    assert (found.value, found.size, found.direction) == (0.0, "large", "lower")
+    assert results.effect("paper", "deaf", "lost").value == 0.5
+
+
+def test_the_page_needs_nothing_else(folder: Path) -> None:
+    """No address is fetched, the figure is inside, words of the design are escaped, numbers are there."""
+    from cocorosim_ros.analysis.report import render_report
+    from cocorosim_ros.analysis.results import load_results
+
+    page = render_report([load_results(folder), load_results(folder)])
+    assert not re.search(r"(src|href)=\"(?!data:)", page)
+    assert page.count("data:image/svg+xml;base64,") == 2 and page.count("<h1>little</h1>") == 2
+    assert "a &lt;small&gt; design" in page and "<small>" not in page
+    assert re.search(r"0\.9145 \(0\.907\d \u2026 0\.921\d\)", page) and "\u25bc 0.000 large" in page
+
+
+@pytest.mark.parametrize("made", [False, True])
+def test_a_folder_without_results(tmp_path: Path, made: bool) -> None:
+    """No experiment, or one without a finished run: a sentence."""
+    from cocorosim_ros.analysis.results import load_results
+    from cocorosim_ros.experiments.design import load_design
+    from cocorosim_ros.experiments.store import Store
+
+    if made:
+        Store(tmp_path / "a", load_design("smoke"))
+    with pytest.raises(CocorosimError, match="holds no finished runs yet" if made else "holds no experiment"):
+        load_results(tmp_path / "a")

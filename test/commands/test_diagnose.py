@@ -1,0 +1,144 @@
+"""`cocorosim diagnose` as it is typed; the diagnosis itself is played by a stand-in."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.scenario.scenario import load_scenario
+
+Command = Callable[..., SimpleNamespace]
+SENTENCE = "The left thruster of lily_1 [sic] is 5 % weaker than the right one."
+WANTED = ["diagnosis.json", "model.yaml", "report.html"]
+
+
+def found(evidence: Any) -> Diagnosis:
+    """A diagnosis of all robots of the evidence."""
+    robots = tuple(robot.name for recording in evidence.recordings for robot in recording.robots)
+    drag = Recalibrated("drag", 1.7778, Estimate(1.9, 1.8, 2.0, "kg/m"), robots)
+    weaker = FoundEffect(
+        "thruster_asymmetry", "thrusters that differ", "N = -e b F", robots, "confirmed",
+        {"difference": Estimate(0.05, 0.04, 0.06, "1")}, 52.0,
+    )  # fmt: skip
+    return Diagnosis("mismatch", SENTENCE, (drag,), (), (weaker,), (), None, {})
+
+
+@pytest.fixture
+def diagnose(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[..., Diagnosis]], list[Any]]:
+    """A function that puts a stand-in in the place of the diagnosis; what it gives is the evidence that came in."""
+
+    def stand_in(answer: Callable[..., Diagnosis]) -> list[Any]:
+        seen: list[Any] = []
+
+        def played(evidence: Any, progress: Callable[[str, float], None]) -> Diagnosis:
+            seen.append(evidence)
+            progress("thinking", 0.5)
+            return answer(evidence)
+
+        module = ModuleType("cocorosim_ros.diagnosis.diagnose")
+        module.diagnose = played  # type: ignore[attr-defined]
+        monkeypatch.setitem(sys.modules, module.__name__, module)
+        return seen
+
+    return stand_in
+
+
+def test_a_recording_is_diagnosed(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """Three files, the sentence and the table; the model loads; a second time needs --force."""
+    seen = diagnose(found)
+    arguments = ("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out")
+    done = cocorosim(*arguments)
+    assert (done.status, done.err) == (0, "")
+    assert SENTENCE in done.out
+    assert "0.050 " in done.out
+    assert [robot.name for robot in seen[0].recordings[0].robots] == run_of_20_seconds.robots
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == WANTED
+    assert json.loads((tmp_path / "out" / "diagnosis.json").read_text())["verdict"] == "mismatch"
+    assert "5 % weaker" in (tmp_path / "out" / "report.html").read_text("utf-8")
+    model = load_platform(tmp_path / "out" / "model.yaml")
+    assert (model.drag, model.effects) == (1.9, {"thruster_asymmetry": {"difference": 0.05}})
+    again = cocorosim(*arguments)
+    assert again.status == 2
+    assert "exists already" in again.err
+    assert cocorosim(*arguments, "--force").status == 0
+
+
+def test_what_to_drive_next_is_a_scenario(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """Where something was not shown, the folder holds a scenario with its model; a later diagnosis takes it away."""
+    diagnose(lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), ("tether",), "Drive.", {}))
+    arguments = ("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out")
+    assert cocorosim(*arguments).status == 0
+    scenario = load_scenario(tmp_path / "out" / "next_manoeuvre.yaml")
+    assert scenario.robots[0].platform == load_platform(tmp_path / "out" / "model.yaml")
+    diagnose(found)
+    assert cocorosim(*arguments, "--force").status == 0
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == WANTED
+
+
+def test_known_effects_come_from_another_model(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """--known adds the effects of a model to the platform, and leaves the platform's numbers alone."""
+    seen = diagnose(found)
+    bag = run_of_20_seconds.bag
+    assert cocorosim("diagnose", bag, bag, "--platform", "lily", "--out", tmp_path / "first").status == 0
+    known = tmp_path / "first" / "model.yaml"
+    assert cocorosim("diagnose", bag, "--platform", "lily", "--known", known, "--out", tmp_path / "x").status == 0
+    assert len(seen[0].recordings) == 2
+    platform = seen[1].platform
+    assert (platform.drag, platform.effects) == (1.7778, {"thruster_asymmetry": {"difference": 0.05}})
+
+
+@pytest.mark.parametrize("broken", ["bag", "platform", "known", "out"])
+def test_unusable_input_is_one_sentence(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path, broken: str
+) -> None:
+    """Status 2, one line that names what is wrong, and nothing is left behind."""
+    diagnose(found)
+    (tmp_path / "file").write_text("mine")
+    given: dict[str, Any] = {"bag": run_of_20_seconds.bag, "platform": "lily", "known": "lily", "out": tmp_path / "out"}
+    given[broken] = tmp_path / "file" if broken == "out" else tmp_path / "missing.yaml"
+    done = cocorosim(
+        "diagnose", given["bag"], "--platform", given["platform"], "--known", given["known"], "--out", given["out"]
+    )
+    assert done.status == 2
+    assert len(done.err.strip().splitlines()) == 1
+    assert given[broken].name in done.err
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_failure_leaves_nothing_behind(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """An error in the middle of the diagnosis is its sentence, and no folder."""
+
+    def fail(evidence: Any) -> Diagnosis:
+        raise CocorosimError("The recording is of another planet; record on this one.")
+
+    diagnose(fail)
+    done = cocorosim("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "a" / "b")
+    assert (done.status, done.err) == (2, "cocorosim: The recording is of another planet; record on this one.\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_every_option_is_explained(cocorosim: Command) -> None:
+    """--help says what is written, and a missing option is named."""
+    words = " ".join(cocorosim("diagnose", "--help").out.split())
+    for part in ("BAG...", "--platform", "--out", "--known", "--force", "model.yaml"):
+        assert part in words
+    missing = cocorosim("diagnose", "bag")
+    assert missing.status == 2
+    assert "--platform" in missing.err

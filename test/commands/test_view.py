@@ -1,0 +1,102 @@
+"""`cocorosim view`: a page that plays the recording, opened in a browser or not."""
+
+from __future__ import annotations
+
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+from urllib.parse import urlparse
+from urllib.request import url2pathname
+
+import pytest
+from rosbags.rosbag2 import StoragePlugin, Writer
+
+from cocorosim_ros.messages.type_store import type_store
+
+Command = Callable[..., SimpleNamespace]
+SHIPPED = Path(__file__).parents[2] / "bags" / "five_lilys"
+
+
+@pytest.fixture
+def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The addresses that were opened in a browser."""
+    addresses: list[str] = []
+
+    def open_page(address: str) -> bool:
+        addresses.append(address)
+        return len(addresses) == 1
+
+    monkeypatch.setattr(webbrowser, "open", open_page)
+    return addresses
+
+
+def test_a_page_is_written_and_opened(
+    cocorosim: Command, opened: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without --out a temporary file that stays; where no browser is, that is said."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    for words in (False, True):
+        result = cocorosim("view", SHIPPED)
+        assert result.status == 0, result.err
+        page = Path(url2pathname(urlparse(opened[-1]).path))
+        assert str(page) in result.out
+        assert ("no browser was found here" in result.out) == words
+        text = page.read_text("utf-8")
+        assert all(f'"lily_0{number}"' in text for number in range(1, 6))
+        assert "five_lilys" in text
+    assert len(set(opened)) == 2
+
+
+def test_a_file_of_ones_own(cocorosim: Command, opened: list[str], tmp_path: Path) -> None:
+    """--no-open opens nothing; what is there is replaced with --force alone."""
+    page = tmp_path / "page.html"
+    assert cocorosim("view", SHIPPED / "bag", "--out", page, "--no-open").status == 0
+    page.write_text("a letter")
+    refused = cocorosim("view", SHIPPED, "--out", page, "--no-open")
+    assert refused.status == 2
+    assert f"{page} exists already and is not overwritten" in refused.err
+    assert page.read_text() == "a letter"
+    assert cocorosim("view", SHIPPED, "--out", page, "--no-open", "--force").status == 0
+    assert page.read_text("utf-8").startswith("<!doctype html>")
+    assert opened == []
+
+
+def empty_bag(folder: Path) -> Path:
+    """A recording without poses, by the independent writer."""
+    with Writer(folder, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
+        connection = writer.add_connection("/name", "std_msgs/msg/String", typestore=type_store())
+        writer.write(connection, 5, b"\x00\x01\x00\x00\x02\x00\x00\x00a\x00")
+    return folder
+
+
+def test_unusable_input(cocorosim: Command, opened: list[str], tmp_path: Path) -> None:
+    """One sentence and status 2, no page and no browser: no recording, no poses, a folder that is not there."""
+    (tmp_path / "note.txt").write_text("no bag")
+    cases: list[tuple[tuple[Any, ...], str]] = [
+        ((tmp_path / "nowhere",), "nowhere"),
+        ((tmp_path / "note.txt",), "note.txt"),
+        ((empty_bag(tmp_path / "empty"),), "empty holds no poses: it has /name (std_msgs/msg/String)"),
+        ((SHIPPED, "--out", tmp_path / "none" / "page.html"), "page.html cannot be written: No such file or directory"),
+        ((SHIPPED, "--out", tmp_path), "exists already"),
+    ]
+    for arguments, words in cases:
+        result = cocorosim("view", *arguments)
+        assert result.status == 2, result.out
+        assert words in result.err
+        assert result.err.count("\n") == 1, result.err
+    assert opened == []
+    assert not list(tmp_path.rglob("*.html"))
+
+
+def test_a_damaged_recording(cocorosim: Command, opened: list[str], tmp_path: Path) -> None:
+    """It is shown up to where it can be read, and both terminal and page say so."""
+    whole = (SHIPPED / "bag" / "bag_0.mcap").read_bytes()
+    broken = tmp_path / "broken.mcap"
+    broken.write_bytes(whole[: len(whole) // 2])
+    result = cocorosim("view", broken, "--out", tmp_path / "page.html")
+    assert result.status == 0, result.err
+    assert "broken.mcap" in result.out
+    assert '<p class="finding">' in (tmp_path / "page.html").read_text("utf-8")
+    assert len(opened) == 1

@@ -1,0 +1,165 @@
+"""What camera, compass, pressure sensor, IMU and log make of a trajectory: rates, jitter, noise, gaps, faults."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from concealer import layout as at
+from concealer.catalogue_sensors import compass_reading
+from concealer.layout import FloatArray
+from concealer.scene import Faults
+
+DIGIT = 2.0**-22  # of all readings; what is finer would be noise that no file can be made smaller of
+EPOCH_NS = 1_760_000_000_000_000_000
+Numbers = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Stream:
+    """One topic of one robot: stamps and log times since EPOCH_NS, and the numbers of each message."""
+
+    topic: str
+    stamp: FloatArray  # (n,) s
+    logged: FloatArray  # (n,) s
+    values: FloatArray  # (n, numbers)
+
+
+class Observer:
+    """Reads one robot's trajectory (rows, ROW) through faulty sensors."""
+
+    def __init__(self, rows: FloatArray, faults: Faults, numbers: Numbers, rng: np.random.Generator) -> None:
+        self.rows, self.faults, self.numbers, self.rng = rows, faults, numbers, rng
+        self.clock = np.arange(len(rows)) * at.ROW_TIME
+        self.end = float(self.clock[-1])
+
+    def seen(self, time: FloatArray, *places: int) -> FloatArray:
+        """(n, places) columns of the trajectory at these times."""
+        return np.stack([np.interp(time, self.clock, self.rows[:, place]) for place in places], axis=1)
+
+    def beats(self, rate: float, jitter: float = 0.0) -> FloatArray:
+        """Times of measurement: regular but for a normal jitter [s]."""
+        time = np.arange(self.rng.uniform(0.0, 0.5 / rate), self.end, 1.0 / rate)
+        return np.asarray(np.sort(np.clip(time + jitter * self.rng.standard_normal(time.size), 0.0, self.end)))
+
+    def stream(self, topic: str, time: FloatArray, values: FloatArray) -> Stream:
+        """The stream as it is logged: its clock's stamps, the recorder's log times."""
+        stamp = time[0] + (1.0 + self.faults.skew.get(topic, 0.0)) * (time - time[0])
+        return Stream(topic, stamp, time + self.transport(time.size), DIGIT * np.rint(values / DIGIT))
+
+    def transport(self, count: int) -> FloatArray:
+        """Delays between measurement and log [s]."""
+        return 0.001 + self.rng.exponential(self.numbers["transport"], count)
+
+    def shown(self, topic: str, time: FloatArray) -> FloatArray:
+        """The times that a stream shows when it is stamped with these."""
+        return np.clip(time - self.faults.latency.get(topic, 0.0), 0.0, None)
+
+    def between(self, pair: list[float]) -> float:
+        """A uniform draw."""
+        return float(self.rng.uniform(pair[0], pair[1]))
+
+    def pose(self) -> Stream:
+        """The camera: position and yaw, with drop-outs, gaps and now and then a message twice."""
+        n = self.numbers["camera"]
+        time = self.beats(n["rate"], n["jitter"])
+        keep = self.rng.random(time.size) >= self.between(n["drop"])
+        for _ in range(self.rng.integers(0, n["gaps"] + 1)):
+            start = self.rng.uniform(0.0, self.end)
+            keep &= (time < start) | (time > start + self.between(n["gap"]))
+        time = np.sort(np.concatenate([time[keep], time[keep][self.rng.random(keep.sum()) < 0.001]]))
+        state = self.seen(self.shown("pose", time), at.X, at.Y, at.Z, at.YAW)
+        noise = self.between(n["noise"]) * self.rng.standard_normal((time.size, 4))
+        noise[:, 3] = self.between(n["heading"]) * self.rng.standard_normal(time.size)
+        same = np.flatnonzero(np.diff(time) == 0.0) + 1
+        noise[same] = noise[same - 1]
+        state = state + noise
+        place, yaw = state[:, :3] * self.faults.scale, state[:, 3]
+        if self.faults.mixup == "pose_millimetres":
+            place = place * 1000.0
+        if self.faults.mixup == "pose_ned":
+            place, yaw = place[:, [1, 0, 2]] * [1.0, 1.0, -1.0], 0.5 * np.pi - yaw
+        turn = np.stack([np.zeros_like(yaw), np.zeros_like(yaw), np.sin(yaw / 2), np.cos(yaw / 2)], axis=1)
+        return self.stream("pose", time, np.hstack([place, turn]))
+
+    def compass(self, commands: FloatArray) -> Stream:
+        """The compass; commands (ticks, 3) are those of the motors that may disturb it."""
+        n = self.numbers["compass"]
+        time = self.beats(float(self.rng.choice(n["rate"])))
+        shown = self.shown("compass", time)
+        tick = np.minimum((shown / at.TICK).astype(int), len(commands) - 1)
+        sigma = self.between(n["noise"])
+        reading = compass_reading(self.seen(shown, at.YAW)[:, 0], self.faults)
+        reading = reading + self.faults.compass_motor * np.abs(commands[tick, :2]).mean(axis=1)
+        reading = reading + sigma * self.rng.standard_normal(time.size)
+        if self.faults.mixup == "compass_clockwise":
+            reading = 0.5 * np.pi - reading
+        if self.faults.mixup == "compass_negative":
+            reading = -reading
+        reading = -((np.pi - reading) % (2.0 * np.pi)) + np.pi
+        if self.faults.mixup == "compass_degrees":
+            reading = np.degrees(reading)
+        variance = sigma**2 if self.rng.random() < 0.5 else 0.0
+        return self.stream("compass", time, np.stack([reading, np.full(time.size, variance)], axis=1))
+
+    def pressure(self) -> Stream:
+        """Absolute pressure."""
+        n = self.numbers["pressure"]
+        time = self.beats(float(self.rng.choice(n["rate"])))
+        depth = -self.seen(self.shown("pressure", time), at.Z)[:, 0]
+        drift = np.expm1(-time / self.faults.drift_time) / np.expm1(-self.end / self.faults.drift_time)
+        reading = at.SURFACE_PRESSURE + at.RHO * at.GRAVITY * depth
+        reading = reading + self.between(n["noise"]) * self.rng.standard_normal(time.size)
+        reading = reading + self.faults.pressure_offset + self.faults.pressure_drift * drift
+        if self.faults.mixup == "pressure_hectopascal":
+            reading = reading / 100.0
+        return self.stream("pressure", time, np.stack([reading, np.zeros(time.size)], axis=1))
+
+    def imu(self) -> Stream:
+        """Turn rate and specific force at the centre of rotation."""
+        n = self.numbers["imu"]
+        time = self.beats(float(self.rng.choice(n["rate"])))
+        turn = np.zeros((time.size, 3))
+        turn[:, 2] = self.seen(self.shown("imu", time), at.R)[:, 0] + self.faults.gyro_bias
+        turn += self.between(n["gyro"]) * self.rng.standard_normal(turn.shape)
+        force = self.seen(self.shown("imu", time), at.ACCEL, at.ACCEL + 1, at.ACCEL + 2)
+        force = force + np.array([0.0, 0.0, at.GRAVITY]) + np.array(self.faults.accel_bias)
+        force = force + self.between(n["accel"]) * self.rng.standard_normal(force.shape)
+        if self.faults.mixup == "imu_frd":
+            turn, force = turn * [1.0, -1.0, -1.0], force * [1.0, -1.0, -1.0]
+        values = np.zeros((time.size, 37))
+        values[:, 3], values[:, 4] = 1.0, -1.0  # no orientation
+        values[:, 13:16], values[:, 25:28] = turn, force
+        return self.stream("imu", time, values)
+
+    def velocity(self) -> Stream:
+        """The robot's own estimate of its motion, here of good quality: through the water, body axes."""
+        n = self.numbers["velocity"]
+        time = self.beats(n["rate"])
+        values = np.zeros((time.size, 6))
+        values[:, :3] = self.seen(time, at.THROUGH_U, at.THROUGH_V, at.W)
+        values[:, 5] = self.seen(time, at.R)[:, 0]
+        sigma = self.between(n["noise"])
+        values[:, [0, 1, 2, 5]] += sigma * np.array([1.0, 1.0, 1.0, 5.0]) * self.rng.standard_normal((time.size, 4))
+        return self.stream("velocity", time, values)
+
+
+def observe(
+    rows: FloatArray, commands: FloatArray, faults: Faults, numbers: Numbers, rng: np.random.Generator
+) -> list[Stream]:
+    """All streams of one robot: trajectory (rows, ROW) and commands (ticks, 3)."""
+    eye = Observer(rows, faults, numbers, rng)
+    streams = [eye.pose(), eye.compass(commands)]
+    if rng.random() >= numbers["pressure"]["missing"]:
+        streams.append(eye.pressure())
+    # An effect of the IMU is not hidden by leaving the IMU out.
+    faulty = faults.gyro_bias != 0.0 or faults.mixup == "imu_frd" or "imu" in faults.latency | faults.skew
+    if rng.random() >= numbers["imu"]["missing"] or faulty:
+        streams.append(eye.imu())
+    if rng.random() < numbers["velocity"]["present"]:
+        streams.append(eye.velocity())
+    time = np.arange(len(commands), dtype=np.float64) * at.TICK
+    streams.append(Stream("thruster_command", np.asarray(time), time + eye.transport(time.size), commands))
+    return streams

@@ -1,0 +1,86 @@
+"""Recordings made by the simulator's own step, with random forces and readings added by NumPy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+SEED = 20261121
+STEP = 0.05  # s, of the simulation
+TICK = 0.5  # s between commands
+NOISE = {"pose": (0.002, 0.002, 0.002, 0.01), "compass": (0.02,), "pressure": (8.0,), "imu": (0.004,)}
+
+
+def rich_commands(rng: np.random.Generator, seconds: float) -> Any:
+    """(ticks, 3) spins, coasts, reverse, turns and pump pulses, held 1.5 to 6 s."""
+    rows: list[list[float]] = []
+    while len(rows) * TICK < seconds:
+        kind = rng.integers(5)
+        common = rng.uniform(-0.6, 1.0) if kind else 0.0
+        turn = rng.uniform(-0.5, 0.5) if kind in (2, 3) else 0.0
+        common = rng.uniform(-0.09, 0.09) if kind == 4 else common
+        pump = rng.uniform(-0.1, 0.1)
+        row = [float(np.clip(common - turn, -1, 1)), float(np.clip(common + turn, -1, 1)), pump]
+        rows += [row] * int(rng.integers(3, 13))
+    return np.array(rows[: round(seconds / TICK)])
+
+
+@pytest.fixture(scope="session")
+def swim() -> Callable[..., Any]:
+    """Function of (platform, seconds, seed, disturbance as a share of full thrust): evidence of one Lily."""
+    from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog, Stream
+
+    def make(platform: Any, seconds: float, seed: int = 0, disturbance: float = 0.005, base: Any = None) -> Any:
+        rng = np.random.default_rng([SEED, seed])
+        commands = rich_commands(rng, seconds)
+        path = trajectory(platform, commands, rng, disturbance)
+        stamps = np.arange(len(path)) * STEP
+        streams = {}
+        for name, every in (("pose", 2), ("compass", 4), ("pressure", 2), ("imu", 1)):
+            time, rows = stamps[::every], path[::every]
+            truth = {
+                "pose": rows[:, :4],
+                "compass": rows[:, 3:4],
+                "pressure": 101325.0 - 9810.0 * rows[:, 2:3],
+                "imu": np.column_stack([rows[:, 7], np.full((len(rows), 3), np.nan)]),
+            }[name]
+            noise = np.full(truth.shape[1], np.nan)
+            noise[: len(NOISE[name])] = NOISE[name]
+            value = truth + np.where(np.isnan(noise), 0.0, noise) * rng.standard_normal(truth.shape)
+            streams[name] = Stream(time, value, noise)
+        log = RobotLog("lily_01", np.arange(len(commands)) * TICK, commands, streams)
+        return Evidence(base or platform, (Recording("simulated", seconds, (log,)),))
+
+    return make
+
+
+def trajectory(platform: Any, commands: Any, rng: np.random.Generator, disturbance: float) -> Any:
+    """(rows, 8) states every STEP, by the simulator's own tick; the random force holds for a tick."""
+    from cocorosim_ros.calibration.free_run import OPEN_WATER, STILL
+    from cocorosim_ros.physics.contact import INELASTIC
+    from cocorosim_ros.physics.integrators import INTEGRATOR_CODE
+    from cocorosim_ros.physics.motion import Stepping, apply_commands, move
+    from cocorosim_ros.physics.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS
+    from cocorosim_ros.signals.state import row_size
+    from cocorosim_ros.simulation.assembly import build_vehicles
+
+    vehicles = build_vehicles([platform])
+    vehicles.active[:] |= EFFECT_BIT["patch_force"]
+    state = np.zeros((1, 1, row_size(3)))
+    state[0, 0, :4] = [0.3, -0.2, -1.0, 0.5]
+    stepping = Stepping(INTEGRATOR_CODE["rk4"], 1, STEP, INELASTIC)
+    scale = disturbance * np.array([0.01, 0.01, 0.01, 2.5e-4])
+    force, decay = scale * rng.standard_normal(4), math.exp(-STEP / 2.0)
+    path = [state[0, 0, :8].copy()]
+    per = round(TICK / STEP)
+    for index in range(len(commands) * per):
+        apply_commands(state, np.ascontiguousarray(commands[None, None, index // per]), vehicles)
+        vehicles.parameters[0, 0, PATCH_FORCE_COLUMNS] = force
+        move(state, vehicles, OPEN_WATER, stepping, STILL, index * STEP)
+        force = decay * force + math.sqrt(1.0 - decay**2) * scale * rng.standard_normal(4)
+        path.append(state[0, 0, :8].copy())
+    return np.array(path)

@@ -1,0 +1,67 @@
+"""Every entry of the catalogue, unasked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.catalogue import ENTRIES, IDS
+from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.manoeuvres import MANOEUVRES
+
+# The contract's table, but for frame_mixup, which is told before any physics is.
+CONTRACT = """linear_drag anisotropic_drag added_mass steady_current sheared_current tidal_current tether wall_effect
+neighbour_wake thruster_lag thruster_deadband thruster_asymmetry torque_bias reverse_loss advance_loss battery_sag
+thruster_misalignment buoyancy_trim pump_lag hull_compressibility stratification compass_distortion pressure_offset
+pressure_drift sensor_latency clock_skew camera_scale imu_bias payload_shift""".split()
+
+
+def test_the_catalogue_is_the_contract() -> None:
+    """Every identifier of the contract has an entry, and none is invented."""
+    assert sorted(IDS) == sorted(CONTRACT)
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
+def test_an_entry_is_whole(entry: Any) -> None:
+    """Its numbers are columns of the model, neutral where the model says so, and its manoeuvre exists."""
+    for part in entry.amplitudes:
+        assert NEUTRAL[COLUMN[part.column]] == part.neutral
+        assert part.large > 0.0
+    assert all(shape.column in COLUMN for shape in entry.shapes)
+    assert all(column in COLUMN for column in entry.fixed)
+    assert entry.manoeuvre in MANOEUVRES
+
+
+@pytest.fixture(scope="module")
+def short(swim: Any) -> Any:
+    """The fit of half a minute, at its start values."""
+    from cocorosim_ros.diagnosis.fit import make_fit
+    from cocorosim_ros.diagnosis.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
+    from cocorosim_ros.scenario.platform import load_platform
+
+    tracks = make_tracks(swim(load_platform("lily"), 30.0))
+    rows = base_rows(tracks)
+    return make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
+def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
+    """With its amplitudes neutral the innovations are bit for bit the model's; with large ones they are not."""
+    from cocorosim_ros.diagnosis.candidate import expand
+    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
+
+    found = expand([entry], short.tracks, short.rows)
+    if not found:
+        assert entry.needs_neighbours or entry.topic == "velocity"
+        return
+    scene = scene_of(short.tracks, smoothed_tracks(short))
+    values = next(iter(found[0].settings(scene)))
+    row, change = found[0].write(short.filled, values)[0], np.zeros(len(short.passes[0].innovation))
+    short.tracks[0].slope(row, short.passes[0], 1.0, change)
+    np.testing.assert_array_equal(change, 0.0)
+    for part in entry.amplitudes:
+        row[COLUMN[part.column]] = part.neutral + part.large
+    short.tracks[0].slope(row, short.passes[0], 1.0, change)
+    assert np.abs(change).max() > 1e-9

@@ -1,0 +1,99 @@
+"""The filter against a Kalman filter written out in NumPy, for the one motion that is linear: heave without drag."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+MASS, STEP, TAU = 0.44, 0.1, 2.5
+FORCE_RMS, Z_NOISE, PRESSURE_NOISE = 3e-4, 0.002, 7.0
+
+
+@pytest.fixture(scope="module")
+def heaving() -> Any:
+    """Evidence of a Lily without drag, of whom depth alone is seen, twice."""
+    from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog, Stream
+    from cocorosim_ros.scenario.platform import load_platform
+
+    rng = np.random.default_rng(5)
+    time = np.arange(0.0, 30.0, STEP)
+    depth = -1.0 + 0.1 * np.sin(0.3 * time)
+    pose = np.full((len(time), 4), np.nan)
+    pose[:, 2] = depth + Z_NOISE * rng.standard_normal(len(time))
+    pressure = 101325.0 - 9810.0 * depth[::2, None] + PRESSURE_NOISE * rng.standard_normal((len(time[::2]), 1))
+    streams = {
+        "pose": Stream(time, pose, np.array([np.nan, np.nan, Z_NOISE, np.nan])),
+        "pressure": Stream(time[::2], pressure, np.array([PRESSURE_NOISE])),
+    }
+    commands = np.column_stack([np.zeros(60), np.zeros(60), rng.uniform(-0.02, 0.02, 60)])
+    log = RobotLog("lily_01", 0.5 * np.arange(60.0), commands, streams)
+    platform = replace(load_platform("lily"), drag=0.0, yaw_drag=0.0)
+    return Evidence(platform, (Recording("heaving", 30.0, (log,)),))
+
+
+def independent(evidence: Any, start: Any) -> float:
+    """Log-likelihood by a textbook filter with state z, w and random force d; d decays between steps."""
+    log = evidence.recordings[0].robots[0]
+    held = math.exp(-STEP / TAU)
+    transition = np.array([[1.0, STEP, 0.5 * STEP**2 / MASS], [0.0, 1.0, STEP / MASS], [0.0, 0.0, held]])
+    process = np.diag([0.0, 0.0, FORCE_RMS**2 * (1.0 - held**2)])
+    mean = np.array([start[0][2], 0.0, 0.0])
+    covariance = np.diag([start[1][2] ** 2, start[1][6] ** 2, FORCE_RMS**2])
+    total = 0.0
+    pose, pressure = log.streams["pose"], log.streams["pressure"]
+    for index, moment in enumerate(pose.time):
+        if index:
+            command = log.command[int((moment - STEP) / 0.5 + 1e-6), 2]
+            force = command * 1000.0 * 9.81 * 10e-6
+            mean = transition @ mean + force * np.array([0.5 * STEP**2 / MASS, STEP / MASS, 0.0])
+            covariance = transition @ covariance @ transition.T + process
+        readings = [(np.array([1.0, 0.0, 0.0]), 0.0, pose.value[index, 2], Z_NOISE)]
+        if index % 2 == 0:
+            row = np.array([-9810.0, 0.0, 0.0])
+            readings.append((row, 101325.0, pressure.value[index // 2, 0], PRESSURE_NOISE))
+        for row, constant, value, noise in readings:
+            innovation = value - constant - row @ mean
+            variance = row @ covariance @ row + noise**2
+            total -= 0.5 * (innovation**2 / variance + math.log(2.0 * math.pi * variance))
+            gain = covariance @ row / variance
+            mean = mean + gain * innovation
+            covariance = covariance - np.outer(gain, row @ covariance)
+    return total
+
+
+def numbers(track: Any) -> Any:
+    """The base model's row with the noise of this test."""
+    from cocorosim_ros.diagnosis.columns import COLUMN
+    from cocorosim_ros.diagnosis.recalibration import base_rows
+
+    row = base_rows([track])[0]
+    row[COLUMN["random.heave_force"]] = math.log(FORCE_RMS)
+    row[COLUMN["random.correlation"]] = math.log(TAU)
+    row[COLUMN["reading.pose_z"]] = math.log(Z_NOISE)
+    row[COLUMN["reading.pressure"]] = math.log(PRESSURE_NOISE)
+    return row
+
+
+def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
+    """Where the motion is linear, the log-likelihood of 450 readings agrees to 1e-6."""
+    from cocorosim_ros.diagnosis.recalibration import make_tracks
+
+    track = make_tracks(heaving)[0]
+    passed = track.full(numbers(track))
+    assert passed.believed.all()
+    assert passed.log_likelihood == pytest.approx(independent(heaving, track.start), abs=1e-6)
+
+
+def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
+    """Given all readings the depth is known three times better than one reading shows it, and says so."""
+    from cocorosim_ros.diagnosis.recalibration import make_tracks
+
+    track = make_tracks(heaving)[0]
+    course = track.smoothed(numbers(track))
+    truth = -1.0 + 0.1 * np.sin(0.3 * course.time)
+    assert np.sqrt(np.mean((course.mean[:, 2] - truth) ** 2)) < Z_NOISE / 3.0
+    assert course.spread[150, 2] < course.spread[-1, 2] < Z_NOISE

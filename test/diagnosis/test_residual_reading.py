@@ -1,0 +1,92 @@
+"""What streams show less what the model expects: by hand for every stream that an effect may be of."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.findings import FoundEffect
+from cocorosim_ros.diagnosis.held_out_streams import held_out_streams
+from cocorosim_ros.diagnosis.kernels.layout import COMPASS, GYRO, POSE_X, PRESSURE
+from cocorosim_ros.diagnosis.residual_reading import residual_readings
+
+TIME = np.linspace(0.0, 10.0, 101)
+# x, y, z, yaw, u, v, w, r at any moment: steady, so that delays are seen in x and yaw.
+COURSE = SimpleNamespace(
+    time=TIME,
+    mean=np.stack([0.2 * TIME, 0 * TIME, -1 + 0 * TIME, 0.1 * TIME, 0.2 + 0 * TIME, 0 * TIME, 0 * TIME, 0.1 + 0 * TIME],
+                  axis=1),
+)  # fmt: skip
+
+
+def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
+    """A fit of one robot whose stream of this kind has these values."""
+    row = NEUTRAL.copy()
+    for name, value in numbers.items():
+        row[COLUMN[name.replace("__", ".")]] = value
+    readings = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
+    log = SimpleNamespace(streams={"compass": SimpleNamespace(noise=np.array([0.02]))})
+    track = SimpleNamespace(name="lily_01", readings=readings, log=log)
+    return SimpleNamespace(tracks=(track,), filled=row[None])
+
+
+def effect(name: str, topic: str | None = None, correction: str | None = None) -> FoundEffect:
+    """An effect of lily_01."""
+    return FoundEffect(name, name, "", ("lily_01",), "confirmed", {}, 10.0, topic=topic, correction=correction)
+
+
+CASES = [
+    (effect("compass_distortion"), COMPASS, 0.1 * TIME + 0.05 + 0.2 * np.sin(0.1 * TIME),
+     {"compass_distortion__offset": 0.05, "compass_distortion__sin": 0.2}, "yaw"),
+    (effect("pressure_drift"), PRESSURE, 101325.0 + 9810.0 + 3.0 * TIME, {"pressure_drift__rate": 3.0}, "t"),
+    (effect("imu_bias"), GYRO, 0.13 + 0 * TIME, {"imu_bias__gyro_z": 0.03}, "t"),
+    (effect("camera_scale"), POSE_X, 0.22 * TIME, {"camera_scale__scale": 1.1}, "x"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("found", "kind", "values", "numbers", "regressor"), CASES)
+def test_with_its_number_a_stream_shows_what_is_expected(
+    found: FoundEffect, kind: int, values: np.ndarray, numbers: dict[str, float], regressor: str
+) -> None:
+    """Before, the deviation is the effect itself; after, it is nothing."""
+    before, after = fit(kind, values), fit(kind, values, **numbers)
+    (reading,) = residual_readings(before, after, ([COURSE], [COURSE]), [found])
+    assert np.abs(reading.after).max() < 1e-9 * max(1.0, np.abs(values).max())
+    assert np.abs(reading.before).max() > 0.02
+    assert (reading.robot, reading.regressor) == ("lily_01", regressor)
+
+
+def test_a_late_stream_is_off_by_rate_times_delay() -> None:
+    """A compass 0.5 s late on a steady turn of 0.1 rad/s lags by 0.05 rad; half a turn is no jump."""
+    values = 0.1 * (TIME - 0.5) + 2 * np.pi
+    before, after = fit(COMPASS, values), fit(COMPASS, values, sensor_latency__compass=0.5)
+    late = effect("sensor_latency", "compass")
+    (reading,) = residual_readings(before, after, ([COURSE], [COURSE]), [late])
+    assert reading.before == pytest.approx(-0.05)
+    assert reading.against == pytest.approx(0.1)
+    assert reading.after[10:] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_held_out_errors_of_a_stream() -> None:
+    """The last 40 %: 0.05 rad of offset before, nothing after; the floor is the noise of means of four readings."""
+    values = 0.1 * TIME + np.where(TIME < 5.9, 0.9, 0.05)
+    plain, better = fit(COMPASS, values), fit(COMPASS, values, compass_distortion__offset=0.05)
+    models = {"nominal": plain.filled, "recalibrated": plain.filled, "augmented": better.filled}
+    table = held_out_streams(plain.tracks, [COURSE], models, (0.6, 2.0))
+    assert list(table) == ["compass"]
+    row = table["compass"]
+    assert (row.nominal, row.recalibrated, row.noise_floor) == pytest.approx((0.05, 0.05, 0.01))
+    assert row.unit == "rad"
+    assert row.augmented == pytest.approx(0.0, abs=1e-9)
+    assert row.intervals["nominal"] == pytest.approx((0.05, 0.05))
+
+
+def test_other_effects_have_no_reading() -> None:
+    """Physics of the body, mixed-up frames, streams that the robot does not have."""
+    one = fit(COMPASS, 0.1 * TIME)
+    others = [effect("added_mass"), effect("frame_mixup", "compass", "in degrees"), effect("pressure_offset")]
+    assert residual_readings(one, one, ([COURSE], [COURSE]), others) == ()

@@ -1,0 +1,33 @@
+"""config/README.md shows every effect, with every number, as a platform file has it."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from pathlib import Path
+
+from cocorosim_ros.physics.regressors import REGRESSORS
+from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.simulation.assembly import build_vehicles
+from cocorosim_ros.simulation.platform_effects import KNOWN_EFFECTS
+
+TEXT = (Path(__file__).parents[2] / "config" / "README.md").read_text("utf-8")
+SECTION = TEXT.partition("## Effects of a platform")[2].partition("\n## ")[0]
+
+
+def test_the_example_is_a_platform_with_everything(tmp_path: Path) -> None:
+    """The example loads and builds; it names each effect, and each number of all but the laws."""
+    (example,) = re.findall(r"```yaml\n(.*?)```", SECTION, re.DOTALL)
+    path = tmp_path / "example.yaml"
+    path.write_text(f"name: example\ndescription: all\nbased_on: lily\neffects:\n{textwrap.indent(example, '  ')}")
+    platform = load_platform(path)
+    assert build_vehicles([platform]).active[0, 0] > 0
+    assert set(platform.effects) == set(KNOWN_EFFECTS)
+    for effect, parameters in KNOWN_EFFECTS.items():
+        if not effect.startswith("law_"):
+            assert set(platform.effects[effect]) == set(parameters), effect
+
+
+def test_regressors_stand_in_their_order() -> None:
+    """The list of regressors is the table's."""
+    assert ", ".join(regressor.name for regressor in REGRESSORS) in " ".join(SECTION.split())

@@ -1,0 +1,70 @@
+"""Looks at a graph from outside, in plain rclpy.
+
+onlooker.py names NAME...     ends with status 0 as soon as all these nodes are there
+onlooker.py describe NODE     prints the node's parameters as JSON: name to value, type, description, range
+"""
+
+import json
+import sys
+import time
+
+import rclpy
+from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
+from rclpy.node import Node
+from rclpy.parameter import parameter_value_to_python
+
+LIMIT = 120.0  # s
+
+
+def ask(node, service, kind, request):
+    """The answer of a service."""
+    client = node.create_client(kind, service)
+    if not client.wait_for_service(LIMIT):
+        sys.exit(f"no service {service}")
+    future = client.call_async(request)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=LIMIT)
+    return future.result()
+
+
+def describe(node, name):
+    """All parameters of a node."""
+    names = list(ask(node, f"{name}/list_parameters", ListParameters, ListParameters.Request()).result.names)
+    descriptors = ask(
+        node, f"{name}/describe_parameters", DescribeParameters, DescribeParameters.Request(names=names)
+    ).descriptors
+    values = ask(node, f"{name}/get_parameters", GetParameters, GetParameters.Request(names=names)).values
+    return {
+        found.name: {
+            "value": parameter_value_to_python(value),
+            "type": found.type,
+            "description": found.description,
+            "read_only": found.read_only,
+            "range": [[r.from_value, r.to_value] for r in (*found.floating_point_range, *found.integer_range)],
+        }
+        for found, value in zip(descriptors, values, strict=True)
+    }
+
+
+def sees(node, names):
+    """Whether all these nodes come up."""
+    deadline = time.monotonic() + LIMIT
+    while time.monotonic() < deadline:
+        rclpy.spin_once(node, timeout_sec=0.1)
+        seen = {f"{space.rstrip('/')}/{name}" for name, space in node.get_node_names_and_namespaces()}
+        if names <= seen:
+            return True
+    return False
+
+
+def main():
+    """Do what the command line says."""
+    rclpy.init()
+    node = Node("onlooker")
+    if sys.argv[1] == "describe":
+        print(json.dumps(describe(node, sys.argv[2])), flush=True)
+        return 0
+    return 0 if sees(node, set(sys.argv[2:])) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,88 @@
+"""What a controller must not do: it is said on the terminal and on /diagnostics, and the run goes on or ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Starter = Callable[..., Any]
+Counts = Callable[[Path], dict[str, int]]
+Diagnostics = Callable[[Path], list[tuple[str, str]]]
+
+
+def test_unusable_commands_are_named_and_the_run_goes_on(
+    start: Starter,
+    paced: Starter,
+    scenario: Callable[..., Path],
+    counts: Counts,
+    diagnostics: Diagnostics,
+    tmp_path: Path,
+) -> None:
+    """NaN, beyond 1, unknown and missing actuators, stamps from the past and the future: each has its sentence."""
+    orders = ["nan", "beyond", "unknown", "partial", "uneven", "past", "future", "good"]
+    run = start(
+        *("cocorosim", "run", scenario(2, len(orders)), "--external", "lily_02", "--out", tmp_path / "run"),
+    )
+    controller = paced(run, "lily_02")
+    controller.say(*orders)
+    assert run.finish() == 0, run.output
+    bag = tmp_path / "run" / "bag"
+    said = [words for name, words in diagnostics(bag) if name == "lily_02"]
+    for words in (
+        "'left' is not a number or not given, so it is off",
+        "'left' is 1.7, beyond -1..1, and is cut",
+        "an entry 'warp'",
+        "'buoyancy' is not a number or not given, so it is off",
+        "3 names for 1 entries",
+        "a command from the past is not used",
+        "a command from the future is not used",
+    ):
+        assert [sentence for sentence in said if words in sentence], f"{words} is not in {said}"
+        assert words in run.output
+    found = counts(bag)
+    assert found["/lily_02/thruster_command"] == len(orders) + 2, "what is not used is recorded all the same"
+    assert found["/lily_01/thruster_command"] == found["/lily_02/pose"] == found["/shoal_statistics"] == len(orders)
+
+
+@pytest.mark.parametrize("moment", ["before the start", "midway"])
+def test_two_controllers_of_one_robot_end_the_run(
+    start: Starter, paced: Starter, scenario: Callable[..., Path], counts: Counts, tmp_path: Path, moment: str
+) -> None:
+    """Nobody knows whom to obey: status 1, one sentence, and a bag that is whole."""
+    external = ("lily_02",) if moment == "midway" else ("lily_01", "lily_02")  # nobody comes for lily_01
+    options = [word for robot in external for word in ("--external", robot)]
+    run = start("cocorosim", "run", scenario(2, 50), *options, "--out", tmp_path / "run")
+    first = paced(run, "lily_02")
+    if moment == "midway":
+        first.say("good", "good")
+        first.wait_for("answered good 0.5")
+    second = paced(run, "lily_02")
+    if moment == "midway":
+        second.wait_for("ready")
+        first.say("all")
+        second.say("all")
+    assert run.finish() == 1, run.output
+    assert run.output.count("cocorosim: lily_02 has ") == 1, run.output
+    ends = ["2 controllers, so the run ends"] + ["two controllers command it"] * (moment == "midway")
+    assert any(words in run.output for words in ends), run.output
+    assert "/clock" in counts(tmp_path / "run" / "bag")
+
+
+def test_two_controllers_of_a_free_running_robot_are_complained_of(
+    start: Starter, paced: Starter, scenario: Callable[..., Path], tmp_path: Path
+) -> None:
+    """At a rate, one may command as often as it likes; a second one is named, and the run goes on."""
+    options = ("--external", "lily_01", "--rate", 10)
+    run = start("cocorosim", "run", scenario(1, 100_000), *options, "--out", tmp_path / "run")
+    first = paced(run, "lily_01")
+    first.say("twice", "twice", "all")
+    first.wait_for("answered", times=3)
+    assert "lily_01" not in run.output.partition("export")[2]
+    paced(run, "lily_01").say("all")
+    run.wait_for("lily_01: it has more than one controller and obeys whichever spoke last")
+    first.wait_for("answered", times=first.output.count("answered") + 5)
+    run.interrupt()
+    assert run.finish() == 130, run.output

@@ -1,0 +1,59 @@
+"""Ranges of a platform's numbers: kept by name, in SI, and sensible."""
+
+from __future__ import annotations
+
+import pytest
+
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.scenario.entry import entry_of
+from cocorosim_ros.scenario.platform import load_platform, platform_tree, read_platform
+from cocorosim_ros.scenario.ranges import Range, collect_ranges
+from cocorosim_ros.scenario.yaml_file import parse_yaml
+
+
+def ranges(rest: str) -> dict[str, Range]:
+    """The ranges of a small file."""
+    return collect_ranges(parse_yaml(rest, "p.yaml"))
+
+
+def test_ranges_are_in_si_and_go_by_name() -> None:
+    """Parts of a list are called by their name, and g become kg."""
+    found = ranges(
+        "mass: {value: 440, unit: g, range: [400, 500], source: hand}\n"
+        "drag: {value: 1, unit: kg/m, source: hand}\n"
+        "actuators:\n  - {name: left, maximum: {value: 1, unit: N, range: [0.5, 2], source: hand}}\n"
+    )
+    assert found == {"mass": Range(0.4, 0.5, "kg"), "actuators.left.maximum": Range(0.5, 2.0, "N")}
+
+
+@pytest.mark.parametrize(
+    ("value", "limits", "sentence"),
+    [
+        ("1", "[2, 3]", "leaves out the value '1'; widen it"),
+        ("1", "[3, 0]", "write the lowest and the highest value"),
+        ("1", "[1]", "write the lowest and the highest value"),
+        ("1", "[0, .inf]", "is not a finite number"),
+        ("[1, 2]", "[0, 3]", "stands beside a list"),
+    ],
+)
+def test_wrong_ranges(value: str, limits: str, sentence: str) -> None:
+    """A range must be two growing numbers around one value."""
+    with pytest.raises(CocorosimError, match=sentence):
+        ranges(f"mass: {{value: {value}, unit: kg, range: {limits}, source: hand}}\n")
+
+
+@pytest.mark.parametrize("name", ["hovercraft_epfl", "haizhe_auv"])
+def test_ranges_survive_being_written(name: str) -> None:
+    """A platform with ranges reads back as it was written; its mass is known within a range only."""
+    platform = load_platform(name)
+    again = read_platform(entry_of(platform_tree(platform), "again"))
+    assert again == platform
+    assert again.ranges == platform.ranges
+    assert platform.ranges["mass"].low < platform.mass < platform.ranges["mass"].high
+
+
+def test_vehicles_without_pump_and_yaw_control() -> None:
+    """Haizhe's propellers push down and cannot turn it; the hovercraft has no reverse."""
+    haizhe, hovercraft = load_platform("haizhe_auv"), load_platform("hovercraft_epfl")
+    assert haizhe.actuator_wrenches().tolist() == [[0.0, 0.0, -1.0, 0.0]] * 4
+    assert hovercraft.actuator_limits()[:, 1].tolist() == [0.0, 0.0]

@@ -1,0 +1,26 @@
+"""The parts of a trial: what the prior draws, and more of what the table asks 200 of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Part:
+    """Recordings made with the same wishes: words of `concealer conceal`, and how many."""
+
+    name: str
+    count: int
+    words: tuple[str, ...] = ()
+
+
+def parts(count: int, wanted: list[str]) -> list[Part]:
+    """Parts of a trial whose main part has `count` recordings: shares that make 200 each of nulls out of 400."""
+    every = [
+        Part("main", count),
+        Part("nothing", round(0.25 * count), ("--kind", "nothing")),
+        Part("recalibration", round(0.4 * count), ("--kind", "recalibration")),
+        Part("medium_1", round(0.15 * count), ("--kind", "single", "--size", "0.5", "--noise", "0.01")),
+        Part("medium_3", round(0.15 * count), ("--kind", "single", "--size", "0.5", "--noise", "0.03")),
+    ]
+    return [part for part in every if part.count and (not wanted or part.name in wanted)]

@@ -1,0 +1,106 @@
+"""`python test/trial/prove.py sealed | tampered | real`: the proof that `cocorosim diagnose` keeps its word."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import shlex
+import sys
+from dataclasses import asdict, replace
+from pathlib import Path
+
+FOLDER = str(Path(__file__).resolve().parents[1])
+if FOLDER not in sys.path:
+    sys.path.append(FOLDER)
+
+from trial.examiner import Terms  # noqa: E402
+
+
+def terms_of(options: argparse.Namespace) -> Terms:
+    """How the command line wants diagnoses to be run."""
+    return Terms(options.jobs, options.limit, options.minutes, options.reports)
+
+
+def _sealed(options: argparse.Namespace) -> int:
+    from trial import sealed
+    from trial.parts import parts
+    from trial.provenance import provenance, seed_of
+    from trial.sealed_text import page
+
+    source = provenance(" ".join(["prove.py", *map(shlex.quote, sys.argv[1:])]))
+    noted = options.out / "provenance.json"
+    if noted.exists():
+        source = json.loads(noted.read_text(encoding="utf-8"))  # resumed
+    else:
+        word = options.seed_word or source["commit"]
+        if not word:
+            raise ValueError("there is no commit to take the seed from; give a public word with --seed-word")
+        source |= {"seed_word": word, "seed": seed_of(word)}
+    options.out.mkdir(parents=True, exist_ok=True)
+    noted.write_text(json.dumps(source, indent=1) + "\n", encoding="utf-8")
+    folders = [
+        sealed.conceal(options.out, part, source["seed"], options.jobs)
+        for part in parts(options.count, options.parts.split(",") if options.parts else [])
+    ]
+    source["ledgers"] = sealed.digests(folders)
+    print(json.dumps(source["ledgers"]), flush=True)
+    noted.write_text(json.dumps(source, indent=1) + "\n", encoding="utf-8")
+    todo = sealed.shuffled_evenly([sealed.tasks(options.out, folder) for folder in folders])
+    terms = terms_of(options)
+    if options.warm:
+        terms = replace(terms, warm_up=sealed.short_recording(options.out))
+    outcomes = sealed.diagnose(todo, terms)
+    source["recordings"], source["tried"] = len(todo), len(outcomes)
+    score = sealed.score(options.out, outcomes, options.window)
+    text = page(score, source, outcomes)
+    options.pages.mkdir(parents=True, exist_ok=True)
+    (options.pages / "trial.md").write_text(text, encoding="utf-8")
+    facts = {"source": source, "outcomes": [asdict(o) for o in sorted(outcomes, key=lambda o: o.name)]}
+    (options.pages / "trial.json").write_text(json.dumps(facts | score["figures"], indent=1) + "\n", encoding="utf-8")
+    print(text)
+    return 0
+
+
+def _tampered(options: argparse.Namespace) -> int:
+    from trial.tampered import prove
+
+    return prove(options.data, options.out, options.pages, terms_of(options))
+
+
+def _real(options: argparse.Namespace) -> int:
+    from trial.real import prove
+
+    return prove(options.data, options.out, options.pages, terms_of(options))
+
+
+def parser() -> argparse.ArgumentParser:
+    """The parser of the command line."""
+    whole = argparse.ArgumentParser(prog="prove.py", description=__doc__)
+    commands = whole.add_subparsers(required=True)
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--out", type=Path, required=True, help="folder for recordings and diagnoses; resumed if there")
+    common.add_argument("--pages", type=Path, required=True, help="folder for the tables")
+    common.add_argument("--jobs", type=int, default=2)
+    common.add_argument("--limit", type=float, default=120.0, help="time for one diagnosis [s]")
+    common.add_argument("--minutes", type=float, default=math.inf, help="after which no diagnosis is begun")
+    common.add_argument("--reports", action="store_true", help="keep report.html of every diagnosis")
+    one = commands.add_parser("sealed", parents=[common], help="concealed effects")
+    one.add_argument("--count", type=int, default=400, help="recordings of the main part")
+    one.add_argument("--parts", default="", help="main, nothing, recalibration, medium_1, medium_3; all if left out")
+    one.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
+    one.add_argument(
+        "--warm", action="store_true", help="load the tool once for each job instead of once for each recording"
+    )
+    one.add_argument("--window", type=float, default=20.0, help="length of the tool's free runs [s]")
+    one.set_defaults(run=_sealed)
+    for name, run, words in (("tampered", _tampered, "altered logs"), ("real", _real, "recordings as they are")):
+        other = commands.add_parser(name, parents=[common], help=f"real recordings: {words}")
+        other.add_argument("--data", type=Path, required=True, help="folder with hovercraft_epfl and haizhe_auv")
+        other.set_defaults(run=run)
+    return whole
+
+
+if __name__ == "__main__":
+    arguments = parser().parse_args()
+    sys.exit(arguments.run(arguments))

@@ -1,0 +1,45 @@
+"""Real recordings: logs of others converted to the contract, in groups that are diagnosed together."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from trial.examiner import COMMAND
+
+
+@dataclass(frozen=True)
+class Group:
+    """Recordings of one vehicle that are diagnosed together."""
+
+    name: str
+    platform: str
+    bags: tuple[Path, ...]
+
+
+def converted(vehicle: str, source: Path, out: Path) -> list[Path]:
+    """Recordings made of a folder of logs by `cocorosim convert`, sorted; made once."""
+    if not out.exists():
+        out.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(
+            [str(COMMAND), "convert", vehicle, str(source), "--out", str(out)], check=True, stdout=subprocess.DEVNULL
+        )
+    return sorted(path for path in out.iterdir() if path.is_dir())
+
+
+def chunks(bags: list[Path], size: int) -> Iterator[tuple[Path, ...]]:
+    """So many at a time; what does not fill the last group is left out."""
+    for first in range(0, len(bags) - size + 1, size):
+        yield tuple(bags[first : first + size])
+
+
+def hovercraft(data: Path, out: Path) -> list[Path]:
+    """All runs of the hovercraft."""
+    return converted("hovercraft_epfl", data / "hovercraft_epfl", out / "hovercraft_epfl")
+
+
+def dives(data: Path, out: Path, kind: str) -> list[Path]:
+    """Dives of the four-propeller vehicle: `reference` as it was built, or `runs_under_test`."""
+    return converted("haizhe_auv", data / "haizhe_auv" / kind, out / f"haizhe_{kind}")

@@ -1,0 +1,98 @@
+"""The sealed trial's page: how it was run, the issue's table, all figures of the Scorer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from trial.examiner import Outcome
+
+# What is asked for: row, the Scorer's rate, least (or, with a minus, most), goal.
+ASKED: tuple[tuple[str, str, float, float], ...] = (
+    ("exact naming, one medium effect, random force 1 % of thrust", "exact, one medium effect, 1% noise", 0.95, 0.99),
+    ("the same at 3 %", "exact, one medium effect, 3% noise", 0.88, 0.95),
+    ("truth in the ambiguity set", "truth in ambiguity set, where something is accused", 0.98, 0.995),
+    ("first accusation wrong", "first accusation wrong, one or more effects", -0.01, 0.003),
+    ("false alarm where nothing is concealed", "false alarm, nothing concealed", -0.01, 0.0),
+    ("false alarm where only parameters moved", "false alarm, recalibration only", -0.01, 0.0),
+    ("two effects, both and nothing else", "exact, two effects", 0.80, 0.92),
+    ("outside the catalogue: flagged", "outside the catalogue: flagged", 0.85, 0.95),
+    ("outside the catalogue: blamed on the catalogue", "outside the catalogue: blamed on the catalogue", -0.05, 0.02),
+    ("recordings that cannot tell: abstains", "cannot tell: abstains", 0.90, 0.98),
+)
+
+
+def _row(name: str, measured: str, asked: tuple[str, str], held: bool | None) -> str:
+    verdict = "-" if held is None else "yes" if held else "no"
+    return f"| {name} | {measured} | {asked[0]} | {asked[1]} | {verdict} |"
+
+
+def _rate_row(row: tuple[str, str, float, float], rates: dict[str, Any]) -> str:
+    name, key, least, goal = row
+    found = rates.get(key) or {"of": 0}
+    asked = f"{'at most ' if least < 0 else ''}{abs(least):.0%}", f"{goal:.1%}"
+    if not found["of"]:
+        return _row(name, "-", asked, None)
+    held = found["rate"] >= least if least > 0 else found["rate"] <= -least
+    return _row(name, _measured(found), asked, held)
+
+
+def _measured(rate: dict[str, Any]) -> str:
+    interval = f"{100 * rate['low']:.1f} to {100 * rate['high']:.1f} %"
+    return f"{rate['hits']}/{rate['of']} = {rate['rate']:.1%} ({interval})"
+
+
+def _size_row(size: float | None) -> str:
+    held = None if size is None else size <= 1.3
+    return _row("mean size of the ambiguity set", "-" if size is None else f"{size:.2f}", ("1.3", "1.15"), held)
+
+
+def _cover_row(cover: dict[str, Any]) -> str:
+    asked = "92 to 98 %", "94 to 96 %"
+    if not cover["of"]:
+        return _row("95 % intervals that hold the truth", "-", asked, None)
+    return _row("95 % intervals that hold the truth", _measured(cover), asked, 0.92 <= cover["rate"] <= 0.98)
+
+
+def _free_row(free: dict[str, Any] | None) -> str:
+    name, asked = "held-out free run, position, against a model that knows the truth", ("1.05", "1.02")
+    if not free:
+        return _row(name, "-", asked, None)
+    text = f"{free['median']:.3f} (quartiles {free['lower']:.3f} to {free['upper']:.3f}, {free['of']} recordings)"
+    return _row(name, text, asked, free["median"] <= 1.05)
+
+
+def asked_table(figures: dict[str, Any]) -> list[str]:
+    """The table of what is asked for, with what was measured and whether the least holds."""
+    rows = [_rate_row(row, figures["table"]["rates"]) for row in ASKED]
+    rows.insert(3, _size_row(figures["table"]["ambiguity_set_size"]))
+    rows.append(_cover_row(figures["intervals"]["coverage"]))
+    rows.append(_free_row(figures["held_out"].get("position: augmented / oracle")))
+    return ["| figure | measured (95 % interval) | must | goal | must holds |", "|---|---|---|---|---|", *rows, ""]
+
+
+def endings(outcomes: Sequence[Outcome]) -> list[str]:
+    """How the diagnoses ended and how long they took."""
+    good = sorted(o.seconds for o in outcomes if o.status == 0)
+    late = [o.name for o in outcomes if o.status is None]
+    broken = [f"{o.name} ({o.status}: {o.said.splitlines()[-1] if o.said else ''})" for o in outcomes if o.status]
+    lines = [f"{len(good)} of {len(outcomes)} diagnoses ended with status 0."]
+    if good:
+        middle, most = good[len(good) // 2], good[int(0.9 * (len(good) - 1))]
+        lines.append("Seconds for one, start of the interpreter included, as many at a time as the command says:")
+        lines.append(f"median {middle:.1f}, nine tenths below {most:.1f}, longest {good[-1]:.1f}.")
+    lines += [f"Out of time: {', '.join(late)}."] if late else ["None was out of time."]
+    return [*lines, *([f"Failed: {'; '.join(broken)}."] if broken else []), ""]
+
+
+def page(score: dict[str, Any], source: dict[str, Any], outcomes: Sequence[Outcome]) -> str:
+    """The whole page in Markdown."""
+    figures = score["figures"]
+    lines = ["# The sealed trial", ""]
+    lines += [
+        "Recordings in which something is concealed by a program that shares no code with the tool; the truth was"
+    ]
+    lines += ["sealed by salted hashes before the tool ran. [How it works](../test/trial/README.md).", ""]
+    lines += ["| | |", "|---|---|", *(f"| {key.replace('_', ' ')} | `{value}` |" for key, value in source.items()), ""]
+    lines += [*endings(outcomes), "## What is asked for", "", *asked_table(figures)]
+    return "\n".join(lines) + "\n" + score["text"].replace("\n## ", "\n### ").replace("# ", "## ", 1)

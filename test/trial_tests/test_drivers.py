@@ -1,0 +1,149 @@
+"""The drivers of the trial: seeds, seals before answers, the table that is asked for, judgements of altered logs."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Tool = Callable[[str], Path]
+
+
+def test_the_seed_follows_from_a_public_word() -> None:
+    """SHA-256 of "abc" begins ba7816bf8f01cfea (FIPS 180-2); a bit is dropped, so that it is a positive integer."""
+    from trial.provenance import seed_of
+
+    assert seed_of("abc") == 0xBA7816BF8F01CFEA >> 1
+    assert 0 <= seed_of("abd") < 2**63
+
+
+def test_parts_make_two_hundred_nulls_out_of_four_hundred() -> None:
+    """The prior draws a quarter nulls and a tenth that only moved; the other parts add to 200 each."""
+    from trial.parts import parts
+
+    counts = {part.name: part.count for part in parts(400, [])}
+    assert counts == {"main": 400, "nothing": 100, "recalibration": 160, "medium_1": 60, "medium_3": 60}
+    assert 0.25 * 400 + counts["nothing"] == 200 and 0.10 * 400 + counts["recalibration"] == 200
+    assert [part.name for part in parts(8, ["main", "medium_1"])] == ["main", "medium_1"]
+
+
+def test_a_trial_is_sealed_diagnosed_and_scored(tool: Tool, tmp_path: Path) -> None:
+    """A tool that always says "consistent" is silent on the nulls and names nothing; resumed, it is not asked again."""
+    from trial import sealed
+    from trial.examiner import Terms
+    from trial.parts import Part
+    from trial.sealed_text import page
+
+    answer = json.dumps({"verdict": "consistent", "effects": []})
+    runs = tool(
+        f'test -f {tmp_path}/trial/main/ledger.json && mkdir -p "$out" && echo \'{answer}\' > "$out/diagnosis.json"'
+    )
+    words = ("--duration", "40", "--robots", "1")
+    some = [Part("main", 1, (*words, "--effects", "tether")), Part("nothing", 1, (*words, "--kind", "nothing"))]
+    for _ in range(2):
+        folders = [sealed.conceal(tmp_path, part, 5, 1) for part in some]
+        todo = [task for folder in folders for task in sealed.tasks(tmp_path, folder)]
+        outcomes = sealed.diagnose(todo, Terms(limit=20.0))
+    assert [o.status for o in outcomes] == [0, 0]
+    assert runs.read_text().split() == ["ran"] * 2
+    ledger = (tmp_path / "trial" / "main" / "ledger.json").read_bytes()
+    assert sealed.digests(folders)["main"] == hashlib.sha256(ledger).hexdigest()
+    score = sealed.score(tmp_path, outcomes, 20.0)
+    rates = score["figures"]["table"]["rates"]
+    assert rates["exact, one effect, all sizes"]["hits"] == 0
+    assert (rates["false alarm, nothing concealed"]["hits"], rates["diagnosis written"]["hits"]) == (0, 2)
+    some_tried = sealed.score(tmp_path, outcomes[:1], 20.0)["figures"]
+    assert some_tried["recordings"] == 1
+    text = page(score, {"commit": "0" * 40}, outcomes)
+    assert "| false alarm where nothing is concealed | 0/1 = 0.0% (0.0 to 79.3 %) | at most 1% | 0.0% | yes |" in text
+    assert "main/r0000  single" in text
+
+
+def test_parts_are_equally_far_at_any_time(tmp_path: Path) -> None:
+    """Of four and two tasks, the first three hold two and one."""
+    from trial.examiner import Task
+    from trial.sealed import shuffled_evenly
+
+    parts = [[Task(f"{name}{k}", (), tmp_path) for k in range(count)] for name, count in (("a", 4), ("b", 2))]
+    assert [task.name for task in shuffled_evenly(parts)] == ["a0", "b0", "a1", "a2", "b1", "a3"]
+
+
+def test_the_asked_table_says_where_the_least_does_not_hold() -> None:
+    """19 of 20 hold 95 %, 18 of 20 do not; 1 of 50 false alarms is too many; sizes and ratios are compared too."""
+    from trial.sealed_text import asked_table
+
+    def rate(hits: int, of: int) -> dict[str, Any]:
+        return {"hits": hits, "of": of, "rate": hits / of, "low": 0.0, "high": 1.0}
+
+    rates = {
+        "exact, one medium effect, 1% noise": rate(18, 20), "exact, one medium effect, 3% noise": rate(19, 20),
+        "false alarm, nothing concealed": rate(1, 50), "false alarm, recalibration only": rate(0, 50),
+    }  # fmt: skip
+    figures = {
+        "table": {"rates": rates, "ambiguity_set_size": 1.25}, "intervals": {"coverage": rate(97, 100)},
+        "held_out": {"position: augmented / oracle": {"median": 1.08, "lower": 1.0, "upper": 1.2, "of": 9}},
+    }  # fmt: skip
+    held = {line.split(" | ")[0].strip("| "): line.split(" | ")[-1].strip("| ") for line in asked_table(figures)[2:-1]}
+    assert held == {
+        "exact naming, one medium effect, random force 1 % of thrust": "no", "the same at 3 %": "yes",
+        "truth in the ambiguity set": "-", "mean size of the ambiguity set": "yes", "first accusation wrong": "-",
+        "false alarm where nothing is concealed": "no", "false alarm where only parameters moved": "yes",
+        "two effects, both and nothing else": "-", "outside the catalogue: flagged": "-",
+        "outside the catalogue: blamed on the catalogue": "-", "recordings that cannot tell: abstains": "-",
+        "95 % intervals that hold the truth": "yes",
+        "held-out free run, position, against a model that knows the truth": "no",
+    }  # fmt: skip
+
+
+def said(name: str, key: str = "", value: float = 0.0, half: float = 0.0, topic: str | None = None) -> dict[str, Any]:
+    """A diagnosis with one accusation."""
+    numbers = {key: {"value": value, "ci95": [value - half, value + half], "unit": ""}} if key else {}
+    return {"effects": [{"id": name, "topic": topic, "parameters": numbers, "ambiguous_with": []}]}
+
+
+@pytest.mark.parametrize(
+    ("control", "tampered", "right"),
+    [
+        ({"effects": []}, said("thruster_asymmetry", "difference", 0.19), True),  # 0.182 was put in
+        ({"effects": []}, said("thruster_asymmetry", "difference", -0.19), False),  # the other way round
+        (said("thruster_asymmetry", "difference", 0.1), said("thruster_asymmetry", "difference", 0.28), True),
+        (said("thruster_asymmetry", "difference", 0.1), said("thruster_asymmetry", "difference", 0.1), False),
+        ({"effects": []}, said("torque_bias"), False),
+        ({"effects": []}, None, False),
+    ],
+)
+def test_what_was_altered_is_judged_against_the_control(control: Any, tampered: Any, right: bool) -> None:
+    """The left log times 1.2 is a right thruster stronger by 2 (1 - 1/1.2) / (1 + 1/1.2) = 0.182, beside what was."""
+    from trial.ways import WAYS, judged
+
+    way = WAYS["hovercraft_epfl"][0]
+    assert (way.how, way.amount) == ("gain:0", 0.2) and math.isclose(way.change, 0.4 / 2.2)
+    assert judged(control, tampered, way)["right"] is right
+
+
+def test_a_stream_is_judged_by_its_topic() -> None:
+    """A mirrored compass is a frame mix-up of the compass that the control does not have."""
+    from trial.ways import WAYS, judged
+
+    mirror = next(way for way in WAYS["haizhe_auv"] if way.how == "mirror")
+    none: dict[str, Any] = {"effects": []}
+    assert judged(none, said("frame_mixup", topic="compass"), mirror)["right"]
+    assert not judged(none, said("frame_mixup", topic="imu"), mirror)["right"]
+    assert not judged(said("frame_mixup", topic="compass"), said("frame_mixup", topic="compass"), mirror)["right"]
+
+
+def test_every_way_is_one_of_the_concealers() -> None:
+    """The Concealer's own truth of a way is the effect and the number that the driver looks for."""
+    from concealer.tamper import plan
+    from trial.ways import WAYS
+
+    for way in [way for ways in WAYS.values() for way in ways]:
+        topic, _, truth = plan(way.how, way.amount)
+        assert truth["id"] == way.effect and way.topic in (None, topic)
+        if way.parameter and way.effect != "camera_scale":
+            assert truth["parameters"][way.parameter] == pytest.approx(way.change)
