@@ -72,7 +72,12 @@ def test_the_run_ends_with_a_controller_that_is_killed_if_the_scenario_says_so(
 
 
 def test_a_controller_that_hangs_is_left_out_and_taken_up_again(
-    start: Starter, paced: Starter, scenario: Callable[..., Path], counts: Counts, tmp_path: Path
+    start: Starter,
+    paced: Starter,
+    scenario: Callable[..., Path],
+    counts: Counts,
+    statuses: Statuses,
+    tmp_path: Path,
 ) -> None:
     """Stopped, it costs its patience once; when it goes on, it is waited for again."""
     ticks = 60
@@ -89,7 +94,10 @@ def test_a_controller_that_hangs_is_left_out_and_taken_up_again(
     assert run.finish() == 0, run.output
     found = counts(tmp_path / "run" / "bag")
     assert found["/lily_01/thruster_command"] == found["/lily_02/pose"] == found["/shoal_statistics"] == ticks
-    assert 4 < found["/lily_02/thruster_command"] < ticks
+    missing = [2 * stamp for stamp, name, _ in statuses(tmp_path / "run" / "bag") if name == "cocorosim: answers"]
+    assert missing == list(range(int(missing[0]), int(missing[0]) + len(missing)))
+    assert 0 < missing[0] <= missing[-1] < ticks - 1
+    assert run.output.count("lily_02: no answer at tick") == 1
     left_out = re.search(rf"lily_02: (\d+) of {ticks} answers came late or not at all", run.output)
     assert left_out is not None, run.output
     assert 1 <= int(left_out[1]) < ticks - 4
