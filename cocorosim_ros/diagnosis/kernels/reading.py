@@ -27,7 +27,6 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     HY,
     HYAW,
     OFFSET,
-    PADDED,
     POSE_X,
     POSE_Y,
     POSE_YAW,
@@ -40,6 +39,7 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     VELOCITY_U,
     VELOCITY_V,
     VELOCITY_W,
+    VERTICAL,
     VFZ,
     VW,
     VZ,
@@ -91,8 +91,8 @@ def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, s
 
 @kernel
 def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Floats, seen: Floats) -> None:
-    """Write the derivative of a horizontal reading by the horizontal state into `seen` (PADDED,)."""
-    for column in range(PADDED):
+    """Write the derivative of a horizontal reading by the horizontal state into `seen` (HORIZONTAL,)."""
+    for column in range(HORIZONTAL):
         seen[column] = 0.0
     sine, cosine = sine_cosine(row[YAW])
     if kind == POSE_X:
@@ -110,16 +110,16 @@ def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Fl
         seen[HYAW], seen[HR] = slope, slope * after
     elif kind == GYRO:
         for column in range(HORIZONTAL):
-            seen[column] = after * across[HR * PADDED + column]
+            seen[column] = after * across[HR * HORIZONTAL + column]
         seen[HR] += 1.0
     elif kind == ACCEL_X:
         for column in range(HORIZONTAL):
-            seen[column] = across[HU * PADDED + column]
+            seen[column] = across[HU * HORIZONTAL + column]
         seen[HV] -= row[YAW_RATE]
         seen[HR] -= row[SWAY]
     elif kind == ACCEL_Y:
         for column in range(HORIZONTAL):
-            seen[column] = across[HV * PADDED + column]
+            seen[column] = across[HV * HORIZONTAL + column]
         seen[HU] += row[YAW_RATE]
         seen[HR] += row[SURGE]
     elif kind == VELOCITY_U:
@@ -130,14 +130,16 @@ def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Fl
 
 @kernel
 def sensitivity_upright(kind: int, after: float, sensor: Floats, upright: Floats, seen: Floats) -> None:
-    """Write the derivative of a vertical reading by the vertical state into `seen` (3,)."""
-    seen[VZ], seen[VW], seen[VFZ] = 0.0, 0.0, 0.0
+    """Write the derivative of a vertical reading by the vertical state into `seen` (VERTICAL,)."""
+    for column in range(VERTICAL):
+        seen[column] = 0.0
     if kind == POSE_Z:
         seen[VZ], seen[VW] = sensor[SCALE], sensor[SCALE] * after
     elif kind == PRESSURE:
         seen[VZ], seen[VW] = -WEIGHT, -WEIGHT * after
     elif kind == ACCEL_Z:
-        seen[VZ], seen[VW], seen[VFZ] = upright[VW * 3], upright[VW * 3 + 1], upright[VW * 3 + 2]
+        seen[VZ], seen[VW] = upright[VW * VERTICAL + VZ], upright[VW * VERTICAL + VW]
+        seen[VFZ] = upright[VW * VERTICAL + VFZ]
     else:
         seen[VW] = 1.0
 
