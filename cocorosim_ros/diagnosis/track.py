@@ -42,7 +42,7 @@ from cocorosim_ros.diagnosis.kernels.layout import (
 from cocorosim_ros.diagnosis.kernels.motion import run_free
 from cocorosim_ros.diagnosis.kernels.records import Belief, Drive, History, Past, Readings
 from cocorosim_ros.diagnosis.kernels.smoother import smooth
-from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, first_values, grid_step
+from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, first_values, grid_begin, grid_step
 from cocorosim_ros.environment.flow import make_flow
 from cocorosim_ros.evidence.log import Recording, RobotLog
 from cocorosim_ros.physics.actuation import ACTUATION_BITS
@@ -119,7 +119,8 @@ class Track:
         step = grid_step(
             float(np.linalg.norm(self.force_scale[:3])) / platform.mass, self.force_scale[3] / platform.yaw_inertia
         )
-        self.readings = TrackReadings(log, step, *span)
+        begin = grid_begin(log.command_time, step, span[0])
+        self.readings = TrackReadings(log, step, begin, span[1])
         self._by_numbers: OrderedDict[tuple[int, bytes], Any] = OrderedDict()
         self.is_angle = np.isin(self.readings.kind, ANGLES)
         self.start = self._start(span[0])

@@ -233,7 +233,8 @@ def _filter(
             kind, after, origin = readings.kind[index], readings.after[index], readings.origin[index]
             if kind >= VELOCITY_U:
                 relative_velocity(row, time, body, water)
-            shown = expected(kind, after, readings.stamp[index], row, motion.rate, sensor, water)
+            when = readings.stamp[index], after, readings.apart[index], readings.side[index]
+            shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
             if is_upright(kind):
@@ -280,7 +281,8 @@ def _slope(
             kind, origin = readings.kind[index], readings.origin[index]
             if kind >= VELOCITY_U:
                 relative_velocity(row, time, body, water)
-            shown = expected(kind, readings.after[index], readings.stamp[index], row, motion.rate, sensor, water)
+            when = readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index]
+            shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
             innovation = deviation(kind, readings.value[index], shown)
             _correct(motion, body, kind, past.gain[origin], innovation)
             change = deviation(kind, innovation, past.innovation[origin])

@@ -47,7 +47,8 @@ class Motion(NamedTuple):
 
     row: Floats
     trial: Floats
-    rate: Floats  # at the grid point that was reached last
+    rate: Floats  # at the grid point that was reached last, mean of just before it and just behind it
+    leap: Floats  # by how much the rate is greater just behind it, where commands change
     gust: Floats  # (4,) what drives the random force, world x, y, z [N] and moment [N m]
 
 
@@ -55,7 +56,7 @@ class Motion(NamedTuple):
 def make_motion(start: Floats, body: Body) -> Motion:
     """At rest of all actuators in the state `start` (8,), without random forces."""
     size = STATE_SIZE + ROW_SHARE * body.actuator_wrench.shape[0]
-    motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(4))
+    motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(4))
     motion.row[:STATE_SIZE] = start
     body.parameters[FORCE : FORCE + 4] = 0.0
     return motion
@@ -94,11 +95,19 @@ def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
 
 
 @kernel
+def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
+    """From the rates just before and just behind a grid point to their mean and their difference."""
+    for column in range(STATE_SIZE):
+        before, behind = motion.leap[column], motion.rate[column]
+        motion.rate[column], motion.leap[column] = 0.5 * (before + behind), behind - before
+    put_drive(motion.row, drive, point, max(point - 1, 0), body)
+
+
+@kernel
 def advance(motion: Motion, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body) -> None:
     """Carry the row from the grid point before to `point`, by one Runge-Kutta step over which what acts holds.
 
-    clock: time [s] of `point`, step [s] and what becomes of random forces over it. `motion.rate` is then
-    that at the point, under the mean of what acts before and behind it. From point 0 on, nothing moves.
+    clock: time [s] of `point`, step [s] and what becomes of random forces over it. From point 0 on, nothing moves.
     """
     time, length, fade = clock
     row, trial, rate, total, faded = motion.row, motion.trial, motion.rate, stack_array(8), stack_array(4)
@@ -107,20 +116,23 @@ def advance(motion: Motion, clock: tuple[float, float, Fading], drive: Drive, po
         _fade(motion, fade, faded, body)
         for column in range(row.shape[0]):
             trial[column] = row[column]
-    for stage in range(0 if point > 0 else STAGES, STAGES + 1):
+    for stage in range(0 if point > 0 else STAGES, STAGES + 2):
         if stage == STAGES:
             _settle(motion, length, total, faded, body)
-            put_drive(row, drive, point, max(point - 1, 0), body)
+        if stage >= STAGES:
+            acting = max(point - 1, 0) if stage == STAGES else point
+            put_drive(row, drive, acting, acting, body)
             for column in range(row.shape[0]):
                 trial[column] = row[column]
         back = length if stage == 0 else 0.0 if stage >= STAGES - 1 else 0.5 * length
-        state_rate(trial, time - back, body, rate)
+        state_rate(trial, time - back, body, rate if stage != STAGES else motion.leap)
         if stage < STAGES:
             weight = 1.0 if stage == 0 or stage == STAGES - 1 else 2.0
             ahead = length if stage == STAGES - 2 else 0.5 * length
             for column in range(STATE_SIZE):
                 total[column] += weight * rate[column]
                 trial[column] = row[column] + ahead * rate[column]
+    _compare(motion, drive, point, body)
 
 
 @kernel

@@ -57,8 +57,17 @@ ATMOSPHERE = 101325.0  # Pa
 
 
 @kernel
-def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, sensor: Floats, water: Floats) -> float:
-    """What a reading of this kind would show, `after` [s] the moment of `row`; `rate` is the state's there."""
+def expected(
+    kind: int, when: tuple[float, float, float, float], row: Floats, rates: tuple[Floats, Floats], sensor: Floats,
+    water: Floats,
+) -> float:  # fmt: skip
+    """What a reading of this kind would show; `row` is the state at the grid point.
+
+    when: its stamp, how long after the grid point, how far from it [s] and on which side. rates: the mean of the rate
+    of the state on both sides of the grid point, and by how much it is greater behind it.
+    """
+    stamp, after, apart, side = when
+    rate, leap = rates
     half = 0.5 * after * after
     if kind <= POSE_Y:
         sine, cosine = sine_cosine(row[YAW])
@@ -79,13 +88,13 @@ def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, s
             return yaw
         return yaw + sensor[OFFSET] + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
     if kind == GYRO:
-        return row[YAW_RATE] + after * rate[YAW_RATE] + sensor[BIAS_GYRO]
+        return row[YAW_RATE] + after * rate[YAW_RATE] + 0.5 * apart * leap[YAW_RATE] + sensor[BIAS_GYRO]
     if kind == ACCEL_X:
-        return rate[SURGE] - row[SWAY] * row[YAW_RATE] + sensor[BIAS_X]
+        return rate[SURGE] + 0.5 * side * leap[SURGE] - row[SWAY] * row[YAW_RATE] + sensor[BIAS_X]
     if kind == ACCEL_Y:
-        return rate[SWAY] + row[SURGE] * row[YAW_RATE] + sensor[BIAS_Y]
+        return rate[SWAY] + 0.5 * side * leap[SWAY] + row[SURGE] * row[YAW_RATE] + sensor[BIAS_Y]
     if kind == ACCEL_Z:
-        return rate[HEAVE] + GRAVITY + sensor[BIAS_Z]
+        return rate[HEAVE] + 0.5 * side * leap[HEAVE] + GRAVITY + sensor[BIAS_Z]
     return water[kind - VELOCITY_U]
 
 

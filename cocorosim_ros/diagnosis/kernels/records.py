@@ -19,6 +19,8 @@ class Readings(NamedTuple):
     first: Integers  # (points + 1,) where the readings of each grid point begin
     kind: Integers  # (m,)
     after: Floats  # (m,) s after the grid point, may be negative
+    apart: Floats  # (m,) s from the grid point, the mean over what was averaged
+    side: Floats  # (m,) -1 before the grid point, 1 behind it, the mean over what was averaged
     stamp: Floats  # (m,) s, as it stands in the recording
     value: Floats  # (m,)
     share: Floats  # (m,) variance as a share of that of a single reading of its kind
