@@ -143,13 +143,22 @@ def solve(matrix: Floats, right: Floats) -> Floats:
     return np.asarray(result * (scale if right.ndim == 1 else scale[:, None]))
 
 
+def _step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:
+    """matrix^-1 score with those that stand at a bound and press against it held there, lest the others give way."""
+    step = np.zeros(len(unknowns))
+    free = np.array([unknown.clipped(number + push) != number or push == 0.0
+                     for unknown, number, push in zip(unknowns, q, np.sign(score) * 1e-9, strict=True)])  # fmt: skip
+    step[free] = solve(matrix[np.ix_(free, free)], score[free])
+    return step
+
+
 def improved(fit: Fit, rounds: int) -> Fit:
     """The fit after at most so many Gauss-Newton steps of its laws."""
     for _ in range(rounds):
         if not fit.laws:
             return fit
         known = information(fit)
-        step = solve(known.matrix, known.score)
+        step = _step_within(known.matrix, known.score, fit.laws, fit.q)
         better = _stepped(fit, step)
         if better is None or better.objective - fit.objective < LEAST_GAIN:
             return better if better is not None else fit
@@ -187,7 +196,8 @@ def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit
 def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     score, matrix = _noise_information(fit, chosen)
     step = np.zeros(len(fit.noise))
-    step[chosen] = np.clip(solve(matrix, score), -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
+    inside = _step_within(matrix, score, [fit.noise[index] for index in chosen], fit.q_noise[chosen])
+    step[chosen] = np.clip(inside, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
     for halving in range(HALVINGS):
         q = fit.q_noise + step / 2.0**halving
         q = np.array([unknown.clipped(number) for unknown, number in zip(fit.noise, q, strict=True)])
