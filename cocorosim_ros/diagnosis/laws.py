@@ -7,11 +7,12 @@ catalogue clearly, since there are many of them.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
+from cocorosim_ros.diagnosis.phases import phased, phases
 from cocorosim_ros.physics.effects import LAWS
 from cocorosim_ros.physics.regressors import REGRESSOR_CODE, REGRESSORS
 
@@ -132,18 +133,9 @@ def _entry(place: str, equation: str, law: Law, scene: Scene, against: float) ->
     )
 
 
-def _phases(scene: Scene) -> list[float]:
-    return [index * math.pi / 6.0 for index in range(6)]
-
-
 def _swinging(place: str, equation: str, scene: Scene, against: float) -> Entry:
     """Force that swings in time, at the periods that stand out of the residual."""
     omega, phase = f"{place}.omega", f"{place}.phase"
-
-    def phased(values: Mapping[str, float]) -> list[tuple[dict[str, float], float]]:
-        parts = ((0.0, math.cos(values[phase])), (0.5 * math.pi, math.sin(values[phase])))
-        return [({**values, phase: at}, weight) for at, weight in parts]
-
     return replace(
         _entry(place, equation, Law("sin_t", Factor("sin_t")), scene, against),
         equation=f"{SYMBOLS[equation]} = c sin(omega t + phase)",
@@ -155,9 +147,9 @@ def _swinging(place: str, equation: str, scene: Scene, against: float) -> Entry:
                 lambda here: [2.0 * math.pi / period for period in here.periods[equation]],
                 logarithmic=True,
             ),
-            Shape(phase, "phase", "rad", _phases, periodic=True),
+            Shape(phase, "phase", "rad", phases, periodic=True),
         ),
-        basis=phased,
+        basis=phased(phase),
     )
 
 
