@@ -7,11 +7,12 @@ catalogue clearly, since there are many of them.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.law_forms import Factor, Law, given, product, single, square
+from cocorosim_ros.diagnosis.phases import phased, phases
 from cocorosim_ros.physics.effects import LAWS
 
 EQUATIONS = ("surge", "sway", "heave", "yaw", "world_x", "world_y", "world_z")
@@ -107,18 +108,9 @@ def _roundings(place: str, law: Law, scene: Scene) -> tuple[Shape, ...]:
     return (Shape(f"{place}.round_1", "round_1", "1", lambda here: [share * size for share in ROUNDINGS], fixed=True),)
 
 
-def _phases(scene: Scene) -> list[float]:
-    return [index * math.pi / 6.0 for index in range(6)]
-
-
 def _swinging(place: str, equation: str, scene: Scene) -> Entry:
     """Force that swings in time, at the periods that stand out of the residual."""
     omega, phase = f"{place}.omega", f"{place}.phase"
-
-    def phased(values: Mapping[str, float]) -> list[tuple[dict[str, float], float]]:
-        parts = ((0.0, math.cos(values[phase])), (0.5 * math.pi, math.sin(values[phase])))
-        return [({**values, phase: at}, weight) for at, weight in parts]
-
     return replace(
         _entry(place, equation, single("sin_t"), scene),
         equation=f"{SYMBOLS[equation]} = c sin(omega t + phase)",
@@ -130,9 +122,9 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
                 lambda here: [2.0 * math.pi / period for period in here.periods[equation]],
                 logarithmic=True,
             ),
-            Shape(phase, "phase", "rad", _phases, periodic=True),
+            Shape(phase, "phase", "rad", phases, periodic=True),
         ),
-        basis=phased,
+        basis=phased(phase),
     )
 
 

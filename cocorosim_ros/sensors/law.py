@@ -13,6 +13,7 @@ READINGS_OF_LAWS = (
     "pose_x", "pose_y", "pose_z", "pose_yaw", "compass", "pressure", "gyro_z", "accel_x", "accel_y", "accel_z",
     "velocity_u", "velocity_v", "velocity_w",
 )  # fmt: skip
+NO_REGRESSORS_OF_READINGS = ("sin_t", "cos_t", "neighbour_distance")
 LAW_OF_READING = (
     Parameter("coefficient", "*", "in the unit of the reading over the units of the regressors"),
     Parameter("reading", "1", "code of the reading, in the order of sensors.law.READINGS_OF_LAWS"),

@@ -16,7 +16,7 @@ from cocorosim_ros.scenario.parameter import Parameter
 from cocorosim_ros.scenario.platform import Platform, check_effects
 from cocorosim_ros.scenario.vehicle_parts import BuoyancyPump
 from cocorosim_ros.sensors.effects import ERROR_COLUMNS, LATE_TOPICS, SENSOR_EFFECTS, Faults
-from cocorosim_ros.sensors.law import READINGS_OF_LAWS, SENSOR_LAWS
+from cocorosim_ros.sensors.law import NO_REGRESSORS_OF_READINGS, READINGS_OF_LAWS, SENSOR_LAWS
 
 Floats = NDArray[np.float64]
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
@@ -73,6 +73,11 @@ def _check_code(place: str, name: str, value: float) -> None:
     count = len(REGRESSORS) if name.startswith("regressor") else counts.get(name)
     if count is not None and value not in range(count):
         raise CocorosimError(f"{place} has '{value:g}'; write a whole number from 0 to {count - 1}.")
+    of_reading = "sensor_law" in place and name.startswith("regressor")
+    if of_reading and REGRESSORS[int(value)].name in NO_REGRESSORS_OF_READINGS:
+        raise CocorosimError(
+            f"{place} has '{value:g}', {REGRESSORS[int(value)].name}, of which no reading has a law; write another one."
+        )
 
 
 def check_platform(platform: Platform) -> None:
