@@ -41,6 +41,7 @@ from cocorosim_ros.diagnosis.kernels.layout import (
 from cocorosim_ros.diagnosis.kernels.motion import run_free
 from cocorosim_ros.diagnosis.kernels.records import Belief, Drive, History, Past, Readings
 from cocorosim_ros.diagnosis.kernels.smoother import smooth
+from cocorosim_ros.diagnosis.reading_laws import Course, law_shift, without_laws
 from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, first_values, grid_step
 from cocorosim_ros.environment.flow import make_flow
 from cocorosim_ros.evidence.log import Recording, RobotLog
@@ -123,6 +124,7 @@ class Track:
         self._by_numbers: OrderedDict[tuple[int, bytes], Any] = OrderedDict()
         self.is_angle = np.isin(self.readings.kind, ANGLES)
         self.start = self._start(span[0])
+        self._course: Course | None = None  # along which laws of readings are taken
 
     def _start(self, begin: float) -> Floats:
         """(2, 8) state at the first grid point and its standard deviation."""
@@ -192,7 +194,26 @@ class Track:
         latency, skew = off.reshape(2, len(KINDS_OF_STREAM)).tolist()
         timing = Timing(dict(zip(KINDS_OF_STREAM, latency, strict=True)), dict(zip(KINDS_OF_STREAM, skew, strict=True)))
         found: Readings = self._once((TIMELINE, off.tobytes()), lambda: self.readings.timeline(timing))
-        return found
+        shift = law_shift(row, found, lambda: self._seen_course(row))
+        return found if shift is None else found._replace(value=found.value - shift)
+
+    def law_shift(self, row: Floats) -> Floats:
+        """(m,) what laws of readings in this row add, in the order of the track."""
+        found, shift = self.timeline(without_laws(row)), np.zeros(len(self.readings.kind))
+        added = law_shift(row, found, lambda: self._seen_course(row))
+        if added is not None:
+            shift[found.origin] = added
+        return shift
+
+    def _seen_course(self, row: Floats) -> Course:
+        """What laws of readings depend on, as the first model that asks for it saw the robot swim."""
+        if self._course is None:
+            plain = without_laws(row)
+            course, drive = self.smoothed(plain), self.drive(plain)
+            self._course = Course(
+                course.time, course.mean, self.thrust(plain), drive.force, drive.rate, self._pump, self.water
+            )
+        return self._course
 
     def full(self, row: Floats) -> Pass:
         """The filter's pass: likelihood, innovations, gains."""
