@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.columns import COLUMN
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.track import Track
@@ -105,14 +106,13 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
 
     rows (tracks, columns): the base model, which may have some of them already.
     """
-    robots = tuple(dict.fromkeys(track.name for track in tracks))
-    numbers = {name: tuple(index for index, track in enumerate(tracks) if track.name == name) for name in robots}
+    numbers = tracks_by_robot(tracks)
     scaling = sizes(tracks[0])
     found = []
     for entry in entries:
-        if entry.needs_neighbours and len(robots) < 2:
+        if entry.needs_neighbours and len(numbers) < 2:
             continue
-        concerned = tuple(name for name in robots if _has_topic(entry, [tracks[index] for index in numbers[name]]))
+        concerned = tuple(name for name in numbers if _has_topic(entry, [tracks[index] for index in numbers[name]]))
         if not concerned:
             continue
         groups = [concerned] if entry.water or len(concerned) == 1 else [concerned, *((name,) for name in concerned)]

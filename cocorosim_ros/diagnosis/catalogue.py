@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
+from cocorosim_ros.diagnosis.phases import phased, phases
 
 CROSSED = 0.1  # m above and below a layer that have to be visited
 CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
@@ -34,22 +35,11 @@ def _lengths(scene: Scene) -> list[float]:
     return [0.6 * scene.hull, scene.hull, 1.6 * scene.hull]
 
 
-def _phases(scene: Scene) -> list[float]:
-    return [index * math.pi / 6.0 for index in range(6)]
-
-
 def _affine(values: Mapping[str, float]) -> list[tuple[dict[str, float], float]]:
     """-k (x - x0) is a sum of the pulls to three anchors."""
     x, y = values["tether.x"], values["tether.y"]
     anchors = (((0.0, 0.0), 1.0 - x - y), ((1.0, 0.0), x), ((0.0, 1.0), y))
     return [({**values, "tether.x": place[0], "tether.y": place[1]}, weight) for place, weight in anchors]
-
-
-def _phased(values: Mapping[str, float]) -> list[tuple[dict[str, float], float]]:
-    """sin(w t + phase) = cos(phase) sin(w t) + sin(phase) cos(w t)."""
-    phase = values["tidal_current.phase"]
-    parts = ((0.0, math.cos(phase)), (0.5 * math.pi, math.sin(phase)))
-    return [({**values, "tidal_current.phase": at}, weight) for at, weight in parts]
 
 
 def _x(scene: Scene) -> list[float]:
@@ -154,12 +144,12 @@ ENTRIES: tuple[Entry, ...] = (
         _plain("tidal_current", {"x": ("m/s", 0.007), "y": ("m/s", 0.007)}),
         (
             Shape("tidal_current.period", "period", "s", _periods, logarithmic=True),
-            Shape("tidal_current.phase", "phase", "rad", _phases, periodic=True),
+            Shape("tidal_current.phase", "phase", "rad", phases, periodic=True),
         ),
         water=True,
         group=_WATER_AND_TETHER,
         manoeuvre="four_headings",
-        basis=_phased,
+        basis=phased("tidal_current.phase"),
     ),
     Entry(
         "tether",

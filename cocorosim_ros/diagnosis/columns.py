@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from cocorosim_ros.diagnosis.kernels.layout import KIND_NAMES, KINDS_OF_STREAM, SENSOR_COLUMNS
 from cocorosim_ros.physics.hooks import bits
 from cocorosim_ros.physics.vehicles import EFFECT_BIT, GAINS, PARAMETER_COLUMNS, neutral_row
+from cocorosim_ros.sensors.law import SENSOR_LAWS
 
 Floats = NDArray[np.float64]
 
@@ -23,8 +24,11 @@ READING_NOISE_OF_KIND = tuple(
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
+READING_LAWS = {f"{place}.{part.name}": part.neutral for place, parts in SENSOR_LAWS.items() for part in parts}
 
-NAMES: tuple[str, ...] = (*PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE)
+NAMES: tuple[str, ...] = (
+    *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS
+)  # fmt: skip
 COLUMN: dict[str, int] = {name: column for column, name in enumerate(NAMES)}
 PHYSICS = slice(0, len(PARAMETER_COLUMNS))
 SENSORS = slice(COLUMN[SENSOR_COLUMNS[0]], COLUMN[SENSOR_COLUMNS[-1]] + 1)
@@ -37,6 +41,8 @@ ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | n
 NEUTRAL = np.zeros(len(NAMES))  # what each number is where nothing is out of the ordinary
 NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[COLUMN["camera_scale.scale"]] = 1.0
+for _name, _value in READING_LAWS.items():
+    NEUTRAL[COLUMN[_name]] = _value
 
 
 def active_effects(row: Floats) -> int:

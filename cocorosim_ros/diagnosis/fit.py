@@ -8,7 +8,7 @@ Source: Ljung, System Identification (1999), chapter 7; Kristensen, Madsen and J
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -58,27 +58,14 @@ class Fit:
         """What the recordings tell of its laws."""
         return _information(self)
 
-    @property
-    def count(self) -> int:
-        """How many readings there are."""
-        return sum(len(part.innovation) for part in self.passes)
-
 
 def _log_prior(unknowns: Sequence[Unknown], q: Floats) -> float:
     return -0.5 * float(np.sum(prior_precision(unknowns) * (q - prior_centre(unknowns)) ** 2))
 
 
-def make_fit(
-    tracks: Sequence[Track],
-    rows: Floats,
-    laws: Sequence[Unknown],
-    noise: Sequence[Unknown],
-    start: tuple[Floats, Floats] | None = None,
-) -> Fit:
-    """The model at the start values, evaluated."""
-    q, q_noise = start if start is not None else (prior_centre(laws), prior_centre(noise))
-    empty = Fit(tuple(tracks), rows, tuple(laws), tuple(noise), q, q_noise, ())
-    return evaluated(empty)
+def make_fit(tracks: Sequence[Track], rows: Floats, laws: Sequence[Unknown], noise: Sequence[Unknown]) -> Fit:
+    """The model at the centres of the priors, evaluated."""
+    return evaluated(Fit(tuple(tracks), rows, tuple(laws), tuple(noise), prior_centre(laws), prior_centre(noise), ()))
 
 
 def evaluated(fit: Fit) -> Fit:
@@ -157,21 +144,29 @@ def improved(fit: Fit, rounds: int) -> Fit:
     for _ in range(rounds):
         if not fit.laws:
             return fit
-        known = information(fit)
-        step = _step_within(known.matrix, known.score, fit.laws, fit.q)
-        better = _stepped(fit, step)
+        better = _laws_step(fit)
         if better is None or better.objective - fit.objective < LEAST_GAIN:
             return better if better is not None else fit
         fit = better
     return fit
 
 
-def _stepped(fit: Fit, step: Floats) -> Fit | None:
-    """The fit a step further, the step halved until it is better; None if it never is."""
+def _laws_step(fit: Fit) -> Fit | None:
+    known = information(fit)
+    step = _step_within(known.matrix, known.score, fit.laws, fit.q)
+    return _stepped(fit, fit.laws, fit.q, step, lambda q: replace(fit, q=q))
+
+
+def _stepped(
+    fit: Fit, unknowns: Sequence[Unknown], start: Floats, step: Floats, at: Callable[[Floats], Fit]
+) -> Fit | None:
+    """The fit a step of these unknowns further, the step halved until it is better; None if it never is.
+
+    at: the fit with these values, not yet evaluated.
+    """
     for halving in range(HALVINGS):
-        q = fit.q + step / 2.0**halving
-        q = np.array([law.clipped(number) for law, number in zip(fit.laws, q, strict=True)])
-        trial = evaluated(replace(fit, q=q))
+        q = start + step / 2.0**halving
+        trial = evaluated(at(np.array([part.clipped(number) for part, number in zip(unknowns, q, strict=True)])))
         if trial.objective > fit.objective:
             return trial
     return None
@@ -198,13 +193,7 @@ def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     step = np.zeros(len(fit.noise))
     inside = _step_within(matrix, score, [fit.noise[index] for index in chosen], fit.q_noise[chosen])
     step[chosen] = np.clip(inside, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
-    for halving in range(HALVINGS):
-        q = fit.q_noise + step / 2.0**halving
-        q = np.array([unknown.clipped(number) for unknown, number in zip(fit.noise, q, strict=True)])
-        trial = evaluated(replace(fit, q_noise=q))
-        if trial.objective > fit.objective:
-            return trial
-    return None
+    return _stepped(fit, fit.noise, fit.q_noise, step, lambda q: replace(fit, q_noise=q))
 
 
 def _noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.columns import WATER_NOISE
 from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
@@ -25,7 +26,6 @@ WINDOW = 20.0  # s
 CHANNELS = {"position": "m", "heading": "rad", "depth": "m"}
 MODELS = ("nominal", "recalibrated", "augmented")
 FEWEST_POINTS = 10  # of a window
-SAMPLES = 400  # bootstrap of the intervals
 
 
 @dataclass(frozen=True)
@@ -109,11 +109,8 @@ def _table(windows: Sequence[Window], tracks: Sequence[Track]) -> dict[str, Held
             name: np.array([part.squared[name][:, index].mean() for part in windows])
             for name in (*MODELS, "noise_floor")
         }
-        draws = rng.integers(0, len(windows), (SAMPLES, len(windows)))
-        intervals = {
-            name: tuple(np.sqrt(np.percentile(values[draws].mean(axis=1), [2.5, 97.5])).tolist())
-            for name, values in means.items()
-        }
+        draws = drawn(rng, len(windows))
+        intervals = {name: interval_of_root(values, draws) for name, values in means.items()}
         values = {name: float(np.sqrt(part.mean())) for name, part in means.items()}
         table[channel] = HeldOut(**values, unit=unit, intervals=intervals)
     return table

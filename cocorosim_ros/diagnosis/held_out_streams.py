@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.residual_reading import KIND_OF_TOPIC, UNITS, deviation
 from cocorosim_ros.diagnosis.track import Smoothed, Track
@@ -16,7 +17,6 @@ Floats = NDArray[np.float64]
 
 TOPICS = ("compass", "pressure", "imu")
 """Streams that are no channel of the free runs."""
-SAMPLES = 400  # bootstrap of the intervals
 
 
 def held_out_streams(
@@ -69,6 +69,4 @@ def _stretches(track: Track, course: Smoothed, row: Floats, wanted: tuple[int, f
 
 
 def _interval(squared: Floats) -> tuple[float, float]:
-    draws = np.random.default_rng(0).integers(0, len(squared), (SAMPLES, len(squared)))
-    low, high = np.sqrt(np.percentile(squared[draws].mean(axis=1), [2.5, 97.5]))
-    return float(low), float(high)
+    return interval_of_root(squared, drawn(np.random.default_rng(0), len(squared)))

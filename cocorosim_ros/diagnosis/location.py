@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.laws import LARGE_SHARE
 from cocorosim_ros.diagnosis.residual import scene_of
 from cocorosim_ros.diagnosis.screening import Screened
 from cocorosim_ros.diagnosis.track import Smoothed
+from cocorosim_ros.physics.effects import LAWS
 
 Floats = NDArray[np.float64]
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
@@ -41,7 +42,7 @@ def locate(
 def _named(part: Screened) -> tuple[str, str]:
     entry = part.candidate.entry
     if entry.law is not None:
-        equation, _, regressor = entry.id.removeprefix("unknown:").partition("~")
+        equation, _, regressor = entry.id.removeprefix("unknown:").replace("velocity~", "pose~").partition("~")
         return ("surge" if equation.startswith("world") else equation), (
             f"{regressor} ({equation})" if equation.startswith("world") else regressor
         )
@@ -56,7 +57,7 @@ def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
     equation, regressor = _named(part)
     time, gained = _gain_over_time(fit, part)
     first, last = _window(time, gained)
-    if entry.law is not None:
+    if entry.law in LAWS:
         name = entry.id.removeprefix("unknown:").partition("~")[0]
         scales = scene_of(fit.tracks, courses).scales
         force = scales[{"heave": "heave_force", "yaw": "yaw_force"}.get(name, "surge_force")]

@@ -19,7 +19,7 @@ from cocorosim_ros.diagnosis.contest import Refined, log_evidence, refine
 from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
 from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
-from cocorosim_ros.diagnosis.laws import law_entries
+from cocorosim_ros.diagnosis.open_set import open_set
 from cocorosim_ros.diagnosis.quiet_pump import quiet_gain
 from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
 from cocorosim_ros.diagnosis.screening import Screen, Screened
@@ -71,9 +71,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         screen = Screen(fit, scene)
         taken = {key for part in accused for key in _keys(part.candidate)}
         entries: list[Candidate] = [part for part in expand(ENTRIES, fit.tracks, fit.rows) if not taken & _keys(part)]
-        laws = expand(
-            law_entries(scene, sum(part.candidate.entry.law is not None for part in accused)), fit.tracks, base.rows
-        )
+        laws = expand(open_set(scene, [part.candidate.entry for part in accused]), fit.tracks, base.rows)
         laws = [part for part in laws if not taken & _keys(part)]
         tested, tested_laws = _ranked(screen, entries), _ranked(screen, laws)
         if round_number == 0:

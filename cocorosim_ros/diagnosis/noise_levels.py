@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.estimates import Z95
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.fit import Fit, noise_covariance
 
@@ -13,7 +14,6 @@ UNITS = {
     "reading.pose_xy": "m", "reading.pose_z": "m", "reading.pose_yaw": "rad", "reading.compass": "rad",
     "reading.pressure": "Pa", "reading.gyro_z": "rad/s", "reading.accel": "m/s^2", "reading.velocity": "m/s",
 }  # fmt: skip
-Z95 = 1.96
 
 
 def noise_levels(fit: Fit) -> dict[str, Estimate]:

@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.columns import (
     COLUMN,
     NEUTRAL,
@@ -107,8 +108,7 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
 def base_laws(tracks: Sequence[Track]) -> list[Unknown]:
     """The numbers of each robot's platform that may move."""
     laws = []
-    for robot in dict.fromkeys(track.name for track in tracks):
-        numbers = tuple(index for index, track in enumerate(tracks) if track.name == robot)
+    for numbers in tracks_by_robot(tracks).values():
         ranges = tracks[numbers[0]].ranges
         for column in RECALIBRATED:
             base = float(tracks[numbers[0]].platform_row[COLUMN[column]])
@@ -134,8 +134,7 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
         Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=prior, bounds=bounds)
         for name, (prior, bounds) in WATER_PRIOR.items()
     ]
-    for robot in dict.fromkeys(track.name for track in tracks):
-        numbers = tuple(index for index, track in enumerate(tracks) if track.name == robot)
+    for numbers in tracks_by_robot(tracks).values():
         present = {
             READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
         }

@@ -11,8 +11,8 @@ from cocorosim_ros.diagnosis.columns import COLUMN
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fit import Fit
 from cocorosim_ros.diagnosis.kernels.layout import COMPASS, GYRO, POSE_X, PRESSURE
-from cocorosim_ros.diagnosis.kernels.reading import ATMOSPHERE, WEIGHT
 from cocorosim_ros.diagnosis.track import Smoothed, Track
+from cocorosim_ros.signals.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
 Floats = NDArray[np.float64]
 
@@ -25,7 +25,7 @@ UNITS = {POSE_X: "m", COMPASS: "rad", PRESSURE: "Pa", GYRO: "rad/s"}
 # A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
 RATE_OF_TOPIC = {"pose": "u", "compass": "r", "pressure": "w", "imu": "t"}
 REGRESSOR_OF_EFFECT = {"compass_distortion": "yaw", "camera_scale": "x"}
-STATE_COLUMNS = {"x": 0, "yaw": 3, "u": 4, "w": 6, "r": 7}
+STATE_COLUMNS = {"x": 0, "y": 1, "z": 2, "yaw": 3, "u": 4, "v": 5, "w": 6, "r": 7}
 
 
 def residual_readings(
@@ -56,7 +56,8 @@ def residual_readings(
 def _regressor(effect: FoundEffect, topic: str) -> str:
     if effect.id == "sensor_latency":
         return RATE_OF_TOPIC[topic]
-    return REGRESSOR_OF_EFFECT.get(effect.id, "t")
+    first = effect.id.partition("~")[2].strip("|").partition("|")[0].partition("*")[0]
+    return REGRESSOR_OF_EFFECT.get(effect.id, first if first in STATE_COLUMNS else "t")
 
 
 def _along(regressor: str, stamp: Floats, course: Smoothed) -> Floats:
@@ -73,7 +74,7 @@ def deviation(track: Track, chosen: NDArray[np.bool_], course: Smoothed, row: Fl
     stamp = track.readings.stamp[chosen]
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
-    deviation = track.readings.value[chosen] - _shown(kind, state, stamp, row)
+    deviation = track.readings.value[chosen] - track.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
     return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind == COMPASS else deviation
 
 
@@ -85,7 +86,7 @@ def _shown(kind: int, state: Floats, stamp: Floats, row: Floats) -> Floats:
         return np.asarray(yaw + offset + sine * np.sin(yaw) + cosine * np.cos(yaw))
     if kind == PRESSURE:
         error = row[COLUMN["pressure_offset.offset"]] + row[COLUMN["pressure_drift.rate"]] * stamp
-        return np.asarray(ATMOSPHERE - WEIGHT * state[:, 2] + error)
+        return np.asarray(SURFACE_PRESSURE - PASCAL_PER_METRE * state[:, 2] + error)
     if kind == GYRO:
         return np.asarray(state[:, 7] + row[COLUMN["imu_bias.gyro_z"]])
     return np.asarray(state[:, 0] * row[COLUMN["camera_scale.scale"]])

@@ -42,6 +42,7 @@ from cocorosim_ros.diagnosis.kernels.layout import (
 from cocorosim_ros.diagnosis.kernels.motion import run_free
 from cocorosim_ros.diagnosis.kernels.records import Belief, Drive, History, Past, Readings
 from cocorosim_ros.diagnosis.kernels.smoother import smooth
+from cocorosim_ros.diagnosis.reading_laws import Course, law_shift, without_laws
 from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, first_values, grid_begin, grid_step
 from cocorosim_ros.environment.flow import make_flow
 from cocorosim_ros.evidence.log import Recording, RobotLog
@@ -50,6 +51,7 @@ from cocorosim_ros.physics.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.physics.vehicles import EFFECT_BIT, Body
 from cocorosim_ros.scenario.platform import Platform
 from cocorosim_ros.scenario.vehicle_parts import Thruster
+from cocorosim_ros.signals.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.signals.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.simulation.assembly import build_vehicles
 
@@ -124,13 +126,14 @@ class Track:
         self._by_numbers: OrderedDict[tuple[int, bytes], Any] = OrderedDict()
         self.is_angle = np.isin(self.readings.kind, ANGLES)
         self.start = self._start(span[0])
+        self._course: Course | None = None  # along which laws of readings are taken
 
     def _start(self, begin: float) -> Floats:
         """(2, 8) state at the first grid point and its standard deviation."""
         first = first_values(self.log, begin, FIRST_SECONDS)
         mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
         mean[X], mean[Y] = first.get(POSE_X, 0.0), first.get(POSE_Y, 0.0)
-        height = -(first[PRESSURE] - 101325.0) / 9810.0 if PRESSURE in first else 0.0
+        height = -(first[PRESSURE] - SURFACE_PRESSURE) / PASCAL_PER_METRE if PRESSURE in first else 0.0
         mean[Z] = first.get(POSE_Z, height)
         mean[YAW] = first.get(POSE_YAW, first.get(COMPASS, 0.0))
         spread[X] = spread[Y] = spread[Z] = 0.05
@@ -193,7 +196,26 @@ class Track:
         latency, skew = off.reshape(2, len(KINDS_OF_STREAM)).tolist()
         timing = Timing(dict(zip(KINDS_OF_STREAM, latency, strict=True)), dict(zip(KINDS_OF_STREAM, skew, strict=True)))
         found: Readings = self._once((TIMELINE, off.tobytes()), lambda: self.readings.timeline(timing))
-        return found
+        shift = law_shift(row, found, lambda: self._seen_course(row))
+        return found if shift is None else found._replace(value=found.value - shift)
+
+    def law_shift(self, row: Floats) -> Floats:
+        """(m,) what laws of readings in this row add, in the order of the track."""
+        found, shift = self.timeline(without_laws(row)), np.zeros(len(self.readings.kind))
+        added = law_shift(row, found, lambda: self._seen_course(row))
+        if added is not None:
+            shift[found.origin] = added
+        return shift
+
+    def _seen_course(self, row: Floats) -> Course:
+        """What laws of readings depend on, as the first model that asks for it saw the robot swim."""
+        if self._course is None:
+            plain = without_laws(row)
+            course, drive = self.smoothed(plain), self.drive(plain)
+            self._course = Course(
+                course.time, course.mean, self.thrust(plain), drive.force, drive.rate, self._pump, self.water
+            )
+        return self._course
 
     def full(self, row: Floats) -> Pass:
         """The filter's pass: likelihood, innovations, gains."""

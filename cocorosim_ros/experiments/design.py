@@ -16,7 +16,7 @@ from cocorosim_ros.scenario.scenario import Scenario, read_scenario
 from cocorosim_ros.scenario.seeding import generator
 from cocorosim_ros.scenario.yaml_file import load_yaml
 
-MOST_RUNS = 1_000_000
+MOST_RUNS = 1_000_000  # whose table of results, about 1 kB a run, is put in order in memory
 _LARGEST_SEED = 2**63 - 1
 _REQUIRED = ("name", "description", "scenario", "numerics", "seed", "replicates", "groups", "baseline")
 _OPTIONAL = ("change", "metrics")
@@ -114,11 +114,10 @@ def load_design(
     baseline = section["baseline"].choice(list(named))
     listed = [part.text() for part in section["numerics"].items()]
     kinds = _chosen(numerics, listed, "kind of numerics", top)
-    count = _replicates(section["replicates"], len(kinds) * len(named))
+    names = _chosen(groups, list(named), "group", top)
+    count = _replicates(section["replicates"], len(kinds) * len(names))
     base = load_yaml(referenced_config("scenarios", section["scenario"]))
-    cells = tuple(
-        _cell(section, base, kind, name) for kind in kinds for name in _chosen(groups, list(named), "group", top)
-    )
+    cells = tuple(_cell(section, base, kind, name) for kind in kinds for name in names)
     words = section["name"].text(), section["description"].text()
     return Design(*words, baseline, count, _metrics(section), cells)
 
@@ -136,7 +135,10 @@ def _chosen(wanted: Sequence[str], there: Sequence[str], what: str, top: Entry) 
 def _replicates(entry: Entry, cells: int) -> int:
     count = entry.whole_number(1, _LARGEST_SEED)
     if count * cells > MOST_RUNS:
-        raise entry.problem(f"makes {count * cells:,} runs, more than {MOST_RUNS:,}; choose fewer replicates.")
+        raise entry.problem(
+            f"makes {count * cells:,} runs, more than the {MOST_RUNS:,} whose table, about 1 kB a run, fits in memory; "
+            "choose fewer replicates."
+        )
     return count
 
 

@@ -8,14 +8,14 @@ from collections.abc import Iterable, Mapping
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.physics.effects import EFFECTS, LAWS
+from cocorosim_ros.physics.laws import EQUATIONS
 from cocorosim_ros.physics.regressors import REGRESSOR_CODE
 from cocorosim_ros.scenario.quantity import UNITS
+from cocorosim_ros.sensors.law import SENSOR_LAWS
 
 BY_TOPIC = {"sensor_latency": "latency", "clock_skew": "skew"}
 """Effects that each topic may have for itself: there the topic stands in place of the parameter."""
 UNKNOWN = "unknown:"
-EQUATIONS = ("surge", "sway", "heave", "yaw", "world_x", "world_y", "world_z")
-"""The equations of a law by their codes."""
 _FACTOR = re.compile(r"(\|?)([a-z_0-9]+)\|?(?:\^(-?[0-9.]+))?")
 
 
@@ -26,11 +26,12 @@ def platform_effect(found: FoundEffect, known: Iterable[str]) -> str:
     """
     if not found.id.startswith(UNKNOWN):
         return found.id
-    free = [place for place in LAWS if place not in known]
+    places = tuple(SENSOR_LAWS if found.topic is not None else LAWS)
+    free = [place for place in places if place not in known]
     if not free:
         raise CocorosimError(
-            f"A platform file has places for {len(LAWS)} laws outside the catalogue, and '{found.id}' is one more; "
-            "take one of them out of the platform that is diagnosed."
+            f"A platform file has {len(places)} places for such laws outside the catalogue, and '{found.id}' is one "
+            "more; take one of them out of the platform that is diagnosed."
         )
     return free[0]
 
@@ -45,7 +46,7 @@ def platform_parameters(found: FoundEffect) -> dict[str, Estimate]:
 def fixed_numbers(found: FoundEffect, duration: float) -> dict[str, float]:
     """Numbers that the simulator needs beside those that were fitted: codes of a law, the recording's duration [s]."""
     if found.id.startswith(UNKNOWN):
-        return law_numbers(found.id)
+        return dict(found.settings) or law_numbers(found.id)
     known = EFFECTS[found.id].parameters if found.id in EFFECTS else ()
     if found.settings:
         return {part.name: found.settings[part.name] for part in known if part.name in found.settings}

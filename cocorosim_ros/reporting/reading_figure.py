@@ -20,7 +20,7 @@ from cocorosim_ros.reporting.figure_style import (
 )
 
 _DOTS = 600
-_UNITS = {"yaw": "rad", "t": "s", "z": "m", "x": "m", "y": "m", "r": "rad/s", "u": "m/s", "w": "m/s"}
+_UNITS = {"yaw": "rad", "t": "s", "z": "m", "x": "m", "y": "m", "r": "rad/s", "u": "m/s", "v": "m/s", "w": "m/s"}
 
 
 def reading_figure(reading: ResidualReading) -> Markup:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.physics import laws
 from cocorosim_ros.physics.effects import CATALOGUE_EFFECTS, LAWS
 from cocorosim_ros.physics.regressors import REGRESSORS
 from cocorosim_ros.physics.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
@@ -16,18 +17,20 @@ from cocorosim_ros.scenario.parameter import Parameter
 from cocorosim_ros.scenario.platform import Platform, check_effects
 from cocorosim_ros.scenario.vehicle_parts import BuoyancyPump
 from cocorosim_ros.sensors.effects import ERROR_COLUMNS, LATE_TOPICS, SENSOR_EFFECTS, Faults
+from cocorosim_ros.sensors.law import NO_REGRESSORS_OF_READINGS, READINGS_OF_LAWS, SENSOR_LAWS
 
 Floats = NDArray[np.float64]
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
 
-EQUATIONS = 7  # of a law: surge, sway, heave, yaw, world_x, world_y, world_z
+EQUATIONS = len(laws.EQUATIONS)
 
 RECORDING_EFFECTS: dict[str, tuple[Parameter, ...]] = {
     "sensor_latency": (Parameter("pose", "s", "of the camera's poses", 0.0, "not negative"),),
     "clock_skew": tuple(Parameter(topic, "s/s", f"of the {topic}'s clock") for topic in ("pose", *LATE_TOPICS)),
     "camera_scale": (Parameter("scale", "1", "lengths as seen over lengths", 1.0, "positive"),),
+    **SENSOR_LAWS,
 }
-"""Effects of cameras and clocks of a recording, which a diagnosis finds; a simulation has neither."""
+"""Effects of cameras and clocks of a recording and laws of readings, which a diagnosis finds; a simulation has none."""
 
 
 def _known_effects() -> Mapping[str, Mapping[str, Parameter]]:
@@ -67,9 +70,15 @@ _NUMBERS: dict[str, Callable[[Platform], float]] = {
 
 def _check_code(place: str, name: str, value: float) -> None:
     """Refuse what is no code of a law's equation or regressor."""
-    count = EQUATIONS if name == "equation" else len(REGRESSORS) if name.startswith("regressor") else None
+    counts = {"equation": EQUATIONS, "reading": len(READINGS_OF_LAWS)}
+    count = len(REGRESSORS) if name.startswith("regressor") else counts.get(name)
     if count is not None and value not in range(count):
         raise CocorosimError(f"{place} has '{value:g}'; write a whole number from 0 to {count - 1}.")
+    of_reading = "sensor_law" in place and name.startswith("regressor")
+    if of_reading and REGRESSORS[int(value)].name in NO_REGRESSORS_OF_READINGS:
+        raise CocorosimError(
+            f"{place} has '{value:g}', {REGRESSORS[int(value)].name}, of which no reading has a law; write another one."
+        )
 
 
 def check_platform(platform: Platform) -> None:
@@ -79,7 +88,7 @@ def check_platform(platform: Platform) -> None:
     """
     for each in (platform, *platform.robots.values()):
         check_effects(each, KNOWN_EFFECTS)
-        for place in LAWS:
+        for place in (*LAWS, *SENSOR_LAWS):
             for name, value in each.effects.get(place, {}).items():
                 _check_code(f"{each.origin}: 'effects.{place}.{name}'", name, value)
 
@@ -128,8 +137,8 @@ def not_simulated(robots: Mapping[str, Platform]) -> list[str]:
         for words in found:
             who.setdefault(words, []).append(robot)
     return [
-        f"{effect} belongs to a recording's camera and clocks, not to the robot: it is not simulated "
-        f"(platform of {names[0] if len(names) == 1 else f'{names[0]} and {len(names) - 1} more'})."
+        f"{effect} belongs to a recording's camera and clocks or to an instrument, not to the robot's motion: "
+        f"it is not simulated (platform of {names[0] if len(names) == 1 else f'{names[0]} and {len(names) - 1} more'})."
         for effect, names in who.items()
     ]
 

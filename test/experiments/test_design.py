@@ -54,7 +54,7 @@ def test_the_digest_tells_designs_apart_and_lets_replicates_grow(design_file: Wr
     ("words", "told"),
     [
         ({"replicates": 0}, "'replicates' has '0'; write a whole number from 1"),
-        ({"replicates": 1_000_000_000}, "makes 2,000,000,000 runs, more than 1,000,000"),
+        ({"replicates": 1_000_000_000}, "makes 2,000,000,000 runs, more than the 1,000,000"),
         ({"numerics": ""}, "so that there would be no run"),
         ({"numerics": "papre"}, "no preset of numerics; did you mean 'paper'?"),
         ({"duration": "20"}, "has no unit"),

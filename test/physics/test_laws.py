@@ -108,6 +108,15 @@ def test_products_and_amounts(acceleration: Make, lily: SimpleNamespace) -> None
     assert rates[1] - -(-0.05 * -0.6) == pytest.approx(3.0 * -0.05 * 0.36 / lily.mass, rel=1e-12)
 
 
+def test_a_steep_law_is_rounded_off_at_zero(acceleration: Make, lily: SimpleNamespace) -> None:
+    """Dry friction |r|^-1 r rounded off at s is r / sqrt(r^2 + s^2); without rounding it is the sign of r."""
+    for rate in (0.3, 0.01, -0.02):
+        for rounding, share in ((0.02, rate / math.hypot(rate, 0.02)), (0.0, math.copysign(1.0, rate))):
+            numbers = law(1, -1e-5, "yaw", ("r", 0, True), round_1=rounding)
+            change = acceleration(numbers, {YAW_RATE: rate})[3] - acceleration({}, {YAW_RATE: rate})[3]
+            assert change == pytest.approx(-1e-5 * share / lily.inertia, rel=1e-9)
+
+
 def test_the_rate_of_the_pump_is_its_step_in_the_end(swim: Make, lily: SimpleNamespace) -> None:
     """surge ~ pump_rate: the impulse of a whole step of the pump is c times the step, in any steps a tick."""
     for steps in (1, 6):

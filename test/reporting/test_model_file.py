@@ -178,6 +178,15 @@ def test_laws_outside_the_catalogue_take_free_places(example: Example, tmp_path:
     assert set(more.effects) == {"law_1", "law_2", "law_3"}
 
 
+def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: Path) -> None:
+    """A compass in error with the thrusters' amounts; its codes are those that its fit had."""
+    settings = {"reading": 4.0, "regressor_1": 10.0, "power_1": 1.0, "signed_1": 0.0}
+    settings |= {"regressor_2": 0.0, "power_2": 1.0, "signed_2": 1.0}
+    compass = replace(law("unknown:compass~|thrust|", "rad/N"), topic="compass", settings=settings)
+    model = written(tmp_path, replace(example("mismatch"), effects=(compass,)), origin())
+    assert model.effects == {"sensor_law_1": {"coefficient": -3e-4, **settings}}
+
+
 @pytest.mark.parametrize(
     ("product", "first", "second"),
     [

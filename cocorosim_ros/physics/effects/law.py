@@ -2,7 +2,8 @@
 
 The form in which `unknown:<equation>~<regressor>` is simulated. The equation and the regressors are codes
 (physics.laws); a power is |phi|^power, or sign(phi) |phi|^power where `signed` is one.
-Where a regressor is infinite (no neighbour anywhere) the law is nothing.
+Where a regressor is infinite (no neighbour anywhere) the law is nothing. A power below one is steep at zero, as dry
+friction is; below the amount `round_1` of its regressor it is rounded off, lest forces change their sign at every step.
 """
 
 from __future__ import annotations
@@ -24,7 +25,11 @@ WORLD_X, WORLD_Z = 4, 6  # surge, sway, heave, yaw, world_x, world_y, world_z ar
 
 
 @kernel
-def _power(value: float, power: float, signed: float) -> float:
+def _power(value: float, power: float, signed: float, rounding: float) -> float:
+    """|value|^power, with the sign of value if `signed`; the first power of a small value where it is below one."""
+    if power < 1.0 and rounding > 0.0:
+        size = math.sqrt(value * value + rounding * rounding)
+        return value * size ** (power - 1.0) if signed != 0.0 else size**power  # type: ignore[no-any-return]
     size = abs(value) if power == 1.0 else abs(value) ** power
     return -size if signed != 0.0 and value < 0.0 else size
 
@@ -34,8 +39,8 @@ def law(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total
     """Add coefficient phi_1 phi_2 to its equation."""
     values = stack_array(24)
     fill_regressors(row, relative, moment, parameters[8] * moment.time + parameters[9], values)
-    first = _power(values[int(parameters[2])], parameters[3], parameters[4])
-    second = _power(values[int(parameters[5])], parameters[6], parameters[7])
+    first = _power(values[int(parameters[2])], parameters[3], parameters[4], parameters[10])
+    second = _power(values[int(parameters[5])], parameters[6], parameters[7], 0.0)
     force, equation = parameters[0] * first * second, int(parameters[1])
     if not math.isfinite(force):
         return
@@ -63,5 +68,6 @@ LAW = Effect(
         Parameter("signed_2", "1", "1 if the power keeps its sign, else 0", 1.0),
         Parameter("omega", "rad/s", "of sin_t and cos_t"),
         Parameter("phase", "rad", "of sin_t and cos_t"),
+        Parameter("round_1", "1", "amount of the first regressor, SI units, below which a power under one is rounded"),
     ),
 )

@@ -1,0 +1,124 @@
+"""Laws outside the catalogue: those of readings along a known course, and that what nobody listed is not blamed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.kernels.layout import COMPASS, KIND_NAMES, PRESSURE
+from cocorosim_ros.diagnosis.kernels.records import Readings
+from cocorosim_ros.diagnosis.reading_laws import Course, law_shift
+from cocorosim_ros.diagnosis.sensor_laws import SENSOR_LAWS_OF
+from cocorosim_ros.physics.regressors import REGRESSOR_CODE
+from cocorosim_ros.sensors.law import READINGS_OF_LAWS
+
+SECONDS = 150.0
+
+
+def test_codes_of_readings_are_the_filters() -> None:
+    """One order of readings, and laws for all of them."""
+    assert READINGS_OF_LAWS == KIND_NAMES
+    assert set(SENSOR_LAWS_OF) == set(READINGS_OF_LAWS)
+
+
+def course() -> Course:
+    """Eleven grid points, 0.1 s apart: z falls by 0.5 m/s, yaw is 0.7, two thrusters and a pump work."""
+    time, state = 0.1 * np.arange(11), np.zeros((11, 12))
+    state[:, 2], state[:, 3], state[:, 7] = -0.5 * time, 0.7, -0.2
+    force = np.tile([-0.002, 0.003, 0.01], (11, 1))
+    thrust = np.tile([0.001, 0.0, 0.0, 1e-4], (11, 1))
+    water = np.full(3, -9.0), np.array([9.0, 9.0, 0.0])
+    return Course(time, state, thrust, force, 0.0 * force, np.array([False, False, True]), water)
+
+
+def law_row(reading: str, coefficient: float, *factors: tuple[str, float, bool]) -> Any:
+    """The numbers of a model with one law of readings."""
+    row = NEUTRAL.copy()
+    row[COLUMN["sensor_law_1.coefficient"]] = coefficient
+    row[COLUMN["sensor_law_1.reading"]] = READINGS_OF_LAWS.index(reading)
+    for place, (name, power, signed) in enumerate(factors, 1):
+        row[COLUMN[f"sensor_law_1.regressor_{place}"]] = REGRESSOR_CODE[name]
+        row[COLUMN[f"sensor_law_1.power_{place}"]] = power
+        row[COLUMN[f"sensor_law_1.signed_{place}"]] = float(signed)
+    return row
+
+
+@pytest.mark.parametrize(
+    ("factors", "expected"),
+    [
+        ((("1", 1.0, True),), 1.0),
+        ((("t", 1.0, True),), 0.43),
+        ((("z", 2.0, False),), (0.5 * 0.43) ** 2),
+        ((("z", 1.0, True), ("r", 1.0, True)), 0.5 * 0.43 * 0.2),
+        ((("r", 2.0, True),), -0.04),
+        ((("thrust", 1.0, True),), 0.001),
+        ((("thrust", 1.0, False), ("sin_yaw", 1.0, True)), 0.005 * math.sin(0.7)),
+        ((("pump", 1.0, True),), 0.01),
+        ((("yaw_command", 1.0, True),), 1e-4),
+        ((("wall_distance", 1.0, True),), 0.5 * 0.43),
+    ],
+)
+def test_what_a_law_adds(factors: Any, expected: float) -> None:
+    """To readings of its own kind alone, by its regressors where the robot was when they were taken."""
+    shown = Readings(
+        0.1, 0.0, np.array([0] * 5 + [2] * 7), np.array([COMPASS, PRESSURE]), np.array([0.03, 0.03]),
+        np.full(2, 0.43), np.zeros(2), np.ones(2), np.arange(2),
+    )  # fmt: skip
+    shift = law_shift(law_row("compass", 3.0, *factors), shown, course)
+    assert shift is not None
+    np.testing.assert_allclose(shift, [3.0 * expected, 0.0], rtol=1e-9, atol=1e-15)
+
+
+def test_no_law_adds_nothing() -> None:
+    """Nobody even asks for the course."""
+    shown = Readings(0.1, 0.0, np.zeros(2, dtype=np.int64), *(np.zeros(0) for _ in range(6)))
+    assert law_shift(NEUTRAL, shown, lambda: pytest.fail("asked")) is None
+
+
+def diagnosed(evidence: Any) -> Any:
+    """The diagnosis of a swim."""
+    from cocorosim_ros.diagnosis.diagnose import diagnose
+
+    return diagnose(evidence, lambda words, share: None)
+
+
+def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> None:
+    """A compass in error by 8 rad/N of what both thrusters deliver together: named, its coefficient in its interval."""
+    from cocorosim_ros.scenario.platform import load_platform
+
+    lily = load_platform("lily")
+    evidence = swim(lily, SECONDS, seed=3)
+    log = evidence.recordings[0].robots[0]
+    compass = log.streams["compass"]
+    tick = np.clip(np.searchsorted(log.command_time, compass.time, side="right") - 1, 0, len(log.command) - 1)
+    amount = 0.005 * np.abs(log.command[tick, :2]).sum(axis=1)
+    streams = {**log.streams, "compass": replace(compass, value=compass.value + 8.0 * amount[:, None])}
+    recording = replace(evidence.recordings[0], robots=(replace(log, streams=streams),))
+    diagnosis = diagnosed(replace(evidence, recordings=(recording,)))
+    assert [part.id for part in diagnosis.effects] == ["unknown:compass~|thrust|"]
+    (found,) = diagnosis.effects
+    assert found.topic == "compass"
+    coefficient = found.parameters["coefficient"]
+    assert abs(coefficient.value - 8.0) <= coefficient.high - coefficient.low
+    assert diagnosis.fit["compass"].augmented < diagnosis.fit["compass"].recalibrated
+
+
+def test_dry_friction_is_no_linear_drag(swim: Any) -> None:
+    """A yaw moment against the sense of turning is named as such, alone, with evidence of a credible size."""
+    from cocorosim_ros.physics.effects import EFFECTS
+    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.quantity import Quantity
+
+    hidden = {"coefficient": -1e-5, "equation": 3.0, "power_1": 0.0, "round_1": 0.02}
+    hidden["regressor_1"] = float(REGRESSOR_CODE["r"])
+    assert set(hidden) <= {part.name for part in EFFECTS["law_1"].parameters}
+    lily = load_platform("lily")
+    effects = {"law_1": {name: Quantity(value, "1", "pure number") for name, value in hidden.items()}}
+    diagnosis = diagnosed(swim(replace(lily, effect_quantities=effects), SECONDS, seed=4, base=lily))
+    assert [part.id for part in diagnosis.effects] == ["unknown:yaw~|r|^-1*r"]
+    assert diagnosis.effects[0].nats < 5000.0
