@@ -136,6 +136,26 @@ def weight_total(settings: Floats) -> float:
 
 
 @kernel
+def swim_by_blue_light(
+    observation: Observation, heard: Floats, number: int, sensor_axis: Floats, settings: Floats, request: Floats
+) -> None:
+    """Turn the ranges seen and the first `number` messages of `heard` into heading, speed and dive speed.
+
+    All stay while the compass fails.
+    """
+    take_up_boids(settings, request)
+    if math.isnan(observation.compass):
+        return
+    wish, velocity = stack_array(3), stack_array(3)
+    seen = add_range_rules(observation, sensor_axis, settings, wish)
+    if seen + median_heard_velocity(heard, number, velocity) == 0:
+        swim_alone(settings, request)
+        return
+    add_alignment(observation.compass, velocity, settings, wish)
+    swim_as_wished(observation.compass, wish, weight_total(settings), settings, request)
+
+
+@kernel
 def say_velocity(observation: Observation, settings: Floats, message: Floats) -> None:
     """Say the own velocity through the water (3,) [m/s; world]; nothing while it is not known."""
     surge, sway, heave = observation.velocity[0], observation.velocity[1], observation.velocity[2]

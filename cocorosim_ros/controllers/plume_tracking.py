@@ -4,8 +4,7 @@ While the concentration is at least `threshold` the robot surges: it heads where
 lost it casts: it swims across the current, in legs to alternate sides that grow by `leg` each, while the current takes
 it back. A plume narrows towards its source, so that each surge ends nearer to it. At `arrival` and above the source is
 found and the robot stops.
-Going up the gradient instead fails for want of speed: off its axis a plume's gradient points across and downstream, and
-on it the concentration falls by 1/x only.
+Two simple ways of going up the concentration without that knowledge do worse (test/controllers/test_plume_gradient.py).
 Assumes that the direction of the current is known (`upstream`): no instrument of Lily measures it.
 Source: Hayes, Martinoli and Goodman 2002, Distributed odor source localization, IEEE Sensors Journal 2(3):260-271, and
 Lochmatter and Martinoli 2008, for surge and cast; Read et al. 2013, section 6, for the task; the numbers are choices.

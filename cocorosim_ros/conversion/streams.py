@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 from cocorosim_ros.conversion import axes
 from cocorosim_ros.conversion.conversion_map import TravelValue, Value
 from cocorosim_ros.scenario.entry import Entry
-from cocorosim_ros.signals.pressure import SURFACE_PRESSURE
+from cocorosim_ros.signals.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
 Floats = NDArray[np.float64]
 Columns = Mapping[str, Floats]
 
-PASCAL_PER_METRE = 1000.0 * 9.81
 _QUATERNION = ("qx", "qy", "qz", "qw")
 _RATES = ("rate_x", "rate_y", "rate_z")
 _FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")

@@ -14,8 +14,8 @@ from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.law_forms import Factor, Law, given, product, single, square
 from cocorosim_ros.diagnosis.phases import phased, phases
 from cocorosim_ros.physics.effects import LAWS
+from cocorosim_ros.physics.laws import EQUATIONS
 
-EQUATIONS = ("surge", "sway", "heave", "yaw", "world_x", "world_y", "world_z")
 LARGE_SHARE = 0.1  # of the full force of an equation
 
 

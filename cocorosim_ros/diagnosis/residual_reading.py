@@ -11,8 +11,8 @@ from cocorosim_ros.diagnosis.columns import COLUMN
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fit import Fit
 from cocorosim_ros.diagnosis.kernels.layout import COMPASS, GYRO, POSE_X, PRESSURE
-from cocorosim_ros.diagnosis.kernels.reading import ATMOSPHERE, WEIGHT
 from cocorosim_ros.diagnosis.track import Smoothed, Track
+from cocorosim_ros.signals.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
 Floats = NDArray[np.float64]
 
@@ -86,7 +86,7 @@ def _shown(kind: int, state: Floats, stamp: Floats, row: Floats) -> Floats:
         return np.asarray(yaw + offset + sine * np.sin(yaw) + cosine * np.cos(yaw))
     if kind == PRESSURE:
         error = row[COLUMN["pressure_offset.offset"]] + row[COLUMN["pressure_drift.rate"]] * stamp
-        return np.asarray(ATMOSPHERE - WEIGHT * state[:, 2] + error)
+        return np.asarray(SURFACE_PRESSURE - PASCAL_PER_METRE * state[:, 2] + error)
     if kind == GYRO:
         return np.asarray(state[:, 7] + row[COLUMN["imu_bias.gyro_z"]])
     return np.asarray(state[:, 0] * row[COLUMN["camera_scale.scale"]])

@@ -50,6 +50,7 @@ from cocorosim_ros.physics.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.physics.vehicles import EFFECT_BIT, Body
 from cocorosim_ros.scenario.platform import Platform
 from cocorosim_ros.scenario.vehicle_parts import Thruster
+from cocorosim_ros.signals.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.signals.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.simulation.assembly import build_vehicles
 
@@ -130,7 +131,7 @@ class Track:
         first = first_values(self.log, begin, FIRST_SECONDS)
         mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
         mean[X], mean[Y] = first.get(POSE_X, 0.0), first.get(POSE_Y, 0.0)
-        height = -(first[PRESSURE] - 101325.0) / 9810.0 if PRESSURE in first else 0.0
+        height = -(first[PRESSURE] - SURFACE_PRESSURE) / PASCAL_PER_METRE if PRESSURE in first else 0.0
         mean[Z] = first.get(POSE_Z, height)
         mean[YAW] = first.get(POSE_YAW, first.get(COMPASS, 0.0))
         spread[X] = spread[Y] = spread[Z] = 0.05

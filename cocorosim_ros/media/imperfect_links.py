@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.compilation import kernel
-from cocorosim_ros.scenario.corruption import Corruption, purposes
-from cocorosim_ros.scenario.random_blocks import RandomBlocks, standard_normal, uniform
+from cocorosim_ros.scenario.corruption import Corruption
+from cocorosim_ros.scenario.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.signals.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT, Inbox
 
 Floats = NDArray[np.float64]
@@ -38,18 +38,11 @@ def keep_messages(inbox: Inbox, chance: Floats, probability: float, robots: NDAr
             inbox.heard[run, robot] = kept
 
 
-class ImperfectLink:
+class ImperfectLink(CorruptionAtWork):
     """One corruption at work on one link."""
 
     def __init__(self, corruption: Corruption, purpose: str, seed: int, robots: Sequence[str], runs: range) -> None:
-        """`robots` are the names of all; `purpose` names the random numbers, which no other corruption shares."""
-        self.channel = corruption.channel
-        self._kind = corruption.kind
-        self._numbers = corruption.numbers
-        chosen = range(len(robots)) if corruption.robots is None else [robots.index(name) for name in corruption.robots]
-        self._chosen = np.array(chosen, dtype=np.int64)
-        self._source = (seed, f"corruption {purpose}", [robots[index] for index in chosen], runs)
-        self._random: RandomBlocks | None = None
+        super().__init__(corruption, purpose, seed, robots, runs)
         self._past: list[list[NDArray[Any]] | None] = []
         self._last_sent = np.full((len(runs), len(robots)), LONG_AGO)
 
@@ -93,18 +86,9 @@ class ImperfectLink:
             part[:, self._chosen] = past
         inbox.age[:, self._chosen] += ticks
 
-    def _blocks(self, width: int, *, normal: bool) -> RandomBlocks:
-        if self._random is None:
-            self._random = RandomBlocks(*self._source, width, standard_normal if normal else uniform)
-        return self._random
-
 
 def imperfect_links(
     channel: str, corruptions: Sequence[Corruption], seed: int, robots: Sequence[str], runs: range
 ) -> list[ImperfectLink]:
     """The corruptions of one link at work, in their order."""
-    return [
-        ImperfectLink(corruption, purpose, seed, robots, runs)
-        for corruption, purpose in zip(corruptions, purposes(corruptions), strict=True)
-        if corruption.channel == channel
-    ]
+    return corruptions_at_work(ImperfectLink, (channel,), corruptions, (seed, robots, runs))

@@ -9,6 +9,7 @@ from cocorosim_ros.diagnosis.eddies import EDDY
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.physics.effects import EFFECTS, LAWS
+from cocorosim_ros.physics.laws import EQUATIONS
 from cocorosim_ros.physics.regressors import REGRESSOR_CODE
 from cocorosim_ros.scenario.quantity import UNITS
 from cocorosim_ros.sensors.law import SENSOR_LAWS
@@ -16,8 +17,6 @@ from cocorosim_ros.sensors.law import SENSOR_LAWS
 BY_TOPIC = {"sensor_latency": "latency", "clock_skew": "skew"}
 """Effects that each topic may have for itself: there the topic stands in place of the parameter."""
 UNKNOWN = "unknown:"
-EQUATIONS = ("surge", "sway", "heave", "yaw", "world_x", "world_y", "world_z")
-"""The equations of a law by their codes."""
 _FACTOR = re.compile(r"(\|?)([a-z_0-9]+)\|?(?:\^(-?[0-9.]+))?")
 
 

@@ -14,8 +14,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.scenario.corruption import RANGES, SENSOR_CHANNELS, Corruption, purposes
-from cocorosim_ros.scenario.random_blocks import RandomBlocks, standard_normal, uniform
+from cocorosim_ros.scenario.corruption import RANGES, SENSOR_CHANNELS, Corruption
+from cocorosim_ros.scenario.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.signals.readings import Readings
 
 Floats = NDArray[np.float64]
@@ -41,19 +41,12 @@ def channel_values(readings: Readings, channel: str) -> Floats:
     return field[..., None] if columns is None else field[..., columns]
 
 
-class CorruptedChannel:
+class CorruptedChannel(CorruptionAtWork):
     """One corruption at work on one channel of some robots."""
 
     def __init__(self, corruption: Corruption, purpose: str, seed: int, robots: Sequence[str], runs: range) -> None:
-        """`robots` are the names of all; `purpose` names the random numbers, which no other corruption shares."""
-        self.channel = corruption.channel
-        self._kind = corruption.kind
-        self._numbers = corruption.numbers
-        chosen = range(len(robots)) if corruption.robots is None else [robots.index(name) for name in corruption.robots]
-        self._chosen = np.array(chosen, dtype=np.int64)
+        super().__init__(corruption, purpose, seed, robots, runs)
         self._missing = np.inf if corruption.channel in RANGES else np.nan
-        self._source = (seed, f"corruption {purpose}", [robots[index] for index in chosen], runs)
-        self._random: RandomBlocks | None = None
         self._past: Floats | None = None
 
     def apply(self, tick: int, readings: Readings) -> None:
@@ -95,21 +88,12 @@ class CorruptedChannel:
         shown: Floats = self._past[(tick + 1) % length]
         return shown
 
-    def _blocks(self, width: int, *, normal: bool) -> RandomBlocks:
-        if self._random is None:
-            self._random = RandomBlocks(*self._source, width, standard_normal if normal else uniform)
-        return self._random
-
 
 def corrupted_channels(
     corruptions: Sequence[Corruption], seed: int, robots: Sequence[str], runs: range
 ) -> list[CorruptedChannel]:
     """The corruptions of sensors at work, in their order; those of links are left to media.imperfect_links."""
-    return [
-        CorruptedChannel(corruption, purpose, seed, robots, runs)
-        for corruption, purpose in zip(corruptions, purposes(corruptions), strict=True)
-        if corruption.channel in SENSOR_CHANNELS
-    ]
+    return corruptions_at_work(CorruptedChannel, SENSOR_CHANNELS, corruptions, (seed, robots, runs))
 
 
 def _wrapped(angle: Floats) -> Floats:

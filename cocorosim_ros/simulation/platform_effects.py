@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.physics import laws
 from cocorosim_ros.physics.effects import CATALOGUE_EFFECTS, LAWS
 from cocorosim_ros.physics.regressors import REGRESSORS
 from cocorosim_ros.physics.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
@@ -21,7 +22,7 @@ from cocorosim_ros.sensors.law import NO_REGRESSORS_OF_READINGS, READINGS_OF_LAW
 Floats = NDArray[np.float64]
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
 
-EQUATIONS = 7  # of a law: surge, sway, heave, yaw, world_x, world_y, world_z
+EQUATIONS = len(laws.EQUATIONS)
 
 RECORDING_EFFECTS: dict[str, tuple[Parameter, ...]] = {
     "sensor_latency": (Parameter("pose", "s", "of the camera's poses", 0.0, "not negative"),),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -43,3 +45,44 @@ def decide_once(blue_light: SimpleNamespace) -> Callable[..., Any]:
         return request
 
     return ask
+
+
+@pytest.fixture(scope="session")
+def nearest_to_the_leak() -> Callable[..., Any]:
+    """Function of a steering: how near 20 Lilys came to the leak of the scenario plume_tracking in ten minutes (20,).
+
+    They start up to 9 m downstream and 2 m aside; the leak has run for 15 minutes before; its puffs are larger and
+    fewer, which is quicker. A steering, called at every tick with its number and the simulation, gives their headings
+    (20,) [rad]; without one they surge and cast.
+    """
+    from cocorosim_ros.controllers.plume_tracking import ARRIVAL, THRESHOLD, UPSTREAM
+    from cocorosim_ros.scenario.scenario import load_scenario
+    from cocorosim_ros.simulation.assembly import build_world
+    from cocorosim_ros.simulation.simulation import Simulation
+
+    def swim(steering: Callable[[int, Any], Any] | None = None) -> Any:
+        scenario = load_scenario("plume_tracking")
+        assert scenario.water is not None and scenario.water.plume is not None
+        plume = replace(scenario.water.plume, interval_ns=10_000_000_000, initial_size=0.1)
+        scenario = replace(
+            scenario, water=replace(scenario.water, plume=plume), swarm=(replace(scenario.swarm[0], count=20),)
+        )
+        draw = np.random.default_rng(7)
+        low, high = (-5.0, -2.0, -1.0, -math.pi), (3.0, 2.0, -1.0, math.pi)
+        simulation = Simulation(build_world(scenario), draw.uniform(low, high, (1, 20, 4)))
+        for tick in range(1800):
+            simulation.water.advance(tick, simulation.state, simulation.world.tank, scenario.tick_ns)
+        settings = simulation.world.crew.settings
+        if steering is not None:
+            settings[:, THRESHOLD], settings[:, ARRIVAL] = 0.0, math.inf  # they surge at every smell, on and on
+        nearest = np.full(20, np.inf)
+        for tick in range(1200):
+            simulation.sense()
+            if steering is not None:
+                settings[:, UPSTREAM] = steering(tick, simulation)
+            simulation.decide()
+            simulation.advance()
+            nearest = np.minimum(nearest, np.linalg.norm(simulation.state[0, :, :3] - plume.source, axis=1))
+        return nearest
+
+    return swim

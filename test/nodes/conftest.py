@@ -166,6 +166,21 @@ def scenario(tmp_path: Path) -> Callable[..., Path]:
 
 
 @pytest.fixture
+def begin(
+    start: Callable[..., Running], scenario: Callable[..., Path], tmp_path: Path
+) -> Callable[..., tuple[Running, Path]]:
+    """Function of robots, ticks, who of them is external, options, and settings of the scenario: a run and its bag."""
+
+    def begin(robots: int, ticks: int, *external: str, options: tuple[Any, ...] = (), **settings: Any) -> Any:
+        outside = [word for robot in external for word in ("--external", robot)]
+        path = scenario(robots, ticks, **settings)
+        run = start("cocorosim", "run", path, *outside, *options, "--out", tmp_path / "run")
+        return run, tmp_path / "run" / "bag"
+
+    return begin
+
+
+@pytest.fixture
 def paced(start: Callable[..., Running]) -> Callable[..., Running]:
     """Function of (run, robot): an external controller that answers when it is told to.
 

@@ -14,22 +14,14 @@ Diagnostics = Callable[[Path], list[tuple[str, str]]]
 
 
 def test_unusable_commands_are_named_and_the_run_goes_on(
-    start: Starter,
-    paced: Starter,
-    scenario: Callable[..., Path],
-    counts: Counts,
-    diagnostics: Diagnostics,
-    tmp_path: Path,
+    begin: Starter, paced: Starter, counts: Counts, diagnostics: Diagnostics
 ) -> None:
     """NaN, beyond 1, unknown and missing actuators, stamps from the past and the future: each has its sentence."""
     orders = ["nan", "beyond", "unknown", "partial", "uneven", "past", "future", "good"]
-    run = start(
-        *("cocorosim", "run", scenario(2, len(orders)), "--external", "lily_02", "--out", tmp_path / "run"),
-    )
+    run, bag = begin(2, len(orders), "lily_02")
     controller = paced(run, "lily_02")
     controller.say(*orders)
     assert run.finish() == 0, run.output
-    bag = tmp_path / "run" / "bag"
     said = [words for name, words in diagnostics(bag) if name == "lily_02"]
     for words in (
         "'left' is not a number or not given, so it is off",
@@ -48,13 +40,10 @@ def test_unusable_commands_are_named_and_the_run_goes_on(
 
 
 @pytest.mark.parametrize("moment", ["before the start", "midway"])
-def test_two_controllers_of_one_robot_end_the_run(
-    start: Starter, paced: Starter, scenario: Callable[..., Path], counts: Counts, tmp_path: Path, moment: str
-) -> None:
+def test_two_controllers_of_one_robot_end_the_run(begin: Starter, paced: Starter, counts: Counts, moment: str) -> None:
     """Nobody knows whom to obey: status 1, one sentence, and a bag that is whole."""
     external = ("lily_02",) if moment == "midway" else ("lily_01", "lily_02")  # nobody comes for lily_01
-    options = [word for robot in external for word in ("--external", robot)]
-    run = start("cocorosim", "run", scenario(2, 50), *options, "--out", tmp_path / "run")
+    run, bag = begin(2, 50, *external)
     first = paced(run, "lily_02")
     if moment == "midway":
         first.say("good", "good")
@@ -68,15 +57,12 @@ def test_two_controllers_of_one_robot_end_the_run(
     assert run.output.count("cocorosim: lily_02 has ") == 1, run.output
     ends = ["2 controllers, so the run ends"] + ["two controllers command it"] * (moment == "midway")
     assert any(words in run.output for words in ends), run.output
-    assert "/clock" in counts(tmp_path / "run" / "bag")
+    assert "/clock" in counts(bag)
 
 
-def test_two_controllers_of_a_free_running_robot_are_complained_of(
-    start: Starter, paced: Starter, scenario: Callable[..., Path], tmp_path: Path
-) -> None:
+def test_two_controllers_of_a_free_running_robot_are_complained_of(begin: Starter, paced: Starter) -> None:
     """At a rate, one may command as often as it likes; a second one is named, and the run goes on."""
-    options = ("--external", "lily_01", "--rate", 10)
-    run = start("cocorosim", "run", scenario(1, 100_000), *options, "--out", tmp_path / "run")
+    run, _ = begin(1, 100_000, "lily_01", options=("--rate", 10))
     first = paced(run, "lily_01")
     first.say("twice", "twice", "all")
     first.wait_for("answered", times=3)

@@ -16,24 +16,25 @@ Statuses = Callable[[Path], list[tuple[float, str, str]]]
 TICKS = 12
 
 
-def test_the_run_goes_on_without_a_controller_that_is_killed(
-    start: Starter,
-    paced: Starter,
-    scenario: Callable[..., Path],
-    counts: Counts,
-    diagnostics: Diagnostics,
-    tmp_path: Path,
-) -> None:
-    """thrusters_off: the others are not held up, all ticks are recorded, the death is on terminal and /diagnostics."""
-    run = start("cocorosim", "run", scenario(3, TICKS), "--external", "lily_03", "--out", tmp_path / "run")
-    pacer = paced(run, "lily_03")
+def kill_the_second(run: Any, pacer: Any) -> None:
+    """End lily_02's controller in the fourth tick, then let the pacer go on."""
     pacer.say("good", "good", "good")
     pacer.wait_for(r"tick 1\.5\n")
     os.kill(run.find_nodes()["controller_lily_02"], signal.SIGKILL)
     run.wait_for("controller_lily_02 was ended by signal SIGKILL")
     pacer.say("all")
+
+
+def test_the_run_goes_on_without_a_controller_that_is_killed(
+    begin: Starter,
+    paced: Starter,
+    counts: Counts,
+    diagnostics: Diagnostics,
+) -> None:
+    """thrusters_off: the others are not held up, all ticks are recorded, the death is on terminal and /diagnostics."""
+    run, bag = begin(3, TICKS, "lily_03")
+    kill_the_second(run, paced(run, "lily_03"))
     assert run.finish() == 0, run.output
-    bag = tmp_path / "run" / "bag"
     found = counts(bag)
     answered = found["/lily_02/thruster_command"]
     assert answered in (3, 4)
@@ -45,44 +46,33 @@ def test_the_run_goes_on_without_a_controller_that_is_killed(
 
 
 def test_the_run_ends_with_a_controller_that_is_killed_if_the_scenario_says_so(
-    start: Starter,
+    begin: Starter,
     paced: Starter,
-    scenario: Callable[..., Path],
     counts: Counts,
-    tmp_path: Path,
     all_ended: Callable[[Any], None],
 ) -> None:
     """stop: status 1 with the sentence, a bag that is whole until then, and no process left."""
-    path = scenario(3, TICKS, silent="stop")
-    run = start("cocorosim", "run", path, "--external", "lily_03", "--out", tmp_path / "run")
-    pacer = paced(run, "lily_03")
-    pacer.say("good", "good", "good")
-    pacer.wait_for(r"tick 1\.5\n")
-    os.kill(run.find_nodes()["controller_lily_02"], signal.SIGKILL)
-    run.wait_for("controller_lily_02 was ended by signal SIGKILL")
-    pacer.say("all")
+    run, bag = begin(3, TICKS, "lily_03", silent="stop")
+    kill_the_second(run, paced(run, "lily_03"))
     assert run.finish() == 1, run.output
     ended = re.search(r"The run ends: lily_02: no answer at tick (\d), its controller has died", run.output)
     assert ended is not None, run.output
     assert "'lockstep.silent_controller' is 'stop'" in run.output
-    found = counts(tmp_path / "run" / "bag")
+    found = counts(bag)
     assert found["/shoal_statistics"] == int(ended[1])
     assert found["/diagnostics"] >= 1
     all_ended(run)
 
 
 def test_a_controller_that_hangs_is_left_out_and_taken_up_again(
-    start: Starter,
+    begin: Starter,
     paced: Starter,
-    scenario: Callable[..., Path],
     counts: Counts,
     statuses: Statuses,
-    tmp_path: Path,
 ) -> None:
     """Stopped, it costs its patience once; when it goes on, it is waited for again."""
     ticks = 60
-    path = scenario(3, ticks, patience=8)
-    run = start("cocorosim", "run", path, "--external", "lily_03", "--out", tmp_path / "run")
+    run, bag = begin(3, ticks, "lily_03", patience=8)
     pacer = paced(run, "lily_03", "late", 0.1)  # so slow that the other one can wake up before the end
     pacer.say("good", "good")
     pacer.wait_for("answered good 0.5")
@@ -92,9 +82,9 @@ def test_a_controller_that_hangs_is_left_out_and_taken_up_again(
     run.wait_for(r"lily_02: no answer at tick \d+, nothing was heard for 8 s: its thrusters are off")
     os.kill(hung, signal.SIGCONT)
     assert run.finish() == 0, run.output
-    found = counts(tmp_path / "run" / "bag")
+    found = counts(bag)
     assert found["/lily_01/thruster_command"] == found["/lily_02/pose"] == found["/shoal_statistics"] == ticks
-    missing = [2 * stamp for stamp, name, _ in statuses(tmp_path / "run" / "bag") if name == "cocorosim: answers"]
+    missing = [2 * stamp for stamp, name, _ in statuses(bag) if name == "cocorosim: answers"]
     assert missing == list(range(int(missing[0]), int(missing[0]) + len(missing)))
     assert 0 < missing[0] <= missing[-1] < ticks - 1
     assert run.output.count("lily_02: no answer at tick") == 1
@@ -104,29 +94,25 @@ def test_a_controller_that_hangs_is_left_out_and_taken_up_again(
 
 
 def test_a_controller_that_is_always_late_does_not_hold_the_run_up(
-    start: Starter, paced: Starter, scenario: Callable[..., Path], counts: Counts, tmp_path: Path
+    begin: Starter, paced: Starter, counts: Counts
 ) -> None:
     """Each of its answers comes a second after its tick; patience is half a second, and in the end there is none."""
-    path = scenario(2, TICKS, patience=0.5)
-    run = start("cocorosim", "run", path, "--external", "lily_02", "--out", tmp_path / "run")
+    run, bag = begin(2, TICKS, "lily_02", patience=0.5)
     paced(run, "lily_02", "late", 1.0).say("all")
     assert run.finish() == 0, run.output
     assert re.search(r"lily_02: no answer at tick 0, nothing was heard for 0.5 s: its thrusters are off", run.output)
     assert re.search(r"lily_02: \d+ of 12 answers came late or not at all", run.output)
-    assert counts(tmp_path / "run" / "bag")["/lily_02/pose"] == TICKS
+    assert counts(bag)["/lily_02/pose"] == TICKS
 
 
 def test_one_that_joins_late_is_obeyed_from_then_on(
-    start: Starter,
+    begin: Starter,
     paced: Starter,
-    scenario: Callable[..., Path],
     counts: Counts,
     statuses: Statuses,
-    tmp_path: Path,
 ) -> None:
     """The run starts without it after --wait and says so; once it answers, it is waited for like everybody."""
-    options = ("--external", "lily_02", "--external", "lily_03", "--wait", 2)
-    run = start("cocorosim", "run", scenario(3, 400), *options, "--out", tmp_path / "run")
+    run, bag = begin(3, 400, "lily_02", "lily_03", options=("--wait", 2))
     pacer = paced(run, "lily_03")
     run.wait_for("lily_02: no answer at tick 0, it was not there within 2 s: its thrusters are off")
     pacer.say("good", "good")
@@ -143,9 +129,9 @@ def test_one_that_joins_late_is_obeyed_from_then_on(
     pacer.say("all")
     assert run.finish() == 0, run.output
     first = int(float(re.search(r"answered good ([\d.]+)", joiner.output)[1]) * 2)  # type: ignore[index]
-    found = counts(tmp_path / "run" / "bag")
+    found = counts(bag)
     assert found["/lily_02/thruster_command"] == 400 - first
-    missing = [stamp for stamp, name, _ in statuses(tmp_path / "run" / "bag") if name == "cocorosim: answers"]
+    missing = [stamp for stamp, name, _ in statuses(bag) if name == "cocorosim: answers"]
     assert missing == [tick / 2 for tick in range(len(missing))]
     assert first <= len(missing) <= stand + 1
     assert f"lily_02: {len(missing)} of 400 answers came late or not at all" in run.output

@@ -45,15 +45,12 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     VZ,
 )  # fmt: skip
 from cocorosim_ros.signals.angles import sine_cosine
+from cocorosim_ros.signals.pressure import GRAVITY, PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.signals.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
 # mypy: disable-error-code="no-any-return"
 
 Floats = NDArray[np.float64]
-
-GRAVITY = 9.81  # m/s^2
-WEIGHT = 1000.0 * GRAVITY  # Pa/m, the contract's
-ATMOSPHERE = 101325.0  # Pa
 
 
 @kernel
@@ -72,7 +69,7 @@ def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, s
         height = row[Z] + after * row[HEAVE] + half * rate[HEAVE]
         if kind == POSE_Z:
             return sensor[SCALE] * height
-        return ATMOSPHERE - WEIGHT * height + sensor[PRESSURE_OFFSET] + sensor[PRESSURE_RATE] * stamp
+        return SURFACE_PRESSURE - PASCAL_PER_METRE * height + sensor[PRESSURE_OFFSET] + sensor[PRESSURE_RATE] * stamp
     if kind == POSE_YAW or kind == COMPASS:  # noqa: PLR1714
         yaw = row[YAW] + after * row[YAW_RATE] + half * rate[YAW_RATE]
         if kind == POSE_YAW:
@@ -135,7 +132,7 @@ def sensitivity_upright(kind: int, after: float, sensor: Floats, upright: Floats
     if kind == POSE_Z:
         seen[VZ], seen[VW] = sensor[SCALE], sensor[SCALE] * after
     elif kind == PRESSURE:
-        seen[VZ], seen[VW] = -WEIGHT, -WEIGHT * after
+        seen[VZ], seen[VW] = -PASCAL_PER_METRE, -PASCAL_PER_METRE * after
     elif kind == ACCEL_Z:
         seen[VZ], seen[VW], seen[VFZ] = upright[VW * 3], upright[VW * 3 + 1], upright[VW * 3 + 2]
     else:
