@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.columns import COLUMN
+from cocorosim_ros.diagnosis.eddies import EDDY
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
 from cocorosim_ros.diagnosis.fit import Fit, covariance
 from cocorosim_ros.diagnosis.naming import THRESHOLD, Accused
@@ -83,6 +84,7 @@ def _found(fit: Fit, part: Accused, robots: tuple[str, ...], number: int, spread
         entry.id, entry.name, entry.equation, robots, tier, parameters, part.nats, rivals, entry.topic,
         held_out_nats=part.held_out.total,
         settings=_settings(fit, part),
+        simulated_as=EDDY if entry.law == EDDY else "",
     )  # fmt: skip
 
 

@@ -72,6 +72,7 @@ class FoundEffect:
     correction: str | None = None  # of a frame mix-up, in words
     held_out_nats: float = float("nan")  # what it gains on data that its fit did not see
     settings: Mapping[str, float] = field(default_factory=dict)  # what the simulator's effect needs beside `parameters`
+    simulated_as: str = ""  # the effect of the simulator behind a law outside the catalogue, if it has one
 
 
 @dataclass(frozen=True)

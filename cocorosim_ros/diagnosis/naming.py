@@ -71,9 +71,11 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         screen = Screen(fit, scene)
         taken = {key for part in accused for key in _keys(part.candidate)}
         entries: list[Candidate] = [part for part in expand(ENTRIES, fit.tracks, fit.rows) if not taken & _keys(part)]
-        laws = expand(open_set(scene, [part.candidate.entry for part in accused]), fit.tracks, base.rows)
-        laws = [part for part in laws if not taken & _keys(part)]
-        tested, tested_laws = _ranked(screen, entries), _ranked(screen, laws)
+        tested = _ranked(screen, entries)
+        water = any(part.candidate.entry.water and part.nats > WORTH_REFINING for part in tested)
+        found_laws = [part.candidate.entry for part in accused]
+        laws = expand(open_set(scene, found_laws, water=water), fit.tracks, base.rows)
+        tested_laws = _ranked(screen, [part for part in laws if not taken & _keys(part)])
         if round_number == 0:
             first, first_laws = tested, tested_laws
         found = _best(fit, accused, screen, tested, tested_laws)

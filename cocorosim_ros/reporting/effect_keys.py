@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
+from cocorosim_ros.diagnosis.eddies import EDDY
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.physics.effects import EFFECTS, LAWS
@@ -24,8 +25,8 @@ def platform_effect(found: FoundEffect, known: Iterable[str]) -> str:
 
     known: the effects that are in the file. Raises CocorosimError if all places of laws are taken.
     """
-    if not found.id.startswith(UNKNOWN):
-        return found.id
+    if found.simulated_as or not found.id.startswith(UNKNOWN):
+        return found.simulated_as or found.id
     places = tuple(SENSOR_LAWS if found.topic is not None else LAWS)
     free = [place for place in places if place not in known]
     if not free:
@@ -40,14 +41,16 @@ def platform_parameters(found: FoundEffect) -> dict[str, Estimate]:
     """The numbers of an effect by the names that they have below the effect in a platform file."""
     if found.id in BY_TOPIC and found.topic is not None:
         return {found.topic: found.parameters[BY_TOPIC[found.id]]}
+    if found.simulated_as == EDDY:
+        return {"circulation" if name == "coefficient" else name: each for name, each in found.parameters.items()}
     return dict(found.parameters)
 
 
 def fixed_numbers(found: FoundEffect, duration: float) -> dict[str, float]:
     """Numbers that the simulator needs beside those that were fitted: codes of a law, the recording's duration [s]."""
-    if found.id.startswith(UNKNOWN):
+    if found.id.startswith(UNKNOWN) and not found.simulated_as:
         return dict(found.settings) or law_numbers(found.id)
-    known = EFFECTS[found.id].parameters if found.id in EFFECTS else ()
+    known = EFFECTS[found.id].parameters if found.id in EFFECTS else ()  # an eddy has no others
     if found.settings:
         return {part.name: found.settings[part.name] for part in known if part.name in found.settings}
     return {part.name: duration for part in known if part.name == "duration" and part.name not in found.parameters}

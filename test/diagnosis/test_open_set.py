@@ -108,17 +108,36 @@ def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> Non
     assert diagnosis.fit["compass"].augmented < diagnosis.fit["compass"].recalibrated
 
 
-def test_dry_friction_is_no_linear_drag(swim: Any) -> None:
-    """A yaw moment against the sense of turning is named as such, alone, with evidence of a credible size."""
+def hiding(effect: str, numbers: dict[str, float]) -> Any:
+    """A Lily with an effect."""
     from cocorosim_ros.physics.effects import EFFECTS
     from cocorosim_ros.scenario.platform import load_platform
-    from cocorosim_ros.scenario.quantity import Quantity
+    from cocorosim_ros.scenario.quantity import Quantity, dimension_of
+
+    units = {part.name: "1" if part.unit == "*" else part.unit for part in EFFECTS[effect].parameters}
+    hidden = {name: Quantity(value, units[name], dimension_of(units[name])) for name, value in numbers.items()}
+    return replace(load_platform("lily"), effect_quantities={effect: hidden})
+
+
+def test_dry_friction_is_no_linear_drag(swim: Any) -> None:
+    """A yaw moment against the sense of turning is named as such, alone, with evidence of a credible size."""
+    from cocorosim_ros.scenario.platform import load_platform
 
     hidden = {"coefficient": -1e-5, "equation": 3.0, "power_1": 0.0, "round_1": 0.02}
     hidden["regressor_1"] = float(REGRESSOR_CODE["r"])
-    assert set(hidden) <= {part.name for part in EFFECTS["law_1"].parameters}
-    lily = load_platform("lily")
-    effects = {"law_1": {name: Quantity(value, "1", "pure number") for name, value in hidden.items()}}
-    diagnosis = diagnosed(swim(replace(lily, effect_quantities=effects), SECONDS, seed=4, base=lily))
+    diagnosis = diagnosed(swim(hiding("law_1", hidden), SECONDS, seed=4, base=load_platform("lily")))
     assert [part.id for part in diagnosis.effects] == ["unknown:yaw~|r|^-1*r"]
     assert diagnosis.effects[0].nats < 5000.0
+
+
+def test_an_eddy_is_no_sheared_current(swim: Any) -> None:
+    """Water that turns about a place is named as such, alone, with the circulation in its interval."""
+    from cocorosim_ros.scenario.platform import load_platform
+
+    hidden = {"x": 0.5, "y": 0.2, "circulation": 0.05, "core": 0.5}
+    diagnosis = diagnosed(swim(hiding("eddy", hidden), 2.0 * SECONDS, seed=5, base=load_platform("lily")))
+    assert [part.id for part in diagnosis.effects] == ["unknown:world_x~y"]
+    (found,) = diagnosis.effects
+    assert found.simulated_as == "eddy"
+    coefficient = found.parameters["coefficient"]
+    assert abs(coefficient.value - 0.05) <= coefficient.high - coefficient.low

@@ -83,6 +83,18 @@ def test_a_steady_current_carries_everything_along(swim: Swim, lily: SimpleNames
     np.testing.assert_allclose(carried[:, YAW], still[:, YAW], rtol=0, atol=1e-8)
 
 
+def test_an_eddy_by_hand(acceleration: Swim, lily: SimpleNamespace) -> None:
+    """0.6 m north of an axis the water flows west, circulation / (2 pi d) (1 - exp(-d^2 / core^2)) fast."""
+    numbers = {"linear_drag.surge": 1.0, "linear_drag.sway": 1.0, "eddy.x": 2.0, "eddy.y": 2.4}
+    numbers |= {"eddy.circulation": 0.03, "eddy.core": 0.5}
+    rates = acceleration(numbers, {X: 2.0, Y: 3.0, Z: -1.5, YAW: 0.0})
+    west = 0.03 / (2.0 * math.pi * 0.6) * (1.0 - math.exp(-((0.6 / 0.5) ** 2)))
+    assert rates[0] < 0.0
+    assert rates[1] * lily.mass == pytest.approx(0.0, abs=1e-15)
+    quadratic = acceleration({"steady_current.x": -west, "linear_drag.surge": 1.0}, {Z: -1.5, YAW: 0.0})
+    assert rates[0] == pytest.approx(quadratic[0], rel=1e-9)
+
+
 def test_currents_by_hand(acceleration: Swim, lily: SimpleNamespace) -> None:
     """At rest a linear drag of 1 N s/m shows the water's velocity, of all three currents at once, as a force."""
     numbers = {

@@ -187,6 +187,13 @@ def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: P
     assert model.effects == {"sensor_law_1": {"coefficient": -3e-4, **settings}}
 
 
+def test_an_eddy_is_an_effect_of_its_own(example: Example, tmp_path: Path) -> None:
+    """It is reported as a law outside the catalogue and simulated as what it is; its coefficient is the circulation."""
+    eddy = replace(law("unknown:world_x~y", "m^2/s", x=0.4, y=-0.3, core=0.6), simulated_as="eddy")
+    model = written(tmp_path, replace(example("mismatch"), effects=(eddy,)), origin())
+    assert model.effects == {"eddy": {"circulation": -3e-4, "x": 0.4, "y": -0.3, "core": 0.6}}
+
+
 @pytest.mark.parametrize(
     ("product", "first", "second"),
     [

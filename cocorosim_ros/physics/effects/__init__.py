@@ -1,7 +1,8 @@
 """EFFECTS: the list of our physics beside inertia and actuators. The order is the order of summation.
 
 BASIC_EFFECTS are what every simulation of a robot has. CATALOGUE_EFFECTS, each off unless a platform asks for it, are
-what real robots have beyond that, by the identifiers of the catalogue; LAWS are places for laws that no catalogue has.
+what real robots have beyond that, by the identifiers of the catalogue (but for the eddy, which a diagnosis reports as a
+law outside it); LAWS are places for laws that no catalogue has.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from cocorosim_ros.physics.effects.advance_loss import ADVANCE_LOSS
 from cocorosim_ros.physics.effects.anisotropic_drag import ANISOTROPIC_DRAG
 from cocorosim_ros.physics.effects.battery_sag import BATTERY_SAG
 from cocorosim_ros.physics.effects.buoyancy_trim import BUOYANCY_TRIM
+from cocorosim_ros.physics.effects.eddy import EDDY
 from cocorosim_ros.physics.effects.hull_compressibility import HULL_COMPRESSIBILITY
 from cocorosim_ros.physics.effects.law import LAW
 from cocorosim_ros.physics.effects.linear_drag import LINEAR_DRAG
@@ -63,6 +65,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "hull_compressibility": HULL_COMPRESSIBILITY,
     "stratification": STRATIFICATION,
     "payload_shift": PAYLOAD_SHIFT,
+    "eddy": EDDY,
     **LAWS,
 }
 EFFECTS: dict[str, Effect] = {**BASIC_EFFECTS, **CATALOGUE_EFFECTS}
