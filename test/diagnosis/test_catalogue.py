@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -65,3 +66,13 @@ def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
         row[COLUMN[part.column]] = part.neutral + part.large
     short.tracks[0].slope(row, short.passes[0], 1.0, change)
     assert np.abs(change).max() > 1e-9
+
+
+@pytest.mark.parametrize(("lowest", "highest", "looked_for"), [(-1.5, -0.2, True), (-1.08, -0.95, False)])
+def test_a_density_layer_is_looked_for_where_it_was_crossed(lowest: float, highest: float, looked_for: bool) -> None:
+    """Among depths that were clearly above and below the robot; one that held its depth crossed none."""
+    layer = next(entry for entry in ENTRIES if entry.id == "stratification")
+    scene: Any = SimpleNamespace(lower=(0.0, 0.0, lowest), upper=(1.0, 1.0, highest))
+    depths = layer.shapes[0].grid(scene)
+    assert bool(depths) is looked_for
+    assert all(lowest + 0.1 < -depth < highest - 0.1 for depth in depths)

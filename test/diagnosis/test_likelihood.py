@@ -114,3 +114,14 @@ def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
     truth = -1.0 + 0.1 * np.sin(0.3 * course.time)
     assert np.sqrt(np.mean((course.mean[:, 2] - truth) ** 2)) < Z_NOISE / 3.0
     assert course.spread[150, 2] < course.spread[-1, 2] < Z_NOISE
+
+
+def test_a_number_at_its_bound_does_not_hold_the_others_back() -> None:
+    """Of two that pull at each other, the one pressing against its bound is left out: the other goes all its way."""
+    from cocorosim_ros.diagnosis.fit import step_within
+    from cocorosim_ros.diagnosis.unknowns import Unknown
+
+    pair = [Unknown("drag", (0,), 1.0, bounds=(-1.0, 1.0)), Unknown("yaw_drag", (0,), 1.0)]
+    matrix, score = np.array([[2.0, 1.5], [1.5, 2.0]]), np.array([1.0, 1.0])
+    np.testing.assert_allclose(step_within(matrix, score, pair, np.array([1.0, 0.0])), [0.0, 0.5])
+    np.testing.assert_allclose(step_within(matrix, -score, pair, np.array([1.0, 0.0])), [-2.0 / 7.0, -2.0 / 7.0])

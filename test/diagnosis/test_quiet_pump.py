@@ -1,0 +1,46 @@
+"""Evidence for a pump's own behaviour: counted where the pump was moved by more than the water asks for."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.kernels.layout import COMPASS, POSE_Z
+from cocorosim_ros.diagnosis.quiet_pump import quiet_gain
+
+RANDOM_FORCE = 1e-4  # N
+STEP = 0.1  # s
+
+
+def fits(force: Any, nats: Any, kind: int = POSE_Z) -> tuple[Any, Any]:
+    """Two fits of one robot with a reading at each grid point, the second better by `nats` (points,) at each."""
+    row = NEUTRAL.copy()
+    row[COLUMN["random.heave_force"]] = math.log(RANDOM_FORCE)
+    stamps = STEP * np.arange(len(force))
+    readings = SimpleNamespace(kind=np.full(len(force), kind), stamp=stamps, begin=0.0, step=STEP)
+    track = SimpleNamespace(readings=readings, pump_force=lambda row: force)
+    one = SimpleNamespace(innovation=np.sqrt(2.0 * nats), variance=np.ones(len(force)))
+    other = SimpleNamespace(innovation=np.zeros(len(force)), variance=np.ones(len(force)))
+    return tuple(SimpleNamespace(tracks=(track,), filled=row[None], passes=(part,)) for part in (one, other))  # type: ignore[return-value]
+
+
+def test_small_commands_do_not_count() -> None:
+    """Ten times the random force to and fro is what holding a depth asks for: all of the gain is the water's."""
+    force = 5.0 * RANDOM_FORCE * np.sign(np.sin(np.arange(200.0)))
+    assert quiet_gain(*fits(force, np.full(200, 0.1))) == pytest.approx(20.0)
+
+
+def test_what_follows_a_step_counts() -> None:
+    """A step by a hundred times the random force tells of the pump for five seconds: fifty readings of two hundred."""
+    force = np.where(np.arange(200) < 100, 0.0, 100.0 * RANDOM_FORCE)
+    assert quiet_gain(*fits(force, np.full(200, 0.1))) == pytest.approx(0.1 * 151, abs=0.25)
+
+
+def test_readings_that_are_level_are_not_asked() -> None:
+    """A pump moves nothing but depth."""
+    assert quiet_gain(*fits(np.zeros(50), np.ones(50), COMPASS)) == 0.0
