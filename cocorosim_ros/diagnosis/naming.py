@@ -148,15 +148,17 @@ def _amplitude_count(part: Refined) -> int:
 
 
 def _explained(accused: tuple[Accused, ...], best: Refined) -> float:
-    """Nats of the effects on the same side, motion or sensors, whose form may be a little wrong."""
+    """Nats of the effects on the same side, whose form may be a little wrong; a second fault of a sensor is no form."""
+    if best.candidate.entry.law is None and best.candidate.entry.channel in SENSOR_CHANNELS:
+        return 0.0
     side = _side(best.candidate)
-    return max((part.nats for part in accused if _side(part.candidate) == side), default=0.0) if side else 0.0
+    return max((part.nats for part in accused if _side(part.candidate) == side), default=0.0)
 
 
 def _side(candidate: Candidate) -> str:
-    """Which motion an effect acts on first; nothing for sensors, whose laws are exact."""
+    """Which motion an effect acts on first, or which sensor."""
     channel = candidate.entry.channel
-    return "" if channel in SENSOR_CHANNELS else "upright" if channel == "heave" else "level"
+    return channel if channel in SENSOR_CHANNELS else "upright" if channel == "heave" else "level"
 
 
 def _standing(part: Refined) -> float:
