@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.phases import phased, phases
 
+CROSSED = 0.1  # m above and below a layer that have to be visited
 CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
 
@@ -21,7 +22,9 @@ def _times(scene: Scene) -> list[float]:
 
 
 def _depths(scene: Scene) -> list[float]:
-    return [-value for value in _spread(scene.lower[2], scene.upper[2], 12)]
+    """Depths that were crossed: a layer that is never clearly above or below is as good as a part of the trim."""
+    deepest, highest = scene.lower[2] + CROSSED, scene.upper[2] - CROSSED
+    return [-value for value in _spread(deepest, highest, 12)] if deepest < highest else []
 
 
 def _periods(scene: Scene) -> list[float]:
@@ -266,6 +269,7 @@ ENTRIES: tuple[Entry, ...] = (
         "heave",
         _plain("pump_lag", {"time_constant": ("s", 1.0), "backlash": ("1", 0.06)}, least=0.0, step=0.1),
         group="late pump",
+        of_pump=True,
         manoeuvre="pump_triangle",
     ),
     Entry(

@@ -12,7 +12,8 @@ from cocorosim_ros.sensors.law import SENSOR_LAWS
 
 Floats = NDArray[np.float64]
 
-WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation")  # log of N, N, N m, s
+# Logarithms of N, N, N m, s and 1.
+WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
 # Readings that are equally good share one number: log of the standard deviation of a single reading.
 READING_NOISE_OF_KIND = tuple(
     {"pose_x": "pose_xy", "pose_y": "pose_xy", "accel_x": "accel", "accel_y": "accel", "accel_z": "accel"}.get(

@@ -130,6 +130,15 @@ def solve(matrix: Floats, right: Floats) -> Floats:
     return np.asarray(result * (scale if right.ndim == 1 else scale[:, None]))
 
 
+def _step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:
+    """matrix^-1 score with those that stand at a bound and press against it held there, lest the others give way."""
+    step = np.zeros(len(unknowns))
+    free = np.array([unknown.clipped(number + push) != number or push == 0.0
+                     for unknown, number, push in zip(unknowns, q, np.sign(score) * 1e-9, strict=True)])  # fmt: skip
+    step[free] = solve(matrix[np.ix_(free, free)], score[free])
+    return step
+
+
 def improved(fit: Fit, rounds: int) -> Fit:
     """The fit after at most so many Gauss-Newton steps of its laws."""
     for _ in range(rounds):
@@ -144,7 +153,7 @@ def improved(fit: Fit, rounds: int) -> Fit:
 
 def _laws_step(fit: Fit) -> Fit | None:
     known = information(fit)
-    step = solve(known.matrix, known.score)
+    step = _step_within(known.matrix, known.score, fit.laws, fit.q)
     return _stepped(fit, fit.laws, fit.q, step, lambda q: replace(fit, q=q))
 
 
@@ -182,7 +191,8 @@ def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit
 def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     score, matrix = _noise_information(fit, chosen)
     step = np.zeros(len(fit.noise))
-    step[chosen] = np.clip(solve(matrix, score), -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
+    inside = _step_within(matrix, score, [fit.noise[index] for index in chosen], fit.q_noise[chosen])
+    step[chosen] = np.clip(inside, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
     return _stepped(fit, fit.noise, fit.q_noise, step, lambda q: replace(fit, q_noise=q))
 
 

@@ -20,6 +20,7 @@ from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
 from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
 from cocorosim_ros.diagnosis.open_set import open_set
+from cocorosim_ros.diagnosis.quiet_pump import quiet_gain
 from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
 from cocorosim_ros.diagnosis.screening import Screen, Screened
 
@@ -123,8 +124,13 @@ def _best(
 def _regained(part: Refined) -> float:
     """Its evidence over a model without it that was let loose again from there, lest an unfinished fit be its merit."""
     without = _without(part.fit, len(part.fit.laws) - part.count, part.count)
-    nats = log_evidence(part.fit) - log_evidence(without) - part.candidate.entry.prior_nats
+    nats = log_evidence(part.fit) - log_evidence(without) - _held_against(part.candidate, without, part.fit)
     return _standing(replace(part, nats=nats))
+
+
+def _held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
+    """Nats that do not count: what speaks against it from the outset, and what the water may have had a hand in."""
+    return candidate.entry.prior_nats + (quiet_gain(without, fit) if candidate.entry.of_pump else 0.0)
 
 
 def _is_tiny(part: Refined) -> bool:
@@ -160,7 +166,7 @@ def _standing(part: Refined) -> float:
 
 def _refined(fit: Fit, screened: Screened, screen: Screen, base_evidence: float) -> Refined:
     result = refine(fit, screened, screen.scene, base_evidence)
-    return replace(result, nats=result.nats - screened.candidate.entry.prior_nats)
+    return replace(result, nats=result.nats - _held_against(screened.candidate, fit, result.fit))
 
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
@@ -182,7 +188,8 @@ def _pruned(fit: Fit, accused: tuple[Accused, ...]) -> tuple[Fit, tuple[Accused,
         losses = []
         for part in accused:
             without = _without(fit, part.first, part.count)
-            losses.append((whole - log_evidence(without) - part.candidate.entry.prior_nats, part, without))
+            nats = whole - log_evidence(without) - _held_against(part.candidate, without, fit)
+            losses.append((nats, part, without))
         losses.sort(key=lambda entry: entry[0])
         loss, weakest, without = losses[0]
         kept = {part.candidate.key: change for change, part, _ in losses}

@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.fit import Fit, noise_covariance
 
 UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
+    "random.smoothness": "1",
     "reading.pose_xy": "m", "reading.pose_z": "m", "reading.pose_yaw": "rad", "reading.compass": "rad",
     "reading.pressure": "Pa", "reading.gyro_z": "rad/s", "reading.accel": "m/s^2", "reading.velocity": "m/s",
 }  # fmt: skip

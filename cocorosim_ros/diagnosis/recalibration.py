@@ -47,6 +47,16 @@ MOST_DOUBLINGS = 12
 MOST_ROUNDS = 10  # of a fit that a good start ends after two or three
 FIRST_DISTURBANCE = 0.01  # of full thrust
 FIRST_CORRELATION = 2.5  # s
+FIRST_SMOOTHNESS = 0.4
+LEAST_SMOOTHNESS = 0.04  # one rate is a hundred times the other
+# Of the logarithms: standard deviation and bounds, both from where the fit begins.
+WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
+    "random.force": (3.0, (-7.0, 7.0)),
+    "random.heave_force": (3.0, (-7.0, 7.0)),
+    "random.moment": (3.0, (-7.0, 7.0)),
+    "random.correlation": (0.7, (-7.0, 7.0)),
+    "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
+}
 LEAST_READING_NOISE = 1e-9
 
 
@@ -83,6 +93,7 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
         row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * max(force[2] * 0.1, across))
         row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(force[3], 0.02 * across))
         row[COLUMN["random.correlation"]] = math.log(FIRST_CORRELATION)
+        row[COLUMN["random.smoothness"]] = math.log(FIRST_SMOOTHNESS)
         for name, kinds in KINDS_OF_STREAM.items():
             if name not in track.log.streams:
                 continue
@@ -119,10 +130,9 @@ def _prior(column: str, ranges: Ranges) -> float:
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
     """Random forces, one for all robots; noise of readings, one for each robot."""
     everybody = tuple(range(len(tracks)))
-    spreads = {"random.force": 3.0, "random.heave_force": 3.0, "random.moment": 3.0, "random.correlation": 0.7}
     found = [
-        Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=spreads[name], bounds=(-7.0, 7.0))
-        for name in WATER_NOISE
+        Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=prior, bounds=bounds)
+        for name, (prior, bounds) in WATER_PRIOR.items()
     ]
     for numbers in tracks_by_robot(tracks).values():
         present = {

@@ -66,6 +66,8 @@ class Screen:
         """The candidate at the best of its shapes."""
         unknowns = candidate.amplitudes()
         settings = list(candidate.settings(self.scene))
+        if not settings:
+            return _impossible(candidate, len(unknowns))
         directions = _Directions(self, candidate, unknowns)
         parts = [directions.parts(values) for values in settings]
         products = _Products(self, directions.slopes)
@@ -79,6 +81,12 @@ class Screen:
                 best = Screened(candidate, values, q, nats, own, z)
         assert best is not None
         return replace(best, nats=best.nats - math.log(len(settings)) - candidate.entry.prior_nats)
+
+
+def _impossible(candidate: Candidate, amplitudes: int) -> Screened:
+    """What these recordings cannot tell of at all."""
+    nothing = np.zeros(amplitudes)
+    return Screened(candidate, {}, nothing, -math.inf, np.zeros((amplitudes, amplitudes)), nothing)
 
 
 class _Products:

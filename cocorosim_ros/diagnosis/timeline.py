@@ -30,6 +30,18 @@ def grid_step(acceleration: float, yaw_acceleration: float) -> float:
     return max(0.01, math.floor(step * 100.0 + 1e-9) / 100.0)
 
 
+def grid_begin(command_time: Floats, step: float, begin: float) -> float:
+    """Where a grid of this step begins, at most a step before `begin` [s], so that commands change at grid points.
+
+    Between grid points the filter knows only the mean of what acts.
+    """
+    if len(command_time) == 0:
+        return begin
+    turns = np.exp(2j * np.pi * (command_time - begin) / step)
+    phase = float(np.angle(turns.mean()) / (2.0 * np.pi)) % 1.0
+    return begin - (1.0 - phase) * step if phase > 0.0 else begin
+
+
 @dataclass(frozen=True)
 class Timing:
     """How the stamps of streams are off: by stream, seconds late, and seconds gained per second."""
@@ -50,12 +62,12 @@ class TrackReadings:
     def __init__(self, log: RobotLog, step: float, begin: float, end: float) -> None:
         self.step, self.begin = step, begin
         self.points = max(2, math.floor((end - begin) / step + 1e-9) + 1)
-        kinds, stamps, values, shares, streams = [], [], [], [], []
+        kinds, stamps, values, shares, streams, reaches = [], [], [], [], [], []
         self.stream_names = [name for name in KINDS_OF_STREAM if name in log.streams]
         for number, name in enumerate(self.stream_names):
             averaged = _averaged(log.streams[name], step, begin)
             for column, kind in enumerate(KINDS_OF_STREAM[name]):
-                stamp, value, share = averaged
+                stamp, value, share, reach = averaged
                 shown = np.isfinite(value[:, column]) & (stamp >= begin) & (stamp <= end)
                 count = int(np.count_nonzero(shown))
                 kinds.append(np.full(count, kind, dtype=np.int64))
@@ -63,14 +75,16 @@ class TrackReadings:
                 stamps.append(stamp[shown])
                 values.append(value[shown, column])
                 shares.append(share[shown, column])
+                reaches.append(reach[shown])
         self.kind = np.concatenate(kinds) if kinds else np.zeros(0, dtype=np.int64)
         self.stream = np.concatenate(streams) if streams else np.zeros(0, dtype=np.int64)
         self.stamp = np.concatenate(stamps) if stamps else np.zeros(0)
         self.value = np.concatenate(values) if values else np.zeros(0)
         self.share = np.concatenate(shares) if shares else np.zeros(0)
+        self.reach = np.concatenate(reaches) if reaches else np.zeros(0)
         order = self.timeline().origin
         self.kind, self.stream, self.stamp = self.kind[order], self.stream[order], self.stamp[order]
-        self.value, self.share = self.value[order], self.share[order]
+        self.value, self.share, self.reach = self.value[order], self.share[order], self.reach[order]
 
     def timeline(self, timing: Timing = RIGHT) -> Readings:
         """The readings by grid point, at the moments of which they tell when the stamps are off by `timing`."""
@@ -83,6 +97,7 @@ class TrackReadings:
         point = np.clip(np.rint((moment - self.begin) / self.step), 0, self.points - 1).astype(np.int64)
         after = moment - self.begin - point * self.step
         order = np.lexsort((self.kind, moment, point))
+        apart, side = _around(after, self.reach)
         first = np.searchsorted(point[order], np.arange(self.points + 1)).astype(np.int64)
         return Readings(
             self.step,
@@ -90,6 +105,8 @@ class TrackReadings:
             first,
             self.kind[order],
             after[order],
+            apart[order],
+            side[order],
             self.stamp[order],
             self.value[order],
             self.share[order],
@@ -97,10 +114,21 @@ class TrackReadings:
         )
 
 
-def _averaged(stream: Stream, step: float, begin: float) -> tuple[Floats, Floats, Floats]:
-    """Stamps (n,), values and shares of variance (n, columns): at most one per grid point, NaN where none is."""
+def _around(after: Floats, reach: Floats) -> tuple[Floats, Floats]:
+    """Mean distance from 0 and mean sign of moments that lie evenly in `after` +- `reach`, all (m,)."""
+    astride = np.abs(after) < reach
+    width = np.where(astride, reach, 1.0)
+    apart = np.where(astride, (after**2 + reach**2) / (2.0 * width), np.abs(after))
+    return apart, np.where(astride, after / width, np.sign(after))
+
+
+def _averaged(stream: Stream, step: float, begin: float) -> tuple[Floats, Floats, Floats, Floats]:
+    """Stamps (n,), values and shares of variance (n, columns), reach (n,): at most one per grid point, NaN where none.
+
+    The readings that an average is of lie evenly within `reach` [s] of its stamp.
+    """
     if len(stream.time) == 0:
-        return stream.time, stream.value, np.ones_like(stream.value)
+        return stream.time, stream.value, np.ones_like(stream.value), stream.time
     point = np.rint((stream.time - begin) / step).astype(np.int64)
     first = np.flatnonzero(np.concatenate([[True], point[1:] != point[:-1]]))
     every = np.diff(np.append(first, len(point))).astype(np.float64)
@@ -109,7 +137,8 @@ def _averaged(stream: Stream, step: float, begin: float) -> tuple[Floats, Floats
     count = np.add.reduceat(given.astype(np.float64), first, axis=0)
     count[count == 0.0] = np.nan
     value = np.add.reduceat(np.where(given, stream.value, 0.0), first, axis=0) / count
-    return stamp, value, 1.0 / count
+    variance = np.add.reduceat((stream.time - np.repeat(stamp, np.diff(np.append(first, len(point))))) ** 2, first)
+    return stamp, value, 1.0 / count, np.sqrt(3.0 * variance / every)
 
 
 def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:

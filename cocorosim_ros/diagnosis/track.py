@@ -37,12 +37,13 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     POSE_YAW,
     POSE_Z,
     PRESSURE,
+    VERTICAL,
 )
 from cocorosim_ros.diagnosis.kernels.motion import run_free
 from cocorosim_ros.diagnosis.kernels.records import Belief, Drive, History, Past, Readings
 from cocorosim_ros.diagnosis.kernels.smoother import smooth
 from cocorosim_ros.diagnosis.reading_laws import Course, law_shift, without_laws
-from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, first_values, grid_step
+from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, first_values, grid_begin, grid_step
 from cocorosim_ros.environment.flow import make_flow
 from cocorosim_ros.evidence.log import Recording, RobotLog
 from cocorosim_ros.physics.actuation import ACTUATION_BITS
@@ -64,7 +65,7 @@ FIRST_SECONDS = 0.5  # s in which the start is looked for
 
 @dataclass(frozen=True)
 class Pass:
-    """What a pass of the filter leaves, each (m,) in the order of the track's readings, gain (m, 9)."""
+    """What a pass of the filter leaves, each (m,) in the order of the track's readings, gain (m, HORIZONTAL)."""
 
     innovation: Floats
     variance: Floats
@@ -94,8 +95,8 @@ def _known_of_sensors(platform: Platform) -> dict[str, float]:
 
 
 def _blank_history(points: int) -> History:
-    means = [np.zeros((points, 12)) for _ in range(2)]
-    wide, high = ([np.zeros((points, size, size)) for _ in range(3)] for size in (9, 3))
+    means = [np.zeros((points, 16)) for _ in range(2)]
+    wide, high = ([np.zeros((points, size, size)) for _ in range(3)] for size in (HORIZONTAL, VERTICAL))
     return History(*means, *wide, *high)
 
 
@@ -120,7 +121,8 @@ class Track:
         step = grid_step(
             float(np.linalg.norm(self.force_scale[:3])) / platform.mass, self.force_scale[3] / platform.yaw_inertia
         )
-        self.readings = TrackReadings(log, step, *span)
+        begin = grid_begin(log.command_time, step, span[0])
+        self.readings = TrackReadings(log, step, begin, span[1])
         self._by_numbers: OrderedDict[tuple[int, bytes], Any] = OrderedDict()
         self.is_angle = np.isin(self.readings.kind, ANGLES)
         self.start = self._start(span[0])
@@ -232,7 +234,7 @@ class Track:
         history = self._believe(row, _blank_history(self.readings.points)).history
         mean, spread = smooth(history)
         time: Floats = self.readings.begin + self.readings.step * np.arange(self.readings.points, dtype=np.float64)
-        return Smoothed(time, mean, spread)
+        return Smoothed(time, mean[:, :12], spread[:, :12])
 
     def free_run(self, row: Floats, start: Floats, first: int, points: int, push: Floats = NO_PUSH) -> Floats:
         """(points, 8) the model's own course from `start` (8,) at grid point `first`, no reading heeded.
@@ -268,6 +270,6 @@ class Track:
 
         0 where the past pass did not believe the reading.
         """
-        numbers = (row[SENSORS], float(np.exp(row[WATER][3])), step)
+        numbers = (row[SENSORS], np.exp(row[WATER]), step)
         kept = Past(past.innovation, past.gain, past.believed)
         slope_pass(self.timeline(row), self.drive(row), self.start[0], self.body(row), numbers, kept, slope)

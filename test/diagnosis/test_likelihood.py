@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-MASS, STEP, TAU = 0.44, 0.1, 2.5
+MASS, STEP, TAU, SMOOTHNESS = 0.44, 0.1, 2.5, 0.6
 FORCE_RMS, Z_NOISE, PRESSURE_NOISE = 3e-4, 0.002, 7.0
 
 
@@ -35,25 +35,41 @@ def heaving() -> Any:
     return Evidence(platform, (Recording("heaving", 30.0, (log,)),))
 
 
+def random_force() -> tuple[Any, Any]:
+    """Transition over a step and stationary covariance (2, 2) of force and gust, by exponential and Lyapunov."""
+    from scipy.linalg import expm, solve_continuous_lyapunov
+
+    middle, half = 2.0 / (SMOOTHNESS * TAU), 2.0 / (SMOOTHNESS * TAU) * math.sqrt(1.0 - SMOOTHNESS)
+    slow, fast = middle - half, middle + half
+    rates = np.array([[-slow, math.sqrt(slow * (slow + fast))], [0.0, -fast]])
+    return expm(rates * STEP), solve_continuous_lyapunov(rates, np.diag([0.0, -2.0 * fast]))
+
+
 def independent(evidence: Any, start: Any) -> float:
-    """Log-likelihood by a textbook filter with state z, w and random force d; d decays between steps."""
+    """Log-likelihood by a textbook filter with state z, w, random force and gust; the force acts by its mean."""
     log = evidence.recordings[0].robots[0]
-    held = math.exp(-STEP / TAU)
-    transition = np.array([[1.0, STEP, 0.5 * STEP**2 / MASS], [0.0, 1.0, STEP / MASS], [0.0, 0.0, held]])
-    process = np.diag([0.0, 0.0, FORCE_RMS**2 * (1.0 - held**2)])
-    mean = np.array([start[0][2], 0.0, 0.0])
-    covariance = np.diag([start[1][2] ** 2, start[1][6] ** 2, FORCE_RMS**2])
+    fade, stationary = random_force()
+    acting = 0.5 * (np.array([1.0, 0.0]) + fade[0])
+    transition = np.eye(4)
+    transition[0, 1] = STEP
+    transition[0, 2:], transition[1, 2:] = 0.5 * STEP**2 / MASS * acting, STEP / MASS * acting
+    transition[2:, 2:] = fade
+    process, covariance = np.zeros((4, 4)), np.zeros((4, 4))
+    process[2:, 2:] = FORCE_RMS**2 * (stationary - fade @ stationary @ fade.T)
+    mean = np.array([start[0][2], 0.0, 0.0, 0.0])
+    covariance[:2, :2] = np.diag([start[1][2] ** 2, start[1][6] ** 2])
+    covariance[2:, 2:] = FORCE_RMS**2 * stationary
     total = 0.0
     pose, pressure = log.streams["pose"], log.streams["pressure"]
     for index, moment in enumerate(pose.time):
         if index:
             command = log.command[int((moment - STEP) / 0.5 + 1e-6), 2]
             force = command * 1000.0 * 9.81 * 10e-6
-            mean = transition @ mean + force * np.array([0.5 * STEP**2 / MASS, STEP / MASS, 0.0])
+            mean = transition @ mean + force * np.array([0.5 * STEP**2 / MASS, STEP / MASS, 0.0, 0.0])
             covariance = transition @ covariance @ transition.T + process
-        readings = [(np.array([1.0, 0.0, 0.0]), 0.0, pose.value[index, 2], Z_NOISE)]
+        readings = [(np.array([1.0, 0.0, 0.0, 0.0]), 0.0, pose.value[index, 2], Z_NOISE)]
         if index % 2 == 0:
-            row = np.array([-9810.0, 0.0, 0.0])
+            row = np.array([-9810.0, 0.0, 0.0, 0.0])
             readings.append((row, 101325.0, pressure.value[index // 2, 0], PRESSURE_NOISE))
         for row, constant, value, noise in readings:
             innovation = value - constant - row @ mean
@@ -73,6 +89,7 @@ def numbers(track: Any) -> Any:
     row = base_rows([track])[0]
     row[COLUMN["random.heave_force"]] = math.log(FORCE_RMS)
     row[COLUMN["random.correlation"]] = math.log(TAU)
+    row[COLUMN["random.smoothness"]] = math.log(SMOOTHNESS)
     row[COLUMN["reading.pose_z"]] = math.log(Z_NOISE)
     row[COLUMN["reading.pressure"]] = math.log(PRESSURE_NOISE)
     return row

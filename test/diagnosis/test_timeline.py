@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, grid_step
+from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, grid_begin, grid_step
 from cocorosim_ros.evidence.log import RobotLog, Stream
 
 
@@ -35,6 +35,24 @@ def test_a_late_stream_tells_of_earlier_moments() -> None:
     moments = points * 0.1 + moved.after
     row = int(np.argmin(np.abs(moved.stamp - 5.0)))
     assert moments[row] == pytest.approx((5.0 - 0.25) / 1.01)
+
+
+def test_an_average_knows_on_which_side_of_the_grid_point_it_was() -> None:
+    """Fifty readings from 0.03 s before to 0.07 s after a grid point: mean distance and mean sign as counted."""
+    every = 0.002
+    offsets = every * np.arange(50) - 0.03
+    readings = TrackReadings(gyro([1.0] * 50, every=every), 0.2, 0.03, 0.1)
+    moved = readings.timeline()
+    assert len(moved.after) == 1  # those before 0 of the grid are in its average too
+    assert moved.after[0] == pytest.approx(offsets.mean())
+    assert moved.apart[0] == pytest.approx(np.abs(offsets).mean(), rel=0.01)
+    assert moved.side[0] == pytest.approx(np.sign(offsets).mean(), abs=0.03)
+
+
+@pytest.mark.parametrize(("first", "begin"), [(0.0, 4.9), (0.04, 4.94), (0.93, 4.93)])
+def test_the_grid_begins_where_commands_change(first: float, begin: float) -> None:
+    """Commands every half second from `first` on: the last multiple of 0.1 s from there at or before 4.98 s."""
+    assert grid_begin(first + 0.5 * np.arange(20), 0.1, 4.98) == pytest.approx(begin)
 
 
 @pytest.mark.parametrize(

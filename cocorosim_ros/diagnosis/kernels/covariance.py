@@ -1,6 +1,6 @@
 """The covariance of the filter: how it spreads from step to step, and shrinks with each reading.
 
-Matrices are flat. Rows of the horizontal ones have PADDED columns, the last ones zero, so that vectors of four fit.
+Matrices are flat. Rows of the horizontal ones are three vectors of four.
 """
 
 from __future__ import annotations
@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.compilation import add_four, kernel, stack_array
-from cocorosim_ros.diagnosis.kernels.layout import HFX, HORIZONTAL, PADDED, VERTICAL, VFZ
+from cocorosim_ros.diagnosis.kernels.layout import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
+from cocorosim_ros.diagnosis.kernels.random_force import Fading
 
 Floats = NDArray[np.float64]
 GATE = 6.0  # standard deviations beyond which a reading is not believed
@@ -23,76 +24,84 @@ def _add_eight(target: Floats, at: int, source: Floats, first: int, factor: floa
 
 @kernel
 def _add_row(target: Floats, at: int, source: Floats, first: int, factor: float) -> None:
-    """target[at : at + PADDED] += factor * source[first : first + PADDED]."""
+    """target[at : at + HORIZONTAL] += factor * source[first : first + HORIZONTAL]."""
     _add_eight(target, at, source, first, factor)
     add_four(target, np.uint64(at + 8), source, np.uint64(first + 8), factor)
 
 
 @kernel
-def transition(slope: Floats, step: float, decay: float, ahead: Floats, back: Floats) -> None:
-    """ahead = exp(slope step) to second order, back its transpose; random forces decay by themselves.
+def transition(slope: Floats, step: float, fade: Fading, ahead: Floats, back: Floats) -> None:
+    """ahead = exp(slope step) to second order, back its transpose.
 
-    slope (HFX, PADDED), ahead and back (HORIZONTAL, PADDED).
+    The random force fades by itself, and acts by its mean over the step.
+    slope (HFX, HORIZONTAL), ahead and back (HORIZONTAL, HORIZONTAL).
     """
     for i in range(HFX):
-        for j in range(PADDED):
-            ahead[i * PADDED + j] = step * slope[i * PADDED + j]
+        for j in range(HORIZONTAL):
+            ahead[i * HORIZONTAL + j] = step * slope[i * HORIZONTAL + j]
         for k in range(HFX):
-            factor = 0.5 * step * step * slope[i * PADDED + k]
+            factor = 0.5 * step * step * slope[i * HORIZONTAL + k]
             if factor != 0.0:
-                _add_row(ahead, i * PADDED, slope, k * PADDED, factor)
-        ahead[i * PADDED + i] += 1.0
-    for i in range(HFX, HORIZONTAL):
-        ahead[i * PADDED + i] = decay
+                _add_row(ahead, i * HORIZONTAL, slope, k * HORIZONTAL, factor)
+        for j in range(HFX, HGX):
+            ahead[i * HORIZONTAL + j + 3] = 0.5 * fade.fed * ahead[i * HORIZONTAL + j]
+            ahead[i * HORIZONTAL + j] *= 0.5 * (1.0 + fade.kept)
+        ahead[i * HORIZONTAL + i] += 1.0
+    for i in range(HFX, HGX):
+        ahead[i * HORIZONTAL + i] = fade.kept
+        ahead[i * HORIZONTAL + i + 3] = fade.fed
+        ahead[(i + 3) * HORIZONTAL + i + 3] = fade.gust
     for i in range(HORIZONTAL):
         for j in range(HORIZONTAL):
-            back[j * PADDED + i] = ahead[i * PADDED + j]
+            back[j * HORIZONTAL + i] = ahead[i * HORIZONTAL + j]
 
 
 @kernel
 def spread(covariance: Floats, ahead: Floats, back: Floats) -> None:
-    """covariance = ahead covariance back, all (HORIZONTAL, PADDED)."""
-    work = stack_array(108)
+    """covariance = ahead covariance back, all (HORIZONTAL, HORIZONTAL)."""
+    work = stack_array(144)
     for i in range(HFX):
         for k in range(HORIZONTAL):
-            factor = ahead[i * PADDED + k]
+            factor = ahead[i * HORIZONTAL + k]
             if factor != 0.0:
-                _add_row(work, i * PADDED, covariance, k * PADDED, factor)
+                _add_row(work, i * HORIZONTAL, covariance, k * HORIZONTAL, factor)
     for i in range(HFX, HORIZONTAL):
-        _add_row(work, i * PADDED, covariance, i * PADDED, ahead[i * PADDED + i])
+        _add_row(work, i * HORIZONTAL, covariance, i * HORIZONTAL, ahead[i * HORIZONTAL + i])
+    for i in range(HFX, HGX):
+        _add_row(work, i * HORIZONTAL, covariance, (i + 3) * HORIZONTAL, ahead[i * HORIZONTAL + i + 3])
     for i in range(HORIZONTAL):
-        for j in range(PADDED):
-            covariance[i * PADDED + j] = 0.0
+        for j in range(HORIZONTAL):
+            covariance[i * HORIZONTAL + j] = 0.0
         for k in range(HFX):  # the forces' own columns are zero there, but for two in the second four
-            _add_eight(covariance, i * PADDED, back, k * PADDED, work[i * PADDED + k])
+            _add_eight(covariance, i * HORIZONTAL, back, k * HORIZONTAL, work[i * HORIZONTAL + k])
         for k in range(HFX, HORIZONTAL):
-            _add_row(covariance, i * PADDED, back, k * PADDED, work[i * PADDED + k])
+            _add_row(covariance, i * HORIZONTAL, back, k * HORIZONTAL, work[i * HORIZONTAL + k])
     for i in range(HORIZONTAL):
         for j in range(i):
-            covariance[j * PADDED + i] = covariance[i * PADDED + j]
+            covariance[j * HORIZONTAL + i] = covariance[i * HORIZONTAL + j]
 
 
 @kernel
 def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: float) -> float:
-    """Variance of the innovation; writes the gain (PADDED,) and shrinks the covariance. `gate`: its square allowed."""
-    for i in range(PADDED):
+    """Variance of the innovation; writes the gain (HORIZONTAL,), shrinks the covariance. `gate`: its square allowed."""
+    for i in range(HORIZONTAL):
         gain[i] = 0.0
     for j in range(HORIZONTAL):
         if seen[j] != 0.0:
-            _add_row(gain, 0, covariance, j * PADDED, seen[j])
+            _add_row(gain, 0, covariance, j * HORIZONTAL, seen[j])
     variance = noise
     for i in range(HORIZONTAL):
         variance += seen[i] * gain[i]
     doubted = gate > GATE * GATE * variance
     for i in range(0 if doubted else HORIZONTAL):
-        _add_row(covariance, i * PADDED, gain, 0, -gain[i] / variance)
+        _add_row(covariance, i * HORIZONTAL, gain, 0, -gain[i] / variance)
     for i in range(HORIZONTAL):
         gain[i] = 0.0 if doubted else gain[i] / variance
     return variance
 
 
 @kernel
-def transition_upright(slope: Floats, step: float, decay: float, ahead: Floats) -> None:
+def transition_upright(slope: Floats, step: float, fade: Fading, ahead: Floats) -> None:
     """The same of the vertical block: slope (VFZ, VERTICAL), ahead (VERTICAL, VERTICAL)."""
     for i in range(VFZ):
         for j in range(VERTICAL):
@@ -100,14 +109,17 @@ def transition_upright(slope: Floats, step: float, decay: float, ahead: Floats) 
             for k in range(VFZ):
                 square += slope[i * VERTICAL + k] * slope[k * VERTICAL + j]
             ahead[i * VERTICAL + j] = step * slope[i * VERTICAL + j] + 0.5 * step * step * square
+        ahead[i * VERTICAL + VGZ] = 0.5 * fade.fed * ahead[i * VERTICAL + VFZ]
+        ahead[i * VERTICAL + VFZ] *= 0.5 * (1.0 + fade.kept)
         ahead[i * VERTICAL + i] += 1.0
-    ahead[VFZ * VERTICAL + VFZ] = decay
+    ahead[VFZ * VERTICAL + VFZ], ahead[VFZ * VERTICAL + VGZ] = fade.kept, fade.fed
+    ahead[VGZ * VERTICAL + VGZ] = fade.gust
 
 
 @kernel
 def spread_upright(covariance: Floats, ahead: Floats) -> None:
     """covariance = ahead covariance ahead^T, all (VERTICAL, VERTICAL)."""
-    work = stack_array(9)
+    work = stack_array(16)
     for i in range(VERTICAL):
         for j in range(VERTICAL):
             for k in range(VERTICAL):

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-# The horizontal block of the covariance: pose, velocity and random force of the water.
-HX, HY, HYAW, HU, HV, HR, HFX, HFY, HN = range(9)
-HORIZONTAL = 9
-PADDED = 12  # columns of its rows
+# The horizontal block of the covariance: pose, velocity, random force of the water, and the gusts that drive it.
+HX, HY, HYAW, HU, HV, HR, HFX, HFY, HN, HGX, HGY, HGN = range(12)
+HORIZONTAL = 12
 # The vertical block.
-VZ, VW, VFZ = range(3)
-VERTICAL = 3
+VZ, VW, VFZ, VGZ = range(4)
+VERTICAL = 4
 
 # What a single reading is of, in the order of evidence.log.STREAMS.
 (
@@ -55,5 +54,5 @@ SENSOR_COLUMNS = (
 )
 OFFSET, SINE, COSINE, PRESSURE_OFFSET, PRESSURE_RATE, BIAS_GYRO, BIAS_X, BIAS_Y, BIAS_Z, SCALE = range(10)
 
-# The random force of the water: rms of the Ornstein-Uhlenbeck processes and their correlation time.
-FORCE_XY, FORCE_Z, MOMENT_YAW, CORRELATION = range(4)
+# The random force of the water: rms of its processes, their correlation time and smoothness.
+FORCE_XY, FORCE_Z, MOMENT_YAW, CORRELATION, SMOOTHNESS = range(5)

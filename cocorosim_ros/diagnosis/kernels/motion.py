@@ -13,17 +13,19 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     HFX,
     HFY,
     HN,
+    HORIZONTAL,
     HR,
     HU,
     HV,
     HX,
     HY,
     HYAW,
-    PADDED,
+    VERTICAL,
     VFZ,
     VW,
     VZ,
 )
+from cocorosim_ros.diagnosis.kernels.random_force import Fading
 from cocorosim_ros.diagnosis.kernels.records import Drive
 from cocorosim_ros.physics.dynamics import state_rate
 from cocorosim_ros.physics.effects import BASIC_EFFECTS
@@ -36,6 +38,7 @@ FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behin
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
 STAGES = 4
+HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that are given
 BASIC_BITS = sum(EFFECT_BIT[name] for name in BASIC_EFFECTS)  # effects that do not depend on the place
 
 
@@ -44,14 +47,16 @@ class Motion(NamedTuple):
 
     row: Floats
     trial: Floats
-    rate: Floats  # at the grid point that was reached last
+    rate: Floats  # at the grid point that was reached last, mean of just before it and just behind it
+    leap: Floats  # by how much the rate is greater just behind it, where commands change
+    gust: Floats  # (4,) what drives the random force, world x, y, z [N] and moment [N m]
 
 
 @allocating_kernel
 def make_motion(start: Floats, body: Body) -> Motion:
     """At rest of all actuators in the state `start` (8,), without random forces."""
     size = STATE_SIZE + ROW_SHARE * body.actuator_wrench.shape[0]
-    motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size))
+    motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(4))
     motion.row[:STATE_SIZE] = start
     body.parameters[FORCE : FORCE + 4] = 0.0
     return motion
@@ -71,41 +76,63 @@ def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -
 
 
 @kernel
-def _settle(motion: Motion, length: float, decay: float, total: Floats, body: Body) -> None:
-    """End a step: the mean of the rates over it is known, random forces have faded."""
+def _settle(motion: Motion, length: float, total: Floats, faded: Floats, body: Body) -> None:
+    """End a step: the mean of the rates over it is known, and what is left of the random forces."""
     for column in range(STATE_SIZE):
         motion.row[column] += length / 6.0 * total[column]
     for column in range(4):
-        body.parameters[FORCE + column] *= decay
+        body.parameters[FORCE + column] = faded[column]
 
 
 @kernel
-def advance(motion: Motion, clock: tuple[float, float, float], drive: Drive, point: int, body: Body) -> None:
+def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
+    """Write what the random forces will be at the end of the step; their mean over the step takes their place."""
+    for column in range(4):
+        force, gust = body.parameters[FORCE + column], motion.gust[column]
+        faded[column] = fade.kept * force + fade.fed * gust
+        body.parameters[FORCE + column] = 0.5 * (force + faded[column])
+        motion.gust[column] = fade.gust * gust
+
+
+@kernel
+def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
+    """From the rates just before and just behind a grid point to their mean and their difference."""
+    for column in range(STATE_SIZE):
+        before, behind = motion.leap[column], motion.rate[column]
+        motion.rate[column], motion.leap[column] = 0.5 * (before + behind), behind - before
+    put_drive(motion.row, drive, point, max(point - 1, 0), body)
+
+
+@kernel
+def advance(motion: Motion, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body) -> None:
     """Carry the row from the grid point before to `point`, by one Runge-Kutta step over which what acts holds.
 
-    clock: time [s] of `point`, step [s] and the share of random forces that is left after it. `motion.rate` is then
-    that at the point, under the mean of what acts before and behind it. From point 0 on, nothing moves.
+    clock: time [s] of `point`, step [s] and what becomes of random forces over it. From point 0 on, nothing moves.
     """
-    time, length, decay = clock
-    row, trial, rate, total = motion.row, motion.trial, motion.rate, stack_array(8)
+    time, length, fade = clock
+    row, trial, rate, total, faded = motion.row, motion.trial, motion.rate, stack_array(8), stack_array(4)
     if point > 0:
         put_drive(row, drive, point - 1, point - 1, body)
+        _fade(motion, fade, faded, body)
         for column in range(row.shape[0]):
             trial[column] = row[column]
-    for stage in range(0 if point > 0 else STAGES, STAGES + 1):
+    for stage in range(0 if point > 0 else STAGES, STAGES + 2):
         if stage == STAGES:
-            _settle(motion, length, decay, total, body)
-            put_drive(row, drive, point, max(point - 1, 0), body)
+            _settle(motion, length, total, faded, body)
+        if stage >= STAGES:
+            acting = max(point - 1, 0) if stage == STAGES else point
+            put_drive(row, drive, acting, acting, body)
             for column in range(row.shape[0]):
                 trial[column] = row[column]
         back = length if stage == 0 else 0.0 if stage >= STAGES - 1 else 0.5 * length
-        state_rate(trial, time - back, body, rate)
+        state_rate(trial, time - back, body, rate if stage != STAGES else motion.leap)
         if stage < STAGES:
             weight = 1.0 if stage == 0 or stage == STAGES - 1 else 2.0
             ahead = length if stage == STAGES - 2 else 0.5 * length
             for column in range(STATE_SIZE):
                 total[column] += weight * rate[column]
                 trial[column] = row[column] + ahead * rate[column]
+    _compare(motion, drive, point, body)
 
 
 @kernel
@@ -127,15 +154,15 @@ def responses(motion: Motion, time: float, body: Body, response: Floats) -> None
 @kernel
 def _put_force_slopes(yaw: float, response: Floats, across: Floats, upright: Floats) -> None:
     sine, cosine = math.sin(yaw), math.cos(yaw)
-    across[HU * PADDED + HFX], across[HU * PADDED + HFY] = response[0] * cosine, response[0] * sine
-    across[HV * PADDED + HFX], across[HV * PADDED + HFY] = -response[1] * sine, response[1] * cosine
-    across[HR * PADDED + HN] = response[3]
-    upright[VW * 3 + VFZ] = response[2]
+    across[HU * HORIZONTAL + HFX], across[HU * HORIZONTAL + HFY] = response[0] * cosine, response[0] * sine
+    across[HV * HORIZONTAL + HFX], across[HV * HORIZONTAL + HFY] = -response[1] * sine, response[1] * cosine
+    across[HR * HORIZONTAL + HN] = response[3]
+    upright[VW * VERTICAL + VFZ] = response[2]
 
 
 @kernel
 def write_slopes(motion: Motion, time: float, body: Body, response: Floats, across: Floats, upright: Floats) -> None:
-    """Write the derivative of the rates by the state into `across` (6, PADDED) and `upright` (2, 3), both flat."""
+    """Write the derivative of the rates by the state, flat: `across` (6, HORIZONTAL) and `upright` (2, VERTICAL)."""
     row, rate, base = motion.row, motion.trial, motion.rate
     placed = body.flow.shape[0] > 0 or body.active & ~BASIC_BITS != 0
     for place in range(-1, STATE_SIZE):
@@ -152,16 +179,16 @@ def write_slopes(motion: Motion, time: float, body: Body, response: Floats, acro
         row[place] = kept
         if place == Z or place == HEAVE:  # noqa: PLR1714
             column = VZ if place == Z else VW
-            upright[VZ * 3 + column] = (rate[Z] - base[Z]) / NUDGE
-            upright[VW * 3 + column] = (rate[HEAVE] - base[HEAVE]) / NUDGE
+            upright[VZ * VERTICAL + column] = (rate[Z] - base[Z]) / NUDGE
+            upright[VW * VERTICAL + column] = (rate[HEAVE] - base[HEAVE]) / NUDGE
             continue
         column = place if place < Z else HR if place == YAW_RATE else place - 1
-        across[HX * PADDED + column] = (rate[X] - base[X]) / NUDGE
-        across[HY * PADDED + column] = (rate[Y] - base[Y]) / NUDGE
-        across[HYAW * PADDED + column] = (rate[YAW] - base[YAW]) / NUDGE
-        across[HU * PADDED + column] = (rate[SURGE] - base[SURGE]) / NUDGE
-        across[HV * PADDED + column] = (rate[SWAY] - base[SWAY]) / NUDGE
-        across[HR * PADDED + column] = (rate[YAW_RATE] - base[YAW_RATE]) / NUDGE
+        across[HX * HORIZONTAL + column] = (rate[X] - base[X]) / NUDGE
+        across[HY * HORIZONTAL + column] = (rate[Y] - base[Y]) / NUDGE
+        across[HYAW * HORIZONTAL + column] = (rate[YAW] - base[YAW]) / NUDGE
+        across[HU * HORIZONTAL + column] = (rate[SURGE] - base[SURGE]) / NUDGE
+        across[HV * HORIZONTAL + column] = (rate[SWAY] - base[SWAY]) / NUDGE
+        across[HR * HORIZONTAL + column] = (rate[YAW_RATE] - base[YAW_RATE]) / NUDGE
     _put_force_slopes(row[YAW], response, across, upright)
 
 
@@ -182,6 +209,6 @@ def run_free(
         if point > 0:
             if push.shape[0] > 0:
                 body.parameters[FORCE : FORCE + 4] = push[point - 1]
-            advance(motion, (begin + (first + point) * step, step, 1.0), drive, first + point, body)
+            advance(motion, (begin + (first + point) * step, step, HELD), drive, first + point, body)
         path[point] = motion.row[:STATE_SIZE]
     return path

@@ -27,7 +27,6 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     HY,
     HYAW,
     OFFSET,
-    PADDED,
     POSE_X,
     POSE_Y,
     POSE_YAW,
@@ -40,6 +39,7 @@ from cocorosim_ros.diagnosis.kernels.layout import (
     VELOCITY_U,
     VELOCITY_V,
     VELOCITY_W,
+    VERTICAL,
     VFZ,
     VW,
     VZ,
@@ -54,8 +54,17 @@ Floats = NDArray[np.float64]
 
 
 @kernel
-def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, sensor: Floats, water: Floats) -> float:
-    """What a reading of this kind would show, `after` [s] the moment of `row`; `rate` is the state's there."""
+def expected(
+    kind: int, when: tuple[float, float, float, float], row: Floats, rates: tuple[Floats, Floats], sensor: Floats,
+    water: Floats,
+) -> float:  # fmt: skip
+    """What a reading of this kind would show; `row` is the state at the grid point.
+
+    when: its stamp, how long after the grid point, how far from it [s] and on which side. rates: the mean of the rate
+    of the state on both sides of the grid point, and by how much it is greater behind it.
+    """
+    stamp, after, apart, side = when
+    rate, leap = rates
     half = 0.5 * after * after
     if kind <= POSE_Y:
         sine, cosine = sine_cosine(row[YAW])
@@ -76,20 +85,20 @@ def expected(kind: int, after: float, stamp: float, row: Floats, rate: Floats, s
             return yaw
         return yaw + sensor[OFFSET] + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
     if kind == GYRO:
-        return row[YAW_RATE] + after * rate[YAW_RATE] + sensor[BIAS_GYRO]
+        return row[YAW_RATE] + after * rate[YAW_RATE] + 0.5 * apart * leap[YAW_RATE] + sensor[BIAS_GYRO]
     if kind == ACCEL_X:
-        return rate[SURGE] - row[SWAY] * row[YAW_RATE] + sensor[BIAS_X]
+        return rate[SURGE] + 0.5 * side * leap[SURGE] - row[SWAY] * row[YAW_RATE] + sensor[BIAS_X]
     if kind == ACCEL_Y:
-        return rate[SWAY] + row[SURGE] * row[YAW_RATE] + sensor[BIAS_Y]
+        return rate[SWAY] + 0.5 * side * leap[SWAY] + row[SURGE] * row[YAW_RATE] + sensor[BIAS_Y]
     if kind == ACCEL_Z:
-        return rate[HEAVE] + GRAVITY + sensor[BIAS_Z]
+        return rate[HEAVE] + 0.5 * side * leap[HEAVE] + GRAVITY + sensor[BIAS_Z]
     return water[kind - VELOCITY_U]
 
 
 @kernel
 def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Floats, seen: Floats) -> None:
-    """Write the derivative of a horizontal reading by the horizontal state into `seen` (PADDED,)."""
-    for column in range(PADDED):
+    """Write the derivative of a horizontal reading by the horizontal state into `seen` (HORIZONTAL,)."""
+    for column in range(HORIZONTAL):
         seen[column] = 0.0
     sine, cosine = sine_cosine(row[YAW])
     if kind == POSE_X:
@@ -107,16 +116,16 @@ def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Fl
         seen[HYAW], seen[HR] = slope, slope * after
     elif kind == GYRO:
         for column in range(HORIZONTAL):
-            seen[column] = after * across[HR * PADDED + column]
+            seen[column] = after * across[HR * HORIZONTAL + column]
         seen[HR] += 1.0
     elif kind == ACCEL_X:
         for column in range(HORIZONTAL):
-            seen[column] = across[HU * PADDED + column]
+            seen[column] = across[HU * HORIZONTAL + column]
         seen[HV] -= row[YAW_RATE]
         seen[HR] -= row[SWAY]
     elif kind == ACCEL_Y:
         for column in range(HORIZONTAL):
-            seen[column] = across[HV * PADDED + column]
+            seen[column] = across[HV * HORIZONTAL + column]
         seen[HU] += row[YAW_RATE]
         seen[HR] += row[SURGE]
     elif kind == VELOCITY_U:
@@ -127,14 +136,16 @@ def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Fl
 
 @kernel
 def sensitivity_upright(kind: int, after: float, sensor: Floats, upright: Floats, seen: Floats) -> None:
-    """Write the derivative of a vertical reading by the vertical state into `seen` (3,)."""
-    seen[VZ], seen[VW], seen[VFZ] = 0.0, 0.0, 0.0
+    """Write the derivative of a vertical reading by the vertical state into `seen` (VERTICAL,)."""
+    for column in range(VERTICAL):
+        seen[column] = 0.0
     if kind == POSE_Z:
         seen[VZ], seen[VW] = sensor[SCALE], sensor[SCALE] * after
     elif kind == PRESSURE:
         seen[VZ], seen[VW] = -PASCAL_PER_METRE, -PASCAL_PER_METRE * after
     elif kind == ACCEL_Z:
-        seen[VZ], seen[VW], seen[VFZ] = upright[VW * 3], upright[VW * 3 + 1], upright[VW * 3 + 2]
+        seen[VZ], seen[VW] = upright[VW * VERTICAL + VZ], upright[VW * VERTICAL + VW]
+        seen[VFZ] = upright[VW * VERTICAL + VFZ]
     else:
         seen[VW] = 1.0
 

@@ -19,6 +19,8 @@ class Readings(NamedTuple):
     first: Integers  # (points + 1,) where the readings of each grid point begin
     kind: Integers  # (m,)
     after: Floats  # (m,) s after the grid point, may be negative
+    apart: Floats  # (m,) s from the grid point, the mean over what was averaged
+    side: Floats  # (m,) -1 before the grid point, 1 behind it, the mean over what was averaged
     stamp: Floats  # (m,) s, as it stands in the recording
     value: Floats  # (m,)
     share: Floats  # (m,) variance as a share of that of a single reading of its kind
@@ -34,14 +36,14 @@ class Drive(NamedTuple):
 
 
 class History(NamedTuple):
-    """The state at every grid point: x y z yaw u v w r, force x y z, moment; before and after its readings."""
+    """At every grid point, before and after its readings: x y z yaw u v w r, force x y z, moment, their gusts."""
 
-    before: Floats  # (points, 12)
-    after: Floats  # (points, 12)
-    wide_before: Floats  # (points, 9, 9) covariance of the horizontal block
+    before: Floats  # (points, 16)
+    after: Floats  # (points, 16)
+    wide_before: Floats  # (points, HORIZONTAL, HORIZONTAL) covariance of the horizontal block
     wide_after: Floats
-    wide_step: Floats  # (points, 9, 9) transition from the grid point before
-    high_before: Floats  # (points, 3, 3) the same of the vertical block
+    wide_step: Floats  # (points, HORIZONTAL, HORIZONTAL) transition from the grid point before
+    high_before: Floats  # (points, VERTICAL, VERTICAL) the same of the vertical block
     high_after: Floats
     high_step: Floats
 
@@ -51,7 +53,7 @@ class Belief(NamedTuple):
 
     innovation: Floats  # (m,)
     variance: Floats  # (m,) of the innovation
-    gain: Floats  # (m, HORIZONTAL); vertical readings use the first three
+    gain: Floats  # (m, HORIZONTAL); vertical readings use the first four
     history: History  # empty if not wanted
 
 

@@ -9,15 +9,15 @@ from cocorosim_ros.compilation import allocating_kernel
 from cocorosim_ros.diagnosis.kernels.records import History
 
 Floats = NDArray[np.float64]
-WIDE = np.array([0, 1, 3, 4, 5, 7, 8, 9, 11])  # x y yaw u v r, force x y, moment
-HIGH = np.array([2, 6, 10])  # z w, force z
+WIDE = np.array([0, 1, 3, 4, 5, 7, 8, 9, 11, 12, 13, 15])  # x y yaw u v r, force x y, moment, gusts of these
+HIGH = np.array([2, 6, 10, 14])  # z w, force z, its gust
 
 
 @allocating_kernel
 def _back(
     places: Floats, means: tuple[Floats, Floats], covariances: tuple[Floats, Floats, Floats], out: Floats
 ) -> None:
-    """Write mean and standard deviation of one block into out (2, points, 12)."""
+    """Write mean and standard deviation of one block into out (2, points, 16)."""
     before, after = means
     wide_before, wide_after, wide_step = covariances
     points, size = after.shape[0], places.shape[0]
@@ -42,8 +42,8 @@ def _back(
 
 @allocating_kernel
 def smooth(history: History) -> tuple[Floats, Floats]:
-    """(points, 12) mean and (points, 12) standard deviation of the state at each grid point."""
-    out = np.zeros((2, history.after.shape[0], 12))
+    """(points, 16) mean and (points, 16) standard deviation of the state at each grid point."""
+    out = np.zeros((2, history.after.shape[0], 16))
     means = (history.before, history.after)
     _back(WIDE, means, (history.wide_before, history.wide_after, history.wide_step), out)
     _back(HIGH, means, (history.high_before, history.high_after, history.high_step), out)

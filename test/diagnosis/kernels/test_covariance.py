@@ -15,19 +15,11 @@ from cocorosim_ros.diagnosis.kernels.covariance import (
     update,
     update_upright,
 )
-from cocorosim_ros.diagnosis.kernels.layout import HFX, HORIZONTAL, PADDED, VERTICAL
+from cocorosim_ros.diagnosis.kernels.layout import HFX, HGX, HORIZONTAL, VERTICAL
+from cocorosim_ros.diagnosis.kernels.random_force import fading
 
-STEP, DECAY, NOISE = 0.1, 0.96, 0.3
-
-
-def flat(matrix: Any) -> Any:
-    """With rows of PADDED columns."""
-    return np.pad(matrix, ((0, 0), (0, PADDED - matrix.shape[1]))).ravel()
-
-
-def square(flattened: Any) -> Any:
-    """(HORIZONTAL, HORIZONTAL) without the padding."""
-    return flattened.reshape(HORIZONTAL, PADDED)[:, :HORIZONTAL]
+STEP, NOISE = 0.1, 0.3
+FADE = fading(STEP, 2.5, 0.4)
 
 
 def positive(rng: np.random.Generator, size: int) -> Any:
@@ -37,33 +29,52 @@ def positive(rng: np.random.Generator, size: int) -> Any:
 
 
 def second_order(slope: Any, forces: int) -> Any:
-    """I + h S + (h S)^2 / 2 with random forces that decay by themselves."""
-    size = slope.shape[1]
-    whole = np.vstack([slope, np.zeros((forces, size))])
-    ahead = np.eye(size) + STEP * whole + 0.5 * STEP**2 * whole @ whole
-    ahead[-forces:] = DECAY * np.eye(size)[-forces:]
+    """I + h S + (h S)^2 / 2 of pose and velocity, on which the random forces act by their mean over the step.
+
+    slope (places, places + 2 forces): pose and velocity, forces, gusts.
+    """
+    places, size = slope.shape
+    own = slope[:, :places]
+    ahead = np.eye(size)
+    ahead[:places, :places] += STEP * own + 0.5 * STEP**2 * own @ own
+    act = (STEP * np.eye(places) + 0.5 * STEP**2 * own) @ slope[:, places : places + forces]
+    ahead[:places, places : places + forces] = 0.5 * (1.0 + FADE.kept) * act
+    ahead[:places, places + forces :] = 0.5 * FADE.fed * act
+    ahead[places : places + forces, places : places + forces] = FADE.kept * np.eye(forces)
+    ahead[places : places + forces, places + forces :] = FADE.fed * np.eye(forces)
+    ahead[places + forces :, places + forces :] = FADE.gust * np.eye(forces)
     return ahead
+
+
+def slopes(rng: np.random.Generator, places: int, size: int, forces: int) -> Any:
+    """On gusts nothing depends directly."""
+    slope = rng.standard_normal((places, size))
+    slope[:, -forces:] = 0.0
+    return slope
 
 
 def test_the_horizontal_block_spreads() -> None:
     """P becomes T P T^T, with T to second order in the step."""
     rng = np.random.default_rng(1)
-    slope, covariance = rng.standard_normal((HFX, HORIZONTAL)), positive(rng, HORIZONTAL)
-    ahead, back, spreading = np.zeros(HORIZONTAL * PADDED), np.zeros(HORIZONTAL * PADDED), flat(covariance)
-    transition(flat(slope), STEP, DECAY, ahead, back)
-    expected = second_order(slope, HORIZONTAL - HFX)
-    np.testing.assert_allclose(square(ahead), expected, rtol=1e-13, atol=1e-13)
+    slope, covariance = slopes(rng, HFX, HORIZONTAL, HORIZONTAL - HGX), positive(rng, HORIZONTAL)
+    ahead, back, spreading = np.zeros(HORIZONTAL**2), np.zeros(HORIZONTAL**2), covariance.ravel().copy()
+    transition(slope.ravel(), STEP, FADE, ahead, back)
+    expected = second_order(slope, HORIZONTAL - HGX)
+    np.testing.assert_allclose(ahead.reshape(HORIZONTAL, HORIZONTAL), expected, rtol=1e-13, atol=1e-13)
     spread(spreading, ahead, back)
-    np.testing.assert_allclose(square(spreading), expected @ covariance @ expected.T, rtol=1e-12)
-    np.testing.assert_array_equal(square(spreading), square(spreading).T)
+    np.testing.assert_allclose(
+        spreading.reshape(HORIZONTAL, HORIZONTAL), expected @ covariance @ expected.T, rtol=1e-12
+    )
+    whole = spreading.reshape(HORIZONTAL, HORIZONTAL)
+    np.testing.assert_array_equal(whole, whole.T)
 
 
 def test_the_vertical_block_spreads() -> None:
     """The same of height, heave and its force."""
     rng = np.random.default_rng(2)
-    slope, covariance = rng.standard_normal((VERTICAL - 1, VERTICAL)), positive(rng, VERTICAL)
+    slope, covariance = slopes(rng, VERTICAL - 2, VERTICAL, 1), positive(rng, VERTICAL)
     ahead, spreading = np.zeros(VERTICAL * VERTICAL), covariance.ravel().copy()
-    transition_upright(slope.ravel(), STEP, DECAY, ahead)
+    transition_upright(slope.ravel(), STEP, FADE, ahead)
     expected = second_order(slope, 1)
     np.testing.assert_allclose(ahead.reshape(VERTICAL, VERTICAL), expected, rtol=1e-13, atol=1e-13)
     spread_upright(spreading, ahead)
@@ -79,11 +90,10 @@ def test_a_reading_shrinks_it(horizontal: bool, believed: bool) -> None:
     covariance, seen = positive(rng, size), rng.standard_normal(size)
     variance = seen @ covariance @ seen + NOISE
     expected = covariance @ seen / variance if believed else np.zeros(size)
-    shrinking, gain = flat(covariance) if horizontal else covariance.ravel().copy(), np.zeros(PADDED)
-    padded = np.pad(seen, (0, PADDED - size))
+    shrinking, gain = covariance.ravel().copy(), np.zeros(size)
     gate = (35.9 if believed else 36.1) * variance
-    found = (update if horizontal else update_upright)(shrinking, padded, NOISE, gain, gate)
+    found = (update if horizontal else update_upright)(shrinking, seen, NOISE, gain, gate)
     assert found == pytest.approx(variance)
-    np.testing.assert_allclose(gain[:size], expected, rtol=1e-12)
-    left = square(shrinking) if horizontal else shrinking.reshape(VERTICAL, VERTICAL)
+    np.testing.assert_allclose(gain, expected, rtol=1e-12)
+    left = shrinking.reshape(size, size)
     np.testing.assert_allclose(left, covariance - np.outer(expected, covariance @ seen), rtol=1e-10, atol=1e-12)
