@@ -74,6 +74,11 @@ def square(name: str) -> Law:
     return Law(f"{name}*{name}", Factor(name, 2.0, False))
 
 
+def signed_square(name: str) -> Law:
+    """In proportion to the square, with the sign of the regressor."""
+    return Law(f"|{name}|*{name}", Factor(name, 2.0))
+
+
 def product(first: str, second: str) -> Law:
     """In proportion to two regressors."""
     return Law(f"{first}*{second}", Factor(first), Factor(second))

@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
-from cocorosim_ros.diagnosis.law_forms import Factor, Law, given, product, single, square
+from cocorosim_ros.diagnosis.law_forms import Factor, Law, amount, given, product, signed_square, single, square
 from cocorosim_ros.diagnosis.phases import phased, phases
 from cocorosim_ros.physics.effects import LAWS
 from cocorosim_ros.physics.laws import EQUATIONS
@@ -27,6 +27,11 @@ def _powers(name: str) -> tuple[Law, ...]:
         Law(f"|{name}|^2*{name}", Factor(name, 3.0)),
         Law(f"|{name}|", Factor(name, 1.0, False)),
     )
+
+
+def _elsewhere(name: str) -> tuple[Law, ...]:
+    """A drag that changes with place or in time."""
+    return tuple(product(name, where) for where in ("x", "y", "z", "t"))
 
 
 PLACE = tuple(single(name) for name in ("x", "y", "z"))
@@ -49,13 +54,41 @@ def _all_but(equation: str) -> tuple[Law, ...]:
 
 
 LAWS_OF: dict[str, tuple[Law, ...]] = {
-    "surge": (*_all_but("surge"), *_powers("u"), product("v", "r"), square("r"), product("u", "z")),
-    "sway": (*_all_but("sway"), *_powers("v"), product("u", "r"), product("u", "v"), Law("|r|*r", Factor("r", 2.0))),
-    "heave": (*_all_but("heave"), *_powers("w"), square("u"), square("z"), square("r")),
+    "surge": (
+        *_all_but("surge"),
+        *_powers("u"),
+        product("v", "r"),
+        square("r"),
+        *_elsewhere("u"),
+        signed_square("thrust"),
+        amount("yaw_command"),
+    ),
+    "sway": (
+        *_all_but("sway"),
+        *_powers("v"),
+        *_elsewhere("v"),
+        product("u", "r"),
+        product("u", "v"),
+        product("u", "x"),
+        product("u", "y"),
+        signed_square("r"),
+    ),
+    "heave": (
+        *_all_but("heave"),
+        *_powers("w"),
+        *_elsewhere("w"),
+        square("u"),
+        square("z"),
+        square("r"),
+        signed_square("pump"),
+    ),
     "yaw": (
         *_all_but("yaw"),
         *_powers("r"),
-        Law("|u|*u", Factor("u", 2.0)),
+        signed_square("u"),
+        signed_square("yaw_command"),
+        product("sin_yaw", "cos_yaw"),
+        *_elsewhere("r"),
         Law("|u|*v", Factor("v"), Factor("u", 1.0, False)),
         product("u", "r"),
         product("x", "y"),
@@ -65,7 +98,7 @@ LAWS_OF: dict[str, tuple[Law, ...]] = {
 }
 ROUNDINGS = (0.03, 0.1, 0.3)
 SYMBOLS = dict(zip(EQUATIONS, ("X", "Y", "Z", "N", "F_x", "F_y", "F_z"), strict=True))
-SWINGING = ("world_x", "world_y", "heave", "yaw")
+SWINGING = ("world_x", "world_y", "surge", "sway", "heave", "yaw")
 
 
 def law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:

@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.track import Smoothed, Track
 
 Floats = NDArray[np.float64]
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
+IN_BODY = ("surge", "sway")
 PEAKS = 3
 SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
 SHORTEST_PERIOD = 5.0  # s
@@ -32,7 +33,9 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
     seen = np.concatenate([course.mean for course in courses])
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
     duration = max(float(course.time[-1]) for course in courses)
-    periods = {name: _periods(courses, column) for name, column in FORCE_COLUMNS.items()}
+    forces = {name: [course.mean[:, column] for course in courses] for name, column in FORCE_COLUMNS.items()}
+    forces |= {name: [_in_body(course.mean)[axis] for course in courses] for axis, name in enumerate(IN_BODY)}
+    periods = {name: _periods(courses, force) for name, force in forces.items()}
     return Scene(
         tuple(lower.tolist()),
         tuple(upper.tolist()),
@@ -44,14 +47,20 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
     )
 
 
-def _periods(courses: Sequence[Smoothed], column: int) -> tuple[float, ...]:
-    """At which the force swings most, strongest first, and the longest that a recording shows [s]."""
+def _in_body(mean: Floats) -> tuple[Floats, Floats]:
+    """The force (points,) forwards and to the left [N]."""
+    sine, cosine = np.sin(mean[:, 3]), np.cos(mean[:, 3])
+    return mean[:, 8] * cosine + mean[:, 9] * sine, mean[:, 9] * cosine - mean[:, 8] * sine
+
+
+def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
+    """At which a force (points,) by course swings most, strongest first, and the longest that a recording shows [s]."""
     longest = max(courses, key=lambda course: len(course.time))
     duration = float(longest.time[-1] - longest.time[0])
     total: Floats = np.zeros(0)
-    for course in courses:
+    for course, force in zip(courses, forces, strict=True):
         step = float(course.time[1] - course.time[0])
-        frequency, power = periodogram(course.mean[:, column], fs=1.0 / step, nfft=4 * len(longest.time))
+        frequency, power = periodogram(force, fs=1.0 / step, nfft=4 * len(longest.time))
         total = power if len(total) == 0 else total + power
     wanted = (frequency > SWINGS / duration) & (frequency < 1.0 / SHORTEST_PERIOD)
     peaks, _ = find_peaks(np.where(wanted, total, 0.0))
