@@ -27,6 +27,7 @@ from cocorosim_ros.diagnosis.screening import Screen, Screened
 THRESHOLD = 7.0 + math.log(40 / 14)  # nats
 AMBIGUITY = 3.0  # nats
 WORTH_REFINING = 2.0  # nats of the screening
+HOPELESS = 0.1  # of the leader's nats below which refining a candidate does not make it the leader
 LEADERS = 4
 MOST_REFINED = 8
 MOST_EFFECTS = 4
@@ -173,7 +174,8 @@ def _refined(fit: Fit, screened: Screened, screen: Screen, base_evidence: float)
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
     """The leaders, and of their groups whoever explains something."""
-    leaders = [part for part in tested[:LEADERS] if part.nats > WORTH_REFINING]
+    needed = max(WORTH_REFINING, HOPELESS * tested[0].nats) if tested else WORTH_REFINING
+    leaders = [part for part in tested[:LEADERS] if part.nats > needed]
     groups = {part.candidate.entry.group for part in leaders if part.candidate.entry.group}
     more = [
         part

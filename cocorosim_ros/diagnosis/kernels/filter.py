@@ -1,7 +1,7 @@
 """Continuous-discrete extended Kalman filter of one robot: the likelihood of a recording under a model.
 
 State: pose, velocity through `state_rate` of the simulator, and the random force of the water on surge and sway (in
-world axes), heave and yaw, each with the gust that drives it. The mean is carried by Runge-Kutta steps, the
+world axes), heave and yaw, each with the gust that drives it. The mean is carried by midpoint steps, the
 covariance to second order in the step, in two blocks (horizontal and vertical) that are taken as independent of each
 other. Readings between two steps are predicted by a Taylor series from the nearer one.
 

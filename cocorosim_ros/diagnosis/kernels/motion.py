@@ -1,4 +1,4 @@
-"""How the mean of the filter moves: Runge-Kutta steps of the simulator's dynamics, and their slopes."""
+"""How the mean of the filter moves: midpoint steps of the simulator's dynamics, and their slopes."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Floats = NDArray[np.float64]
 FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behind each other
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
-STAGES = 4
+AT_POINT = 2  # stages of a step before the rates at its end
 HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that are given
 BASIC_BITS = sum(EFFECT_BIT[name] for name in BASIC_EFFECTS)  # effects that do not depend on the place
 
@@ -76,15 +76,6 @@ def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -
 
 
 @kernel
-def _settle(motion: Motion, length: float, total: Floats, faded: Floats, body: Body) -> None:
-    """End a step: the mean of the rates over it is known, and what is left of the random forces."""
-    for column in range(STATE_SIZE):
-        motion.row[column] += length / 6.0 * total[column]
-    for column in range(4):
-        body.parameters[FORCE + column] = faded[column]
-
-
-@kernel
 def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
     """Write what the random forces will be at the end of the step; their mean over the step takes their place."""
     for column in range(4):
@@ -105,33 +96,31 @@ def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
 
 @kernel
 def advance(motion: Motion, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body) -> None:
-    """Carry the row from the grid point before to `point`, by one Runge-Kutta step over which what acts holds.
+    """Carry the row from the grid point before to `point`, by one midpoint step over which what acts holds.
 
     clock: time [s] of `point`, step [s] and what becomes of random forces over it. From point 0 on, nothing moves.
     """
     time, length, fade = clock
-    row, trial, rate, total, faded = motion.row, motion.trial, motion.rate, stack_array(8), stack_array(4)
+    row, trial, rate, leap, faded = motion.row, motion.trial, motion.rate, motion.leap, stack_array(4)
     if point > 0:
         put_drive(row, drive, point - 1, point - 1, body)
         _fade(motion, fade, faded, body)
+    for stage in range(0 if point > 0 else AT_POINT, AT_POINT + 2):
+        if stage == AT_POINT and point > 0:
+            for column in range(STATE_SIZE):
+                row[column] += length * rate[column]
+            for column in range(4):
+                body.parameters[FORCE + column] = faded[column]
+        if stage >= AT_POINT:
+            acting = max(point - 1, 0) if stage == AT_POINT else point
+            put_drive(row, drive, acting, acting, body)
         for column in range(row.shape[0]):
             trial[column] = row[column]
-    for stage in range(0 if point > 0 else STAGES, STAGES + 2):
-        if stage == STAGES:
-            _settle(motion, length, total, faded, body)
-        if stage >= STAGES:
-            acting = max(point - 1, 0) if stage == STAGES else point
-            put_drive(row, drive, acting, acting, body)
-            for column in range(row.shape[0]):
-                trial[column] = row[column]
-        back = length if stage == 0 else 0.0 if stage >= STAGES - 1 else 0.5 * length
-        state_rate(trial, time - back, body, rate if stage != STAGES else motion.leap)
-        if stage < STAGES:
-            weight = 1.0 if stage == 0 or stage == STAGES - 1 else 2.0
-            ahead = length if stage == STAGES - 2 else 0.5 * length
+        if stage == 1:
             for column in range(STATE_SIZE):
-                total[column] += weight * rate[column]
-                trial[column] = row[column] + ahead * rate[column]
+                trial[column] += 0.5 * length * rate[column]
+        back = length if stage == 0 else 0.5 * length if stage == 1 else 0.0
+        state_rate(trial, time - back, body, rate if stage != AT_POINT else leap)
     _compare(motion, drive, point, body)
 
 
