@@ -41,7 +41,10 @@ def log_evidence(fit: Fit) -> float:
     precision = prior_precision(fit.laws)
     if not (np.isfinite(matrix).all() and math.isfinite(fit.objective)):
         return -math.inf
-    _, log_matrix = np.linalg.slogdet(matrix)
+    with np.errstate(all="ignore"):  # a model that runs away is no evidence, whatever its determinant
+        sign, log_matrix = np.linalg.slogdet(matrix)
+    if not (sign > 0.0 and math.isfinite(log_matrix)):
+        return -math.inf
     return fit.objective + 0.5 * float(np.sum(np.log(precision))) - 0.5 * float(log_matrix)
 
 
