@@ -16,6 +16,8 @@ from cocorosim_ros.sensors.law import SENSOR_LAWS
 
 BY_TOPIC = {"sensor_latency": "latency", "clock_skew": "skew"}
 """Effects that each topic may have for itself: there the topic stands in place of the parameter."""
+BESIDE = {"pressure_drift": {"offset": "pressure_offset"}}
+"""Numbers that are found with an effect, and the effect below which a platform file has them."""
 UNKNOWN = "unknown:"
 _FACTOR = re.compile(r"(\|?)([a-z_0-9]+)\|?(?:\^(-?[0-9.]+))?")
 
@@ -43,7 +45,17 @@ def platform_parameters(found: FoundEffect) -> dict[str, Estimate]:
         return {found.topic: found.parameters[BY_TOPIC[found.id]]}
     if found.simulated_as == EDDY:
         return {"circulation" if name == "coefficient" else name: each for name, each in found.parameters.items()}
-    return dict(found.parameters)
+    elsewhere = BESIDE.get(found.id, {})
+    return {name: each for name, each in found.parameters.items() if name not in elsewhere}
+
+
+def parameters_beside(found: FoundEffect) -> dict[str, dict[str, Estimate]]:
+    """The numbers that stand below other effects in a platform file, by effect and name."""
+    beside: dict[str, dict[str, Estimate]] = {}
+    for name, effect in BESIDE.get(found.id, {}).items():
+        if name in found.parameters:
+            beside.setdefault(effect, {})[name] = found.parameters[name]
+    return beside
 
 
 def fixed_numbers(found: FoundEffect, duration: float) -> dict[str, float]:

@@ -11,6 +11,7 @@ from typing import Any
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.reporting.effect_keys import (
     fixed_numbers,
+    parameters_beside,
     platform_effect,
     platform_parameters,
     section_of,
@@ -116,7 +117,11 @@ def _with_effect(known: Tree, found: FoundEffect, origin: Origin) -> Tree:
     for key, value in fixed_numbers(found, origin.duration).items():
         unit = unit_in_file(parameter_unit(name, key))
         numbers[key] = {"value": value, "unit": unit, "source": origin.source, "confidence": "derived"}
-    return known | {name: known.get(name, {}) | numbers}
+    found_beside = {
+        effect: known.get(effect, {}) | {key: _number(each, origin.source) for key, each in parameters.items()}
+        for effect, parameters in parameters_beside(found).items()
+    }
+    return known | found_beside | {name: known.get(name, {}) | numbers}
 
 
 def _known_effects(effects: Effects, written: Tree) -> Tree:

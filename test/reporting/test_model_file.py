@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from cocorosim_ros.diagnosis.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.entry import Entry
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.physics.regressors import REGRESSORS
 from cocorosim_ros.reporting.effect_keys import law_numbers
@@ -49,6 +51,30 @@ def test_parameters_and_effects_come_back(example: Example, tmp_path: Path) -> N
         model, drag=lily.drag, yaw_inertia=lily.yaw_inertia, effect_quantities={}, description=lily.description
     )
     assert same == lily
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
+def test_every_entry_of_the_catalogue_can_be_loaded_again(entry: Entry, example: Example, tmp_path: Path) -> None:
+    """Whatever is found stands in the model as a number of the simulator, whose own checks it passes."""
+    numbers = {part.name: _around(part.neutral + 0.5 * part.large, part.unit) for part in entry.amplitudes}
+    numbers |= {part.name: _around(1.0, part.unit) for part in entry.shapes}
+    found = FoundEffect(entry.id, entry.name, entry.equation, (), "confirmed", numbers, 50.0, topic=entry.topic)
+    model = written(tmp_path, replace(example("mismatch"), effects=(found,), recalibrated=()), origin())
+    assert sorted(value for effect in model.effects.values() for value in effect.values() if value != 600.0) == sorted(
+        each.value for each in numbers.values()
+    )
+
+
+def test_the_offset_with_which_a_drift_begins_is_an_offset(example: Example, tmp_path: Path) -> None:
+    """The simulator has offset and drift of a pressure sensor apart."""
+    numbers = {"rate": _around(0.3, "Pa/s"), "offset": _around(15.0, "Pa")}
+    drift = FoundEffect("pressure_drift", "drift", "", ("lily_01",), "confirmed", numbers, 50.0, topic="pressure")
+    model = written(tmp_path, replace(example("mismatch"), effects=(drift,), recalibrated=()), origin())
+    assert model.effects == {"pressure_drift": {"rate": 0.3}, "pressure_offset": {"offset": 15.0}}
+
+
+def _around(value: float, unit: str) -> Estimate:
+    return Estimate(value, 0.9 * value, 1.1 * value, unit)
 
 
 def test_every_found_number_says_where_it_is_from(example: Example, tmp_path: Path) -> None:
