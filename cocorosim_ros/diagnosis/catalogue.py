@@ -9,6 +9,8 @@ from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.phases import phased, phases
 
 CROSSED = 0.1  # m above and below a layer that have to be visited
+PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebody's clock
+PLAY = 0.002  # of a full command: below, a linkage has no play
 CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
 
@@ -267,7 +269,10 @@ ENTRIES: tuple[Entry, ...] = (
         "slow buoyancy pump",
         "tau dZ/dt = Z_command - Z, with backlash",
         "heave",
-        _plain("pump_lag", {"time_constant": ("s", 1.0), "backlash": ("1", 0.06)}, least=0.0, step=0.1),
+        (
+            Amplitude("pump_lag.time_constant", "time_constant", "s", 1.0, 0.1, 0.0, smallest=PUMP_TICK),
+            Amplitude("pump_lag.backlash", "backlash", "1", 0.06, 0.1, 0.0, smallest=PLAY),
+        ),
         group="late pump",
         of_pump=True,
         manoeuvre="pump_triangle",

@@ -105,14 +105,20 @@ def _best(
     base_evidence = log_evidence(fit)
     refined = [_refined(fit, part, screen, base_evidence) for part in chosen]
     refined.sort(key=lambda part: -_standing(part))
+    negligible: set[str] = set()  # sides of effects that explain something but are too small to be believed
     for best in refined:
         needed = max(THRESHOLD, FORM_SHARE * _explained(accused, best))
         if _standing(best) < needed:
             return None
         if best.nats < CHECKED and _regained(best) < needed:
             continue
+        if _is_tiny(best):
+            negligible.add(_side(best.candidate))
+            continue
+        if best.candidate.entry.law is not None and _side(best.candidate) in negligible:
+            continue  # the same by another name
         gain = held_out_gain(fit, best.fit)
-        if gain.total > 0.0 and not _is_tiny(best):
+        if gain.total > 0.0:
             rivals = [(part.candidate, best.nats - part.nats) for part in refined if part is not best]
             near = tuple(
                 (part, max(0.0, behind)) for part, behind in rivals if behind <= AMBIGUITY and part.entry.law is None

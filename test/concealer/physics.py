@@ -106,6 +106,7 @@ def keep(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArray, ti
     for i in range(s.shape[0]):
         pushed = push[i].copy()
         pushed[:3] += wake(p, s, i)
+        play(p[i], s[i], command[i])  # the linkage moves with the command, before anybody feels it
         rate = derivative(p[i], s[i], command[i], pushed, time)
         row[i, : at.STATE] = s[i]
         row[i, at.ACCEL] = rate[at.U] - s[i, at.R] * s[i, at.V]

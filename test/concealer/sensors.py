@@ -39,6 +39,11 @@ class Observer:
         """(n, places) columns of the trajectory at these times."""
         return np.stack([np.interp(time, self.clock, self.rows[:, place]) for place in places], axis=1)
 
+    def held(self, time: FloatArray, *places: int) -> FloatArray:
+        """(n, places) the same of columns that jump with the commands, at the last time kept before."""
+        row = np.minimum((time / at.ROW_TIME + 1e-9).astype(np.int64), len(self.rows) - 1)
+        return self.rows[row][:, list(places)]
+
     def beats(self, rate: float, jitter: float = 0.0) -> FloatArray:
         """Times of measurement: regular but for a normal jitter [s]."""
         time = np.arange(self.rng.uniform(0.0, 0.5 / rate), self.end, 1.0 / rate)
@@ -124,7 +129,7 @@ class Observer:
         turn = np.zeros((time.size, 3))
         turn[:, 2] = self.seen(self.shown("imu", time), at.R)[:, 0] + self.faults.gyro_bias
         turn += self.between(n["gyro"]) * self.rng.standard_normal(turn.shape)
-        force = self.seen(self.shown("imu", time), at.ACCEL, at.ACCEL + 1, at.ACCEL + 2)
+        force = self.held(self.shown("imu", time), at.ACCEL, at.ACCEL + 1, at.ACCEL + 2)
         force = force + np.array([0.0, 0.0, at.GRAVITY]) + np.array(self.faults.accel_bias)
         force = force + self.between(n["accel"]) * self.rng.standard_normal(force.shape)
         if self.faults.mixup == "imu_frd":
