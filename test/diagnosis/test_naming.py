@@ -11,6 +11,7 @@ SECONDS = 150.0
 HIDDEN = [
     ("thruster_lag", {"time_constant": 0.3}),
     ("torque_bias", {"torque": 1e-5}),
+    ("pump_lag", {"time_constant": 0.5}),
     ("linear_drag", {"surge": 0.02, "sway": 0.02, "heave": 0.02, "yaw": 3e-5}),
 ]
 
@@ -52,4 +53,10 @@ def test_nothing_is_accused_where_nothing_is_hidden(swim: Any) -> None:
     """A recording of the very model is called consistent, or insufficient for some effects, never a mismatch."""
     diagnosis, _ = diagnosed(swim, {}, seed=2)
     assert diagnosis.verdict in ("consistent", "insufficient")
+    assert diagnosis.effects == ()
+
+
+def test_a_pump_that_is_late_by_a_moment_is_not_accused(swim: Any) -> None:
+    """Thirty-five milliseconds are somebody's clock; neither the pump nor a law that says the same is to blame."""
+    diagnosis, _ = diagnosed(swim, {"pump_lag": {"time_constant": 0.035}}, seed=3)
     assert diagnosis.effects == ()
