@@ -24,6 +24,7 @@ LARGEST_NOISE_STEP = 1.0  # of a logarithm
 NOISE_STEP = 0.02
 LEAST_GAIN = 0.02  # nats below which an iteration has converged
 HALVINGS = 4
+DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
 
 
 @dataclass(frozen=True)
@@ -189,11 +190,23 @@ def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit
 
 
 def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
+    """A scoring step, damped more and more until it is better (Levenberg): at last it goes up the score alone.
+
+    Far from the optimum, as where the water does not push at all, curvatures of the present place say little.
+    """
     score, matrix = _noise_information(fit, chosen)
-    step = np.zeros(len(fit.noise))
-    inside = step_within(matrix, score, [fit.noise[index] for index in chosen], fit.q_noise[chosen])
-    step[chosen] = np.clip(inside, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP)
-    return _stepped(fit, fit.noise, fit.q_noise, step, lambda q: replace(fit, q_noise=q))
+    unknowns = [fit.noise[index] for index in chosen]
+    for damping in DAMPINGS:
+        damped = matrix + damping * np.diag(np.diag(matrix))
+        step = np.clip(
+            step_within(damped, score, unknowns, fit.q_noise[chosen]), -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP
+        )
+        q = fit.q_noise.copy()
+        q[chosen] = [part.clipped(number) for part, number in zip(unknowns, q[chosen] + step, strict=True)]
+        trial = evaluated(replace(fit, q_noise=q))
+        if trial.objective > fit.objective:
+            return trial
+    return None
 
 
 def _noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:

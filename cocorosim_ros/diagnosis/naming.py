@@ -105,17 +105,17 @@ def _best(
     base_evidence = log_evidence(fit)
     refined = [_refined(fit, part, screen, base_evidence) for part in chosen]
     refined.sort(key=lambda part: -_standing(part))
-    negligible: set[str] = set()  # sides of effects that explain something but are too small to be believed
+    negligible: list[Candidate] = []  # they explain something but are too small to be believed
     for best in refined:
-        needed = max(THRESHOLD, FORM_SHARE * _explained(accused, best))
+        needed = _needed(accused, best.candidate)
         if _standing(best) < needed:
             return None
         if best.nats < CHECKED and _regained(best) < needed:
             continue
         if _is_tiny(best):
-            negligible.add(_side(best.candidate))
+            negligible.append(best.candidate)
             continue
-        if best.candidate.entry.law is not None and _side(best.candidate) in negligible:
+        if any(_is_like(best.candidate, part) for part in negligible):
             continue  # the same by another name
         gain = held_out_gain(fit, best.fit)
         if gain.total > 0.0:
@@ -154,12 +154,24 @@ def _amplitude_count(part: Refined) -> int:
     return owners * len(part.candidate.entry.amplitudes)
 
 
-def _explained(accused: tuple[Accused, ...], best: Refined) -> float:
-    """Nats of the effects on the same side, whose form may be a little wrong; a second fault of a sensor is no form."""
-    if best.candidate.entry.law is None and best.candidate.entry.channel in SENSOR_CHANNELS:
-        return 0.0
-    side = _side(best.candidate)
-    return max((part.nats for part in accused if _side(part.candidate) == side), default=0.0)
+def _is_like(candidate: Candidate, other: Candidate) -> bool:
+    """Whether a candidate may stand for another one: a law on its side, or one of its group in its stream."""
+    entry = candidate.entry
+    if entry.law is not None:
+        return _side(candidate) == _side(other)
+    return bool(entry.group) and (entry.group, entry.topic) == (other.entry.group, other.entry.topic)
+
+
+def _needed(accused: tuple[Accused, ...], candidate: Candidate) -> float:
+    """Nats that a candidate needs beside what is accused: more than a wrong form of another effect would leave over.
+
+    That is one on the same side; a second fault of a sensor is no form of the first, only a law may be.
+    """
+    if candidate.entry.law is None and candidate.entry.channel in SENSOR_CHANNELS:
+        return THRESHOLD
+    others = [part for part in accused if part.candidate.key != candidate.key]
+    explained = max((part.nats for part in others if _side(part.candidate) == _side(candidate)), default=0.0)
+    return max(THRESHOLD, FORM_SHARE * explained)
 
 
 def _side(candidate: Candidate) -> str:
@@ -200,11 +212,11 @@ def _pruned(fit: Fit, accused: tuple[Accused, ...]) -> tuple[Fit, tuple[Accused,
             without = _without(fit, part.first, part.count)
             nats = whole - log_evidence(without) - _held_against(part.candidate, without, fit)
             losses.append((nats, part, without))
-        losses.sort(key=lambda entry: entry[0])
-        loss, weakest, without = losses[0]
         kept = {part.candidate.key: change for change, part, _ in losses}
         accused = tuple(replace(part, nats=kept[part.candidate.key]) for part in accused)
-        if loss >= THRESHOLD:
+        losses.sort(key=lambda entry: entry[0] / _needed(accused, entry[1].candidate))
+        loss, weakest, without = losses[0]
+        if loss >= _needed(accused, weakest.candidate):
             break
         fit, accused = without, _moved(accused, weakest)
     return fit, accused

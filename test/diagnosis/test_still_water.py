@@ -1,0 +1,28 @@
+"""Water that does not push: the fit finds that out, however far it begins."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+# Rough sea of short memory, from which a plain scoring step goes astray.
+ASTRAY = {"force": 2e-4, "heave_force": 1.5e-4, "moment": 1.7e-6, "correlation": 0.5, "smoothness": 1.0}
+
+
+def test_random_forces_that_are_not_there_are_fitted_away(swim: Any) -> None:
+    """The most likely noise is found again from a state in which each plain step makes it worse."""
+    from cocorosim_ros.diagnosis.fit import evaluated, with_noise
+    from cocorosim_ros.diagnosis.recalibration import base_fit
+    from cocorosim_ros.scenario.platform import load_platform
+
+    best = base_fit(swim(load_platform("lily"), 200.0, seed=4, disturbance=0.0))
+    q = best.q_noise.copy()
+    for place, unknown in enumerate(best.noise):
+        name = unknown.column.removeprefix("random.")
+        q[place] = math.log(ASTRAY[name]) - unknown.base if name in ASTRAY else q[place]
+    astray = evaluated(replace(best, q_noise=q))
+    assert astray.objective < best.objective - 100.0
+    assert with_noise(astray, 20).objective == pytest.approx(best.objective, abs=3.0)
