@@ -34,6 +34,10 @@ DECODE, DECIDE, MEASURE, WRITE, BETWEEN = "decode", "decide", "measure the shoal
 LABELS = (SENSE, ENCODE, PUBLISH, TAKE, DECODE, DECIDE, MEASURE, WRITE, WAIT, BETWEEN)
 
 
+class NotCleanError(RuntimeError):
+    """A run that tells nothing of speed."""
+
+
 @dataclass(frozen=True)
 class Case:
     """What is run: a scenario, and for how long."""
@@ -178,7 +182,7 @@ def _graph(case: Case, watch: Stopwatch | None) -> Result:
             domain.release()
         state, messages = supervisor.state, _messages_in(Path(folder))
     if complaints or state.missing_answers:
-        raise RuntimeError(f"not a clean run: {complaints}, {state.missing_answers} answers missing")
+        raise NotCleanError(f"not a clean run: {complaints}, {state.missing_answers} answers missing")
     processes = 2 + len(scenario.robots)
     return Result(
         state.ticks, scenario.tick, state.seconds, messages, processes, samples.per_tick(), samples.cores_busy()
