@@ -8,7 +8,7 @@ Source: Ljung, System Identification (1999), chapter 7; Kristensen, Madsen and J
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -155,22 +155,19 @@ def improved(fit: Fit, rounds: int) -> Fit:
 def _laws_step(fit: Fit) -> Fit | None:
     known = information(fit)
     step = step_within(known.matrix, known.score, fit.laws, fit.q)
-    return _stepped(fit, fit.laws, fit.q, step, lambda q: replace(fit, q=q))
+    return _first_better(
+        fit, (replace(fit, q=_clipped(fit.laws, fit.q + step / 2.0**halving)) for halving in range(HALVINGS))
+    )
 
 
-def _stepped(
-    fit: Fit, unknowns: Sequence[Unknown], start: Floats, step: Floats, at: Callable[[Floats], Fit]
-) -> Fit | None:
-    """The fit a step of these unknowns further, the step halved until it is better; None if it never is.
+def _clipped(unknowns: Sequence[Unknown], q: Floats) -> Floats:
+    return np.array([part.clipped(number) for part, number in zip(unknowns, q, strict=True)])
 
-    at: the fit with these values, not yet evaluated.
-    """
-    for halving in range(HALVINGS):
-        q = start + step / 2.0**halving
-        trial = evaluated(at(np.array([part.clipped(number) for part, number in zip(unknowns, q, strict=True)])))
-        if trial.objective > fit.objective:
-            return trial
-    return None
+
+def _first_better(fit: Fit, trials: Iterable[Fit]) -> Fit | None:
+    """The first of these fits, not yet evaluated, that is better; None if none is."""
+    better = (trial for trial in map(evaluated, trials) if trial.objective > fit.objective)
+    return next(better, None)
 
 
 def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit:
@@ -196,17 +193,14 @@ def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     """
     score, matrix = _noise_information(fit, chosen)
     unknowns = [fit.noise[index] for index in chosen]
-    for damping in DAMPINGS:
-        damped = matrix + damping * np.diag(np.diag(matrix))
-        step = np.clip(
-            step_within(damped, score, unknowns, fit.q_noise[chosen]), -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP
-        )
+
+    def damped(damping: float) -> Fit:
+        step = step_within(matrix + damping * np.diag(np.diag(matrix)), score, unknowns, fit.q_noise[chosen])
         q = fit.q_noise.copy()
-        q[chosen] = [part.clipped(number) for part, number in zip(unknowns, q[chosen] + step, strict=True)]
-        trial = evaluated(replace(fit, q_noise=q))
-        if trial.objective > fit.objective:
-            return trial
-    return None
+        q[chosen] = _clipped(unknowns, q[chosen] + np.clip(step, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP))
+        return replace(fit, q_noise=q)
+
+    return _first_better(fit, map(damped, DAMPINGS))
 
 
 def _noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
