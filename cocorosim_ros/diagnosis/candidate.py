@@ -41,6 +41,11 @@ class Candidate:
         """All tracks on which it acts."""
         return tuple(itertools.chain.from_iterable(self.tracks))
 
+    @property
+    def moments(self) -> frozenset[str]:
+        """Columns that say when something happens once."""
+        return frozenset(part.column for part in self.entry.shapes if part.once)
+
     def amplitudes(self) -> list[Unknown]:
         """The amplitudes as unknowns: shared where they are of the water, else one for each robot."""
         owners = (self.everybody,) if self.entry.water else self.tracks

@@ -20,7 +20,7 @@ def _spread(low: float, high: float, count: int) -> list[float]:
 
 
 def _times(scene: Scene) -> list[float]:
-    return _spread(0.03 * scene.duration, 0.97 * scene.duration, 24)
+    return sorted({*_spread(0.03 * scene.duration, 0.97 * scene.duration, 24), *scene.changes})
 
 
 def _depths(scene: Scene) -> list[float]:
@@ -304,7 +304,7 @@ ENTRIES: tuple[Entry, ...] = (
         "Z steps by force at a moment",
         "heave",
         _plain("payload_shift", {"force": ("N", 1e-3)}),
-        (Shape("payload_shift.time", "time", "s", _times),),
+        (Shape("payload_shift.time", "time", "s", _times, once=True),),
         group=_TRIM,
         manoeuvre="depth_staircase",
     ),

@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.candidate import Candidate
-from cocorosim_ros.diagnosis.columns import READING_NOISE_OF_KIND, WATER_NOISE
+from cocorosim_ros.diagnosis.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.diagnosis.entry import Scene
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, with_noise
-from cocorosim_ros.diagnosis.kernels.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.screening import Screened
 from cocorosim_ros.diagnosis.unknowns import prior_precision
 
@@ -28,6 +27,20 @@ class Refined:
     fit: Fit
     count: int  # unknowns that it added, the last ones of the fit's laws
     nats: float
+
+
+@dataclass(frozen=True)
+class Begun:
+    """A candidate in a fit of all laws; `gain`: nats of its objective over the fit without it."""
+
+    candidate: Candidate
+    fit: Fit
+    count: int  # unknowns that it added, the last ones of the fit's laws
+    gain: float
+
+    def as_it_is(self, base_evidence: float) -> Refined:
+        """It without noise let loose."""
+        return Refined(self.candidate, self.fit, self.count, log_evidence(self.fit) - base_evidence)
 
 
 def log_evidence(fit: Fit) -> float:
@@ -49,13 +62,12 @@ def log_evidence(fit: Fit) -> float:
 
 
 def _readings_of(candidate: Candidate) -> tuple[str, ...]:
-    """The noise that an effect of a stream may have been taken for."""
-    names = dict.fromkeys(READING_NOISE_OF_KIND[kind] for kind in KINDS_OF_STREAM.get(candidate.entry.topic or "", ()))
-    return tuple(f"reading.{name}" for name in names)
+    """The noise that a fault of a sensor may have been taken for: that of others, too, which disagree with it."""
+    return READING_NOISE if candidate.entry.topic else ()
 
 
-def refine(fit: Fit, screened: Screened, scene: Scene, base_evidence: float) -> Refined:
-    """The candidate let loose together with everything else, from where the screening saw it."""
+def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
+    """The candidate let loose together with all laws, from where the screening saw it; noise stays as it is."""
     candidate = screened.candidate
     rows = candidate.write(fit.rows, screened.values)
     new = [*candidate.amplitudes(), *candidate.shape_unknowns(screened.values, scene)]
@@ -63,9 +75,13 @@ def refine(fit: Fit, screened: Screened, scene: Scene, base_evidence: float) -> 
     start = np.concatenate([fit.q, screened.q, np.zeros(shapes)])
     trial = evaluated(replace(fit, rows=rows, laws=(*fit.laws, *new), q=start))
     cautious = evaluated(replace(trial, q=np.concatenate([fit.q, 0.3 * screened.q, np.zeros(shapes)])))
-    trial = trial if trial.objective > cautious.objective else cautious
-    trial = improved(trial, 3)
-    trial = improved(with_noise(trial, 1, WATER_NOISE), 3)
-    if trial.objective - fit.objective > CLEAR:
-        trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(candidate))), 2)
-    return Refined(candidate, trial, len(new), log_evidence(trial) - base_evidence)
+    trial = improved(trial if trial.objective > cautious.objective else cautious, 3)
+    return Begun(candidate, trial, len(new), trial.objective - fit.objective)
+
+
+def refine(begun: Begun, base_evidence: float) -> Refined:
+    """The candidate with noise let loose as well."""
+    trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
+    if trial.objective - begun.fit.objective + begun.gain > CLEAR:
+        trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)
+    return Refined(begun.candidate, trial, begun.count, log_evidence(trial) - base_evidence)

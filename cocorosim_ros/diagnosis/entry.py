@@ -14,7 +14,8 @@ SENSOR_CHANNELS = ("compass", "pressure", "imu", "pose", "clock", "velocity")
 class Scene(NamedTuple):
     """What the recordings span: lowest and highest x, y, z [m; world] and the duration [s].
 
-    periods: at which the random force that the model needs swings most, by equation [s]. scales: typical sizes of the
+    periods: at which the random force that the model needs swings most, by equation [s]. changes: moments at which
+    that of heave steps most [s]. scales: typical sizes of the
     regressors of laws, and of the forces by equation.
     """
 
@@ -24,6 +25,7 @@ class Scene(NamedTuple):
     hull: float  # length of the hull [m]
     arm: float  # how far the thrusters sit before the centre [m]
     periods: Mapping[str, tuple[float, ...]]
+    changes: tuple[float, ...]
     scales: Mapping[str, float]
 
 
@@ -59,6 +61,7 @@ class Shape:
     logarithmic: bool = False
     fixed: bool = False  # looked for on the grid alone
     periodic: bool = False
+    once: bool = False  # the moment of what happens once
 
 
 Basis = Callable[[Mapping[str, float]], list[tuple[dict[str, float], float]]]

@@ -15,7 +15,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.columns import WATER_NOISE
-from cocorosim_ros.diagnosis.contest import Refined, log_evidence, refine
+from cocorosim_ros.diagnosis.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
 from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
@@ -28,6 +28,8 @@ THRESHOLD = 7.0 + math.log(40 / 14)  # nats
 AMBIGUITY = 3.0  # nats
 WORTH_REFINING = 2.0  # nats of the screening
 HOPELESS = 0.1  # of the leader's nats below which refining a candidate does not make it the leader
+PROMISING = 0.5  # of the leader's nats with noise held, and
+CLOSE = 20.0  # nats behind it: who has less of both is put off
 LEADERS = 4
 MOST_REFINED = 8
 MOST_EFFECTS = 4
@@ -83,7 +85,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         if found is None:
             break
         fit, accused = found
-    fit, accused = _pruned(fit, accused)
+    fit, accused = _pruned(fit, accused, base)
     return Naming(base, fit, accused, first, first_laws)
 
 
@@ -103,21 +105,42 @@ def _best(
     if not chosen:
         return None
     base_evidence = log_evidence(fit)
-    refined = [_refined(fit, part, screen, base_evidence) for part in chosen]
-    refined.sort(key=lambda part: -_standing(part))
     negligible: list[Candidate] = []  # they explain something but are too small to be believed
+    for part in _by_promise([begin(fit, part, screen.scene) for part in chosen]):
+        refined = [_refined(fit, begun, base_evidence) for begun in part]
+        found = _first_believed(fit, accused, refined, negligible)
+        if found is not None:
+            return found
+    return None
+
+
+def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
+    """Those that may become the leader or its rival once noise is let loose, and the rest."""
+    gains = [part.gain - part.candidate.entry.prior_nats for part in begun]
+    needed = min(PROMISING * max(gains), max(gains) - CLOSE)
+    chosen: tuple[list[Begun], list[Begun]] = ([], [])
+    for part, gain in zip(begun, gains, strict=True):
+        chosen[gain < needed].append(part)
+    return chosen
+
+
+def _first_believed(
+    fit: Fit, accused: tuple[Accused, ...], refined: list[Refined], negligible: list[Candidate]
+) -> tuple[Fit, tuple[Accused, ...]] | None:
+    """The fit with the best of these that may be accused; who is too small for that joins the negligible."""
+    refined.sort(key=lambda part: -_standing(part))
     for best in refined:
         needed = _needed(accused, best.candidate)
         if _standing(best) < needed:
             return None
-        if best.nats < CHECKED and _regained(best) < needed:
+        if best.nats < CHECKED and _regained(best, fit) < needed:
             continue
         if _is_tiny(best):
             negligible.append(best.candidate)
             continue
         if any(_is_like(best.candidate, part) for part in negligible):
             continue  # the same by another name
-        gain = held_out_gain(fit, best.fit)
+        gain = held_out_gain(fit, best.fit, best.candidate.moments)
         if gain.total > 0.0:
             rivals = [(part.candidate, best.nats - part.nats) for part in refined if part is not best]
             near = tuple(
@@ -128,9 +151,9 @@ def _best(
     return None
 
 
-def _regained(part: Refined) -> float:
+def _regained(part: Refined, before: Fit) -> float:
     """Its evidence over a model without it that was let loose again from there, lest an unfinished fit be its merit."""
-    without = _without(part.fit, len(part.fit.laws) - part.count, part.count)
+    without = _without(part.fit, len(part.fit.laws) - part.count, part.count, before)
     nats = log_evidence(part.fit) - log_evidence(without) - _held_against(part.candidate, without, part.fit)
     return _standing(replace(part, nats=nats))
 
@@ -185,9 +208,11 @@ def _standing(part: Refined) -> float:
     return part.nats - (LAW_MARGIN if part.candidate.entry.law is not None else 0.0)
 
 
-def _refined(fit: Fit, screened: Screened, screen: Screen, base_evidence: float) -> Refined:
-    result = refine(fit, screened, screen.scene, base_evidence)
-    return replace(result, nats=result.nats - _held_against(screened.candidate, fit, result.fit))
+def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
+    result = begun.as_it_is(base_evidence)
+    if not _is_tiny(result):
+        result = refine(begun, base_evidence)
+    return replace(result, nats=result.nats - _held_against(begun.candidate, fit, result.fit))
 
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
@@ -203,13 +228,13 @@ def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
     return [*leaders, *more][:MOST_REFINED]
 
 
-def _pruned(fit: Fit, accused: tuple[Accused, ...]) -> tuple[Fit, tuple[Accused, ...]]:
+def _pruned(fit: Fit, accused: tuple[Accused, ...], base: Fit) -> tuple[Fit, tuple[Accused, ...]]:
     """Take back what the others have made superfluous, the weakest first."""
     while len(accused) > 1:
         whole = log_evidence(fit)
         losses = []
         for part in accused:
-            without = _without(fit, part.first, part.count)
+            without = _without(fit, part.first, part.count, base)
             nats = whole - log_evidence(without) - _held_against(part.candidate, without, fit)
             losses.append((nats, part, without))
         kept = {part.candidate.key: change for change, part, _ in losses}
@@ -225,18 +250,22 @@ def _pruned(fit: Fit, accused: tuple[Accused, ...]) -> tuple[Fit, tuple[Accused,
 def without_weakest(naming: Naming) -> Naming:
     """The naming without the accusation that has the least evidence."""
     weakest = min(naming.accused, key=lambda part: part.nats)
-    return replace(
-        naming, fit=_without(naming.fit, weakest.first, weakest.count), accused=_moved(naming.accused, weakest)
-    )
+    fit = _without(naming.fit, weakest.first, weakest.count, naming.base)
+    return replace(naming, fit=fit, accused=_moved(naming.accused, weakest))
 
 
-def _without(fit: Fit, first: int, count: int) -> Fit:
-    """The fit without so many of its laws from `first` on, the rest let loose again."""
+def _without(fit: Fit, first: int, count: int, base: Fit) -> Fit:
+    """The fit without so many of its laws from `first` on, the rest let loose again.
+
+    What the laws explained passes for random force then: the noise may have to be what it was in `base`.
+    """
     stays = np.ones(len(fit.laws), dtype=bool)
     stays[first : first + count] = False
     laws = tuple(law for law, keep in zip(fit.laws, stays, strict=True) if keep)
     smaller = evaluated(replace(fit, laws=laws, q=fit.q[stays]))
-    return improved(with_noise(improved(smaller, 2), 2, WATER_NOISE), 2)
+    noisy = evaluated(replace(smaller, q_noise=base.q_noise))
+    smaller = improved(max(smaller, noisy, key=lambda each: each.objective), 2)
+    return improved(with_noise(smaller, 2, WATER_NOISE), 2)
 
 
 def _moved(accused: tuple[Accused, ...], gone: Accused) -> tuple[Accused, ...]:

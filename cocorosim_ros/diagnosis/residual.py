@@ -20,6 +20,8 @@ IN_BODY = ("surge", "sway")
 PEAKS = 3
 SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
 SHORTEST_PERIOD = 5.0  # s
+CHANGES = 3
+STEADY = 15.0  # s before and after a change that are compared
 
 
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
@@ -43,6 +45,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
         tracks[0].hull,
         tracks[0].arm,
         periods,
+        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_COLUMNS["heave"]])),
         _scales(tracks[0], seen, duration),
     )
 
@@ -66,6 +69,19 @@ def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[flo
     peaks, _ = find_peaks(np.where(wanted, total, 0.0))
     strongest = peaks[np.argsort(total[peaks])[::-1][:PEAKS]]
     return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS)
+
+
+def _changes(time: Floats, force: Floats) -> list[float]:
+    """Moments [s] at which a force (points,) changes most from what it was to what it then stays at."""
+    width = round(STEADY / float(time[1] - time[0]))
+    if len(time) < 2 * width + 1:
+        return []
+    total = np.concatenate([[0.0], np.cumsum(force)])
+    middle = np.arange(width, len(time) - width)
+    change = np.abs(total[middle + width] - 2.0 * total[middle] + total[middle - width]) / width
+    peaks, _ = find_peaks(change, distance=width)
+    strongest = peaks[np.argsort(change[peaks])[::-1][:CHANGES]]
+    return [float(time[middle[peak]]) for peak in strongest]
 
 
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:

@@ -10,7 +10,7 @@ Source: Rao, Proc. Camb. Phil. Soc. 44 (1948) 50; Kass and Raftery, JASA 90 (199
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -43,44 +43,53 @@ class Screen:
     def __init__(self, fit: Fit, scene: Scene) -> None:
         self.fit, self.scene = fit, scene
         self.known: Information = information(fit)
-        self._entry = ""
-        self._slopes: dict[tuple[object, ...], tuple[Floats, ...]] = {}
+        self._last: _Tested | None = None
 
     def slopes(self, candidate: Candidate, values: dict[str, float], unknowns: Sequence[Unknown]) -> tuple[Floats, ...]:
-        """Per track (m, unknowns) at these shapes; the slopes of a robot are those that it has among others."""
-        if candidate.entry.id != self._entry:
-            self._entry, self._slopes = candidate.entry.id, {}
-        rows = write_values(candidate.write(self.fit.rows, values), unknowns, np.zeros(len(unknowns)))
-        fit = replace(self.fit, rows=rows)
-        found = tuple(np.zeros((len(unknowns), len(part.innovation))) for part in fit.passes)
-        for index, unknown in enumerate(unknowns):
-            key = (unknown, *sorted(values.items()))
-            if key not in self._slopes:
-                parts = slopes(fit, [unknown], np.zeros(1))
-                self._slopes[key] = tuple(parts[number][:, 0] for number in unknown.tracks)
-            for number, slope in zip(unknown.tracks, self._slopes[key], strict=True):
-                found[number][index] = slope
-        return tuple(part.T for part in found)
+        """Per track (m, unknowns) at these shapes."""
+        neutral = np.zeros(len(unknowns))
+        rows = write_values(candidate.write(self.fit.rows, values), unknowns, neutral)
+        return slopes(replace(self.fit, rows=rows), unknowns, neutral)
 
     def test(self, candidate: Candidate) -> Screened:
         """The candidate at the best of its shapes."""
         unknowns = candidate.amplitudes()
-        settings = list(candidate.settings(self.scene))
-        if not settings:
+        if self._last is None or not self._last.covers(candidate):
+            self._last = _Tested(self, candidate, unknowns)
+        if not self._last.settings:
             return _impossible(candidate, len(unknowns))
-        directions = _Directions(self, candidate, unknowns)
-        parts = [directions.parts(values) for values in settings]
-        products = _Products(self, directions.slopes)
+        lower = np.array([unknown.bounds[0] for unknown in unknowns])
         best: Screened | None = None
-        for values, weighted in zip(settings, parts, strict=True):
-            own, own_score = products.mixed(weighted)
-            lower = np.array([unknown.bounds[0] for unknown in unknowns])
+        for values, own, own_score in self._last.of(unknowns):
             q, nats = _evidence(own, own_score, lower)
             if best is None or nats > best.nats:
                 z = own_score / np.sqrt(np.maximum(np.diag(own), 1e-300))
                 best = Screened(candidate, values, q, nats, own, z)
         assert best is not None
-        return replace(best, nats=best.nats - math.log(len(settings)) - candidate.entry.prior_nats)
+        return replace(best, nats=best.nats - math.log(len(self._last.settings)) - candidate.entry.prior_nats)
+
+
+class _Tested:
+    """What is known of an entry's amplitudes at all points of its shapes; it serves a part of its robots as well."""
+
+    def __init__(self, screen: Screen, candidate: Candidate, unknowns: Sequence[Unknown]) -> None:
+        self._candidate, self._unknowns = candidate, list(unknowns)
+        self.settings = list(candidate.settings(screen.scene))
+        directions = _Directions(screen, candidate, unknowns)
+        parts = [directions.parts(values) for values in self.settings]
+        products = _Products(screen, directions.slopes)
+        self._found = [products.mixed(weighted) for weighted in parts]
+
+    def covers(self, other: Candidate) -> bool:
+        """Whether the other one is the same for robots that are among these."""
+        mine = self._candidate
+        return other.entry is mine.entry and other.known == mine.known and set(other.robots) <= set(mine.robots)
+
+    def of(self, unknowns: Sequence[Unknown]) -> Iterator[tuple[dict[str, float], Floats, Floats]]:
+        """Shapes, and information (n, n) and score (n,) of these amplitudes there, orthogonal to the model."""
+        chosen = [self._unknowns.index(unknown) for unknown in unknowns]
+        for values, (own, score) in zip(self.settings, self._found, strict=True):
+            yield values, own[np.ix_(chosen, chosen)], score[chosen]
 
 
 def _impossible(candidate: Candidate, amplitudes: int) -> Screened:
@@ -145,7 +154,9 @@ class _Directions:
 
 
 def _evidence(matrix: Floats, score: Floats, lower: Floats) -> tuple[Floats, float]:
-    """q (n,) and nats; amplitudes that would pass a bound stay at it."""
+    """q (n,) and nats; amplitudes that would pass a bound stay at it. A model that runs away is no evidence."""
+    if not (np.isfinite(matrix).all() and np.isfinite(score).all()):
+        return np.zeros(len(score)), -math.inf
     free = np.ones(len(score), dtype=bool)
     while True:
         q = np.where(free, 0.0, np.where(lower > 0, lower, 0.0))
