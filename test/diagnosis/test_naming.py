@@ -16,7 +16,16 @@ HIDDEN = [
 ]
 
 
-def diagnosed(swim: Any, hidden: dict[str, dict[str, float]], seed: int) -> Any:
+# Together, without any random force: the first explains so much that the second must not pass for a rest of it.
+TOGETHER: dict[str, dict[str, float]] = {
+    "linear_drag": {"surge": 0.02, "sway": 0.02, "heave": 0.02, "yaw": 0.0},
+    "tidal_current": {"x": -0.0008, "y": 0.0013, "period": 70.0, "phase": 1.0},
+}
+
+
+def diagnosed(
+    swim: Any, hidden: dict[str, dict[str, float]], seed: int, seconds: float = SECONDS, disturbance: float = 0.005
+) -> Any:
     """The diagnosis of a swim with these effects, by a base that lacks them, and the progress that was told."""
     from dataclasses import replace
 
@@ -33,7 +42,8 @@ def diagnosed(swim: Any, hidden: dict[str, dict[str, float]], seed: int) -> Any:
     }
     platform = replace(plain, effect_quantities=effects)
     said: list[str] = []
-    return diagnose(swim(platform, SECONDS, seed=seed, base=plain), lambda words, share: said.append(words)), said
+    evidence = swim(platform, seconds, seed=seed, base=plain, disturbance=disturbance)
+    return diagnose(evidence, lambda words, share: said.append(words)), said
 
 
 @pytest.mark.parametrize(("effect", "numbers"), HIDDEN, ids=[effect for effect, _ in HIDDEN])
@@ -60,3 +70,39 @@ def test_a_pump_that_is_late_by_a_moment_is_not_accused(swim: Any) -> None:
     """Thirty-five milliseconds are somebody's clock; neither the pump nor a law that says the same is to blame."""
     diagnosis, _ = diagnosed(swim, {"pump_lag": {"time_constant": 0.035}}, seed=3)
     assert diagnosis.effects == ()
+
+
+@pytest.mark.parametrize("moment", [110.0, 116.5])
+def test_a_payload_is_found_wherever_its_step_lies(swim: Any, moment: float) -> None:
+    """Half a millinewton less weight in still water, between two of the moments that are tried first or at one."""
+    diagnosis, _ = diagnosed(swim, {"payload_shift": {"force": 6e-4, "time": moment}}, 4, 300.0, disturbance=0.0)
+    assert [part.id for part in diagnosis.effects] == ["payload_shift"]
+    assert diagnosis.effects[0].parameters["time"].value == pytest.approx(moment, abs=2.0)
+
+
+def test_an_effect_does_not_hide_behind_another_where_no_water_pushes(swim: Any) -> None:
+    """Both are named, though the model without one of them is wrong by hundreds of standard deviations."""
+    diagnosis, _ = diagnosed(swim, TOGETHER, 5, 300.0, disturbance=0.0)
+    assert {part.id for part in diagnosis.effects} == set(TOGETHER)
+
+
+def test_a_sensor_is_not_blamed_for_another_one(swim: Any) -> None:
+    """A camera that shows lengths one per cent long is that, not a gauge, seldom read, that errs by depth."""
+    from dataclasses import replace
+
+    from cocorosim_ros.diagnosis.naming import name_effects
+    from cocorosim_ros.diagnosis.recalibration import base_fit
+    from cocorosim_ros.scenario.platform import load_platform
+
+    evidence = swim(load_platform("lily"), SECONDS, seed=6)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    pose, pressure = log.streams["pose"], log.streams["pressure"]
+    changed = {
+        "pose": replace(pose, value=pose.value * (1.01, 1.01, 1.01, 1.0)),
+        "pressure": replace(pressure, time=pressure.time[::20], value=pressure.value[::20]),
+    }
+    log = replace(log, streams={**log.streams, **changed})
+    base = base_fit(replace(evidence, recordings=(replace(recording, robots=(log,)),)))
+    naming = name_effects(base, lambda words, share: None)
+    assert [part.candidate.entry.id for part in naming.accused] == ["camera_scale"]

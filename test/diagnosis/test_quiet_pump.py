@@ -17,16 +17,22 @@ RANDOM_FORCE = 1e-4  # N
 STEP = 0.1  # s
 
 
-def fits(force: Any, nats: Any, kind: int = POSE_Z) -> tuple[Any, Any]:
-    """Two fits of one robot with a reading at each grid point, the second better by `nats` (points,) at each."""
-    row = NEUTRAL.copy()
-    row[COLUMN["random.heave_force"]] = math.log(RANDOM_FORCE)
+def fits(force: Any, nats: Any, kind: int = POSE_Z, before: float = RANDOM_FORCE) -> tuple[Any, Any]:
+    """Two fits of one robot with a reading at each grid point, the second better by `nats` (points,) at each.
+
+    before: random force [N] that the first fit needs.
+    """
+    rows = np.tile(NEUTRAL, (2, 1, 1))
+    rows[:, 0, COLUMN["random.heave_force"]] = math.log(before), math.log(RANDOM_FORCE)
     stamps = STEP * np.arange(len(force))
     readings = SimpleNamespace(kind=np.full(len(force), kind), stamp=stamps, begin=0.0, step=STEP)
     track = SimpleNamespace(readings=readings, pump_force=lambda row: force)
     one = SimpleNamespace(innovation=np.sqrt(2.0 * nats), variance=np.ones(len(force)))
     other = SimpleNamespace(innovation=np.zeros(len(force)), variance=np.ones(len(force)))
-    return tuple(SimpleNamespace(tracks=(track,), filled=row[None], passes=(part,)) for part in (one, other))  # type: ignore[return-value]
+    return (
+        SimpleNamespace(tracks=(track,), filled=rows[0], passes=(one,)),
+        SimpleNamespace(tracks=(track,), filled=rows[1], passes=(other,)),
+    )
 
 
 def test_small_commands_do_not_count() -> None:
@@ -44,3 +50,9 @@ def test_what_follows_a_step_counts() -> None:
 def test_readings_that_are_level_are_not_asked() -> None:
     """A pump moves nothing but depth."""
     assert quiet_gain(*fits(np.zeros(50), np.ones(50), COMPASS)) == 0.0
+
+
+def test_what_passed_for_random_force_does_not_make_a_pump_quiet() -> None:
+    """A fit without the pump's fault takes it for water; how loud commands are follows from the fit that has it."""
+    force = np.where(np.arange(200) < 100, 0.0, 100.0 * RANDOM_FORCE)
+    assert quiet_gain(*fits(force, np.full(200, 0.1), before=20.0 * RANDOM_FORCE)) == pytest.approx(15.1, abs=0.25)
