@@ -15,8 +15,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.columns import COLUMN
 from cocorosim_ros.diagnosis.kernels.products import weighted_products
 from cocorosim_ros.diagnosis.track import Pass, Track
+from cocorosim_ros.diagnosis.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.unknowns import Unknown, prior_centre, prior_precision, write_values
 
 Floats = NDArray[np.float64]
@@ -72,7 +74,8 @@ def make_fit(tracks: Sequence[Track], rows: Floats, laws: Sequence[Unknown], noi
 def evaluated(fit: Fit) -> Fit:
     """The fit with the passes at its q."""
     filled = fit.filled
-    return replace(fit, passes=tuple(track.full(row) for track, row in zip(fit.tracks, filled, strict=True)))
+    passes = of_each_track(lambda number: fit.tracks[number].full(filled[number]), len(fit.tracks))
+    return replace(fit, passes=tuple(passes))
 
 
 def slopes(fit: Fit, laws: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
@@ -80,14 +83,21 @@ def slopes(fit: Fit, laws: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
 
     At q the laws must leave the model as the fit has it: its own, or new ones that are still neutral.
     """
-    found = tuple(np.zeros((len(laws), len(part.innovation))) for part in fit.passes)
     filled = write_values(fit.filled, laws, q)
-    for index, law in enumerate(laws):
-        step = law.step if law.clipped(q[index] + law.step) == q[index] + law.step else -law.step
-        nudged = write_values(filled, [law], np.array([q[index] + step]))
-        for number in law.tracks:
-            fit.tracks[number].slope(nudged[number], fit.passes[number], step, found[number][index])
-    return tuple(part.T for part in found)
+    steps = [law.step if law.clipped(place + law.step) == place + law.step else -law.step
+             for law, place in zip(laws, q, strict=True)]  # fmt: skip
+
+    def of_track(number: int) -> Floats:
+        part = fit.passes[number]
+        found = np.zeros((len(laws), len(part.innovation)))
+        for law, place, step, slope in zip(laws, q, steps, found, strict=True):
+            if number in law.tracks:
+                nudged = filled[number].copy()
+                nudged[COLUMN[law.column]] = law.value(float(place) + step)
+                fit.tracks[number].slope(nudged, part, step, slope)
+        return found.T
+
+    return tuple(of_each_track(of_track, len(fit.tracks)))
 
 
 def _shorter(change: Floats, track: Track) -> Floats:
@@ -213,25 +223,38 @@ def _noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]
     score = -precision * (fit.q_noise[chosen] - prior_centre(unknowns))
     matrix = np.diag(precision)
     filled = fit.filled
-    for number, (track, part) in enumerate(zip(fit.tracks, fit.passes, strict=True)):
-        mean, spread = np.zeros((2, len(chosen), len(part.innovation)))
-        for column, (index, unknown) in enumerate(zip(chosen, unknowns, strict=True)):
-            if number not in unknown.tracks:
-                continue
-            nudged = write_values(filled, [unknown], np.array([fit.q_noise[index] + NOISE_STEP]))[number]
-            other = track.full(nudged)
-            believed = part.believed & other.believed
-            change = _shorter(other.innovation - part.innovation, track)
-            mean[column] = np.where(believed, change / NOISE_STEP, 0.0)
-            spread[column] = (other.variance - part.variance) / NOISE_STEP
-        excess = np.where(part.believed, part.innovation**2 / part.variance - 1.0, 0.0)
-        relative = spread / part.variance
-        one = np.ones_like(part.variance)
-        score = score - weighted_products(mean.T, part.innovation[:, None], part.variance)[:, 0]
-        score = score + 0.5 * weighted_products(relative.T, excess[:, None], one)[:, 0]
-        matrix = matrix + weighted_products(mean.T, mean.T, part.variance)
-        matrix = matrix + 0.5 * weighted_products(relative.T, relative.T, one)
+
+    def of_track(number: int) -> tuple[Floats, Floats]:
+        nudged = [
+            write_values(filled, [unknown], np.array([fit.q_noise[index] + NOISE_STEP]))[number]
+            if number in unknown.tracks else None
+            for index, unknown in zip(chosen, unknowns, strict=True)
+        ]  # fmt: skip
+        return _noise_of_track(fit.tracks[number], fit.passes[number], nudged)
+
+    for added_score, added_matrix in of_each_track(of_track, len(fit.tracks)):
+        score, matrix = score + added_score, matrix + added_matrix
     return score, matrix
+
+
+def _noise_of_track(track: Track, part: Pass, nudged: Sequence[Floats | None]) -> tuple[Floats, Floats]:
+    """Score (n,) and information (n, n) of noise on a track; nudged: its row with each one a step off, or not its."""
+    mean, spread = np.zeros((2, len(nudged), len(part.innovation)))
+    for column, row in enumerate(nudged):
+        if row is None:
+            continue
+        other = track.full(row)
+        believed = part.believed & other.believed
+        change = _shorter(other.innovation - part.innovation, track)
+        mean[column] = np.where(believed, change / NOISE_STEP, 0.0)
+        spread[column] = (other.variance - part.variance) / NOISE_STEP
+    excess = np.where(part.believed, part.innovation**2 / part.variance - 1.0, 0.0)
+    relative = spread / part.variance
+    one = np.ones_like(part.variance)
+    score = -weighted_products(mean.T, part.innovation[:, None], part.variance)[:, 0]
+    score += 0.5 * weighted_products(relative.T, excess[:, None], one)[:, 0]
+    matrix = weighted_products(mean.T, mean.T, part.variance)
+    return score, matrix + 0.5 * weighted_products(relative.T, relative.T, one)
 
 
 def covariance(fit: Fit) -> Floats:

@@ -2,8 +2,9 @@
 
 The recordings are cut into blocks. The estimate without a block follows from the fit by one Newton step with the
 block's share of score and information taken out; the likelihood of the block there, with and without the addition,
-differs by what the addition foretold. The moment of what happens once is no other stretch's to tell: it stays. Source: leave-future-out and block validation for dependent data, Roberts et al.,
-Ecography 40 (2017) 913; one-step leave-out after Pregibon, Annals of Statistics 9 (1981) 705.
+differs by what the addition foretold. The moment of what happens once is no other stretch's to tell: it stays.
+Source: leave-future-out and block validation for dependent data, Roberts et al., Ecography 40 (2017) 913; one-step
+leave-out after Pregibon, Annals of Statistics 9 (1981) 705.
 """
 
 from __future__ import annotations

@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.entry import Scene
 from cocorosim_ros.diagnosis.fit import Fit
 from cocorosim_ros.diagnosis.surroundings import FAR
 from cocorosim_ros.diagnosis.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks_at_once import of_each_track
 
 Floats = NDArray[np.float64]
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
@@ -26,7 +27,8 @@ STEADY = 15.0  # s before and after a change that are compared
 
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
     """The most likely course of every track."""
-    return tuple(track.smoothed(row) for track, row in zip(fit.tracks, fit.filled, strict=True))
+    filled = fit.filled
+    return tuple(of_each_track(lambda number: fit.tracks[number].smoothed(filled[number]), len(fit.tracks)))
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
