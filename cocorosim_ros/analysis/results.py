@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from cocorosim_ros.analysis.effect_size import Effect, effect
 from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.experiments.store import DESIGN, PARTS, RESULTS, group_rows, read_rows
+from cocorosim_ros.experiments.results_folder import DESIGN, group_rows, read_folder, read_note
+from cocorosim_ros.metrics import METRICS
 
 Floats = NDArray[np.float64]
 
@@ -72,16 +73,24 @@ class Results:
 
 def load_results(folder: Path) -> Results:
     """The results of an experiment, finished or not. Raises CocorosimError if the folder holds none."""
-    note = folder / DESIGN
-    if not note.is_file():
+    if not (folder / DESIGN).is_file():
         raise CocorosimError(f"{folder} holds no experiment; give a folder that 'cocorosim experiment --out' has made.")
-    files = [path for path in (folder / RESULTS, *sorted((folder / PARTS).glob("*.parquet"))) if path.is_file()]
-    if not files:
+    results = Results(read_note(folder), read_folder(folder))
+    _check_metrics(results.about["metrics"], folder)
+    if results.table.num_rows == 0:
         raise CocorosimError(f"{folder} holds no finished runs yet; let 'cocorosim experiment' go on.")
-    table = pa.concat_tables([read_rows(path) for path in files])
-    results = Results(json.loads(note.read_text("utf-8")), table)
-    if group_rows(table, results.numerics[0], results.baseline).num_rows == 0:
+    if group_rows(results.table, results.numerics[0], results.baseline).num_rows == 0:
         raise CocorosimError(
             f"{folder} holds no runs of the baseline '{results.baseline}' yet; let it be calculated first."
         )
     return results
+
+
+def _check_metrics(names: Sequence[str], folder: Path) -> None:
+    """Raises CocorosimError if one of them is no metric here."""
+    unknown = [name for name in names if name not in METRICS]
+    if unknown:
+        raise CocorosimError(
+            f"{folder / DESIGN} asks for the metric '{unknown[0]}', which this version of the program does not have; "
+            "use the version that made it, or run the design again in another folder."
+        )

@@ -63,8 +63,8 @@ def _feed(
 ) -> Iterator[pa.Table]:
     while (waiting or running) and going():
         while waiting and len(running) < workers:
-            chunk = waiting.popleft()
-            running[pool.submit(run_chunk, chunk)] = chunk
+            future = pool.submit(run_chunk, waiting[0])  # which a broken pool refuses: the chunk must still wait then
+            running[future] = waiting.popleft()
         finished, _ = wait(running, ASKED_EVERY, FIRST_COMPLETED)
         for future in finished:
             rows = future.result()

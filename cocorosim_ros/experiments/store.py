@@ -1,10 +1,7 @@
 """The folder of an experiment: finished chunks as parts, put together in one table when all are there.
 
-    design.json        which design and which code the rows belong to
-    parts/*.parquet    rows of finished chunks; each appears at once or not at all
-    results.parquet    all rows, in the order of the design
-
-A process that is killed at any moment loses the chunks that it had not finished, and nothing else.
+`results_folder` says what lies there. A process that is killed at any moment loses the chunks that it had not
+finished, and nothing else.
 """
 
 from __future__ import annotations
@@ -15,14 +12,22 @@ import shutil
 from pathlib import Path
 
 import pyarrow as pa
-import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.experiments.design import Design
-from cocorosim_ros.experiments.rows import SCHEMA, version
+from cocorosim_ros.experiments.results_folder import (
+    DESIGN,
+    KEYS,
+    PARTS,
+    RESULTS,
+    part_files,
+    read_folder,
+    read_note,
+    row_keys,
+)
+from cocorosim_ros.experiments.rows import version
 
-DESIGN, PARTS, RESULTS = "design.json", "parts", "results.parquet"
 _NEW = ".new"
 
 
@@ -49,9 +54,7 @@ class Store:
 
     def done(self) -> set[tuple[str, str, int]]:
         """Numerics, group and replicate of every row that is there."""
-        keys = ("numerics", "group", "replicate")
-        table = self._everything(list(keys))
-        return set(zip(*(table[key].to_pylist() for key in keys), strict=True))
+        return set(row_keys(read_folder(self._folder, KEYS)))
 
     def add(self, rows: pa.Table) -> None:
         """Keep the rows of a finished chunk."""
@@ -61,34 +64,19 @@ class Store:
 
     def complete(self) -> pa.Table:
         """The finished table in the order of the design; the parts are put together in one file."""
-        table = self._everything(SCHEMA.names)
+        table = read_folder(self._folder)
         cells = [(cell.numerics, cell.group) for cell in self._design.cells]
         keep = [
             (cells.index((numerics, group)), replicate, row)
-            for row, (numerics, group, replicate) in enumerate(self._keys(table))
+            for row, (numerics, group, replicate) in enumerate(row_keys(table))
             if (numerics, group) in cells and replicate < self._design.replicates
         ]
         ordered = table.take(pa.array([row for *_, row in sorted(keep)], pa.int64()))
         if len(keep) == table.num_rows:
             _write(ordered, self.results)
-            for part in self._part_files():
+            for part in part_files(self._folder):
                 part.unlink()
         return ordered
-
-    def _keys(self, table: pa.Table) -> list[tuple[str, str, int]]:
-        return list(zip(*(table[key].to_pylist() for key in ("numerics", "group", "replicate")), strict=True))
-
-    def _everything(self, columns: list[str]) -> pa.Table:
-        files = [path for path in (self.results, *self._part_files()) if path.is_file()]
-        tables = [read_rows(path, columns) for path in files]
-        table = pa.concat_tables(tables) if tables else SCHEMA.empty_table().select(columns)
-        # Killed between writing the table and removing the parts, rows are there twice, and equal.
-        seen: set[tuple[str, str, int]] = set()
-        fresh = [not (key in seen or seen.add(key)) for key in self._keys(table)]  # type: ignore[func-returns-value]
-        return table.filter(pa.array(fresh, pa.bool_()))
-
-    def _part_files(self) -> list[Path]:
-        return sorted(self._parts.glob("*.parquet"))
 
     def _open(self, force: bool) -> None:
         self._refuse_foreign()
@@ -97,7 +85,7 @@ class Store:
         mine = {**self._design.summary(), "version": version()}
         note = self._folder / DESIGN
         if note.is_file():
-            self._compare(json.loads(note.read_text("utf-8")), mine)
+            self._compare(read_note(self._folder), mine)
         self._parts.mkdir(parents=True, exist_ok=True)
         for unfinished in self._folder.rglob(f"*{_NEW}"):
             unfinished.unlink()
@@ -131,22 +119,6 @@ class Store:
                 f"{mine['version']}; rows of both would not be comparable: give another folder with --out, or --force "
                 "to start again."
             )
-
-
-def read_rows(path: Path, columns: list[str] | None = None) -> pa.Table:
-    """The rows of a table of results. Raises CocorosimError if the file is none."""
-    try:
-        return pq.read_table(path, columns=columns, partitioning=None)
-    except FileNotFoundError as error:
-        raise CocorosimError(f"{path} does not exist; give the folder or the table of an experiment.") from error
-    except (pa.ArrowException, OSError) as error:
-        reason = " ".join(str(error).split())
-        raise CocorosimError(f"{path} is no readable table of results ({reason}); remove it or start again.") from error
-
-
-def group_rows(table: pa.Table, numerics: str, group: str) -> pa.Table:
-    """The rows of one cell."""
-    return table.filter(pc.and_(pc.equal(table["numerics"], numerics), pc.equal(table["group"], group)))
 
 
 def _write(table: pa.Table, path: Path) -> None:

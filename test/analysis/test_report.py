@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 
 from cocorosim_ros.errors import CocorosimError
@@ -83,6 +84,60 @@ def test_how_far_chance_goes(folder: Path) -> None:
     scores = [float(polarisation) for _, polarisation, _ in rows]
     assert scores[0] == 1.0 > scores[1] > scores[2] > 0.56
     assert "hours by the clock" in page and "processor" not in page
+
+
+def test_rows_in_the_table_and_in_parts_count_once(folder: Path) -> None:
+    """As they are after a kill between the writing of the table and the removal of the parts."""
+    from cocorosim_ros.analysis.results import load_results
+
+    table = load_results(folder).table
+    pq.write_table(table, folder / "results.parquet")
+    assert len(list((folder / "parts").iterdir())) == 2
+    results = load_results(folder)
+    assert results.table.num_rows == 60 and results.values("paper", "deaf", "lost").size == 30
+
+
+def test_a_table_without_a_metric(folder: Path) -> None:
+    """The file and the column are named, whichever of several files it is."""
+    from cocorosim_ros.analysis.results import load_results
+
+    part = folder / "parts/paper-deaf-0000000-30.parquet"
+    pq.write_table(pq.read_table(part).drop_columns(["lost_time_mean"]), part)
+    with pytest.raises(CocorosimError, match=r"deaf-0000000-30\.parquet lacks the column 'lost_time_mean'"):
+        load_results(folder)
+
+
+def test_a_column_that_holds_no_numbers(folder: Path) -> None:
+    """Words where a metric should be: the file is named."""
+    from cocorosim_ros.analysis.results import load_results
+
+    part = folder / "parts/paper-deaf-0000000-30.parquet"
+    table = pq.read_table(part)
+    place = table.schema.get_field_index("lost")
+    pq.write_table(table.set_column(place, "lost", pa.array(["some"] * 30)), part)
+    with pytest.raises(CocorosimError, match=r"deaf-0000000-30\.parquet is no readable table of results"):
+        load_results(folder)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("{", "", "design.json does not say which design the rows beside it belong to (Extra data"),
+        ('"baseline"', '"base"', "(it lacks 'baseline')"),
+        ('"numerics"', '"kind"', "(its 'cells' are none)"),
+        ('"polarisation"', '"polarization"', "design.json asks for the metric 'polarization', which this version"),
+    ],
+)
+def test_a_damaged_note(folder: Path, old: str, new: str, told: str) -> None:
+    """The file is named, and the rows beside it stay."""
+    from cocorosim_ros.analysis.results import load_results
+
+    note = folder / "design.json"
+    note.write_text(note.read_text("utf-8").replace(old, new, 1), "utf-8")
+    with pytest.raises(CocorosimError) as error:
+        load_results(folder)
+    assert told in str(error.value) and "\n" not in str(error.value)
+    assert len(list((folder / "parts").iterdir())) == 2
 
 
 @pytest.mark.parametrize("made", [False, True])

@@ -123,6 +123,22 @@ def test_folders_of_others_are_not_touched(design_file: Write, tmp_path: Path) -
     assert not (tmp_path / "a/results.parquet").exists()
 
 
+@pytest.mark.parametrize("content", [b"", b"{", b"[]", b"{}", b"\xff"])
+def test_a_damaged_note_is_a_sentence(design_file: Write, tmp_path: Path, content: bytes) -> None:
+    """A design.json that tells nothing is named and nothing is lost; --force starts again."""
+    from cocorosim_ros.experiments.design import load_design
+    from cocorosim_ros.experiments.store import Store
+
+    calculate(design_file(), tmp_path / "a", 1, 1)
+    note = tmp_path / "a/design.json"
+    note.write_bytes(content)
+    with pytest.raises(CocorosimError, match=r"design\.json does not say which design the rows beside it belong to"):
+        Store(tmp_path / "a", load_design(design_file()))
+    assert note.read_bytes() == content and len(list((tmp_path / "a/parts").iterdir())) == 1
+    Store(tmp_path / "a", load_design(design_file()), force=True)
+    assert not list((tmp_path / "a/parts").iterdir())
+
+
 def test_a_damaged_table_is_a_sentence(design_file: Write, tmp_path: Path) -> None:
     """A part that is no Parquet file is named."""
     store = calculate(design_file(), tmp_path / "a", 1, 1)
