@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 REPRODUCED, NOT_REPRODUCED, NOT_DECIDABLE, NO_RUNS = "reproduced", "not reproduced", "not decidable", "no runs"
+DASH = "\u2013"
+"""What stands where nothing could be found."""
 
 
 @dataclass(frozen=True)
@@ -20,6 +22,18 @@ class Answer:
     numerics: str
     ours: str
     verdict: str
+
+
+def above(border: float, low: float, high: float) -> str:
+    """The verdict on a number that is claimed to be above a border, by its interval; not decidable without one."""
+    if low > border:
+        return REPRODUCED
+    return NOT_REPRODUCED if high < border else NOT_DECIDABLE
+
+
+def denied(verdict: str) -> str:
+    """The verdict on the contrary of a claim."""
+    return {REPRODUCED: NOT_REPRODUCED, NOT_REPRODUCED: REPRODUCED}.get(verdict, verdict)
 
 
 def all_of(verdicts: Iterable[str]) -> str:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from cocorosim_ros.analysis.answers import NO_RUNS, NOT_DECIDABLE, NOT_REPRODUCED, REPRODUCED, Answer
+from cocorosim_ros.analysis.answers import DASH, NO_RUNS, NOT_DECIDABLE, NOT_REPRODUCED, REPRODUCED, Answer
 from cocorosim_ros.analysis.effect_size import LARGE, Effect, effect
 from cocorosim_ros.analysis.results import Results
 
@@ -123,12 +123,17 @@ def findings(experiments: Mapping[str, Results]) -> Iterator[Finding]:
                 yield found_in(results, numerics, claim)
 
 
+def with_interval(found: Effect) -> str:
+    """A and its interval in words."""
+    return f"A = {found.value:.3f} ({found.low:.3f} to {found.high:.3f})"
+
+
 def shown(found: Effect) -> str:
     """An effect in words: direction, size, A with its interval."""
     if found.size == "undefined":
-        return "\u2013"
+        return DASH
     how = f"{found.direction}, {found.size}" if found.size != "none" else "no effect"
-    return f"{how}; A = {found.value:.3f} ({found.low:.3f} to {found.high:.3f})"
+    return f"{how}; {with_interval(found)}"
 
 
 def claim_answers(experiments: Mapping[str, Results]) -> list[Answer]:

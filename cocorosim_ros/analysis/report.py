@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +13,10 @@ import numpy as np
 from cocorosim_ros.analysis.box_plots import figure_of
 from cocorosim_ros.analysis.effect_size import Effect
 from cocorosim_ros.analysis.results import Results, Spread
-from cocorosim_ros.analysis.sample_size import consistency_by_chance
+from cocorosim_ros.analysis.sample_size import REPETITIONS, Consistency, baseline_consistency, consistency_by_chance
 from cocorosim_ros.metrics import METRICS
 from cocorosim_ros.reporting.page import page_template
 
-_REPETITIONS = 300
 _SIGNS = {"higher": "\u25b2", "lower": "\u25bc", "same": "="}
 _TEMPLATE = "report.html.jinja"
 
@@ -38,21 +38,21 @@ def _chapter(results: Results) -> dict[str, Any]:
         "auv_ticks": sum(results.table["ticks"].to_pylist()) * results.about["robots"],
         "versions": sorted(set(results.table["version"].to_pylist())),
         "groups": {cell["group"]: cell["description"] for cell in results.about["cells"]},
-        "chance": consistency_by_chance(runs, _REPETITIONS, np.random.default_rng(0)) if runs > 1 else None,
         "sections": [_section(results, kind) for kind in results.numerics],
     }
 
 
 def _section(results: Results, numerics: str) -> dict[str, Any]:
+    metrics = results.about["metrics"]
     others = [group for group in results.groups if group != results.baseline]
     return {
         "numerics": numerics,
-        "figure": figure_of(results, numerics, list(results.about["metrics"])),
+        "figure": figure_of(results, numerics, list(metrics)),
         "others": others,
         "effects": [
-            (name, [_shown_effect(results.effect(numerics, group, name)) for group in others])
-            for name in results.about["metrics"]
+            (name, [_shown_effect(results.effect(numerics, group, name)) for group in others]) for name in metrics
         ],
+        "consistency": [_shown_consistency(found) for found in baseline_consistency(results, numerics, metrics)],
         "spreads": [_all_spreads(results, numerics, name) for name in METRICS],
         "scenarios": [cell for cell in results.about["cells"] if cell["numerics"] == numerics],
     }
@@ -96,6 +96,23 @@ def _shown_effect(found: Effect) -> dict[str, str]:
         "size": found.size,
         "sign": _SIGNS[found.direction],
     }
+
+
+def _shown_consistency(found: Consistency) -> dict[str, Any]:
+    low, high = (100 * share for share in found.enough_interval)
+    return {
+        "runs": found.runs,
+        "each": [_two(score) for score in found.each],
+        "all": _two(found.median_of_largest),
+        "enough": f"{100 * found.enough:.0f} % ({low:.0f} \u2026 {high:.0f} %)",
+        "chance": _two(_by_chance(found.runs)),
+    }
+
+
+@lru_cache
+def _by_chance(runs: int) -> float:
+    """The same of one continuous response that nothing influences."""
+    return consistency_by_chance(runs, REPETITIONS, np.random.default_rng(0)).median_of_largest
 
 
 def _runs(results: Results, numerics: str, group: str) -> int:

@@ -3,7 +3,7 @@
 Each writes into `request` (controllers.request), which the operating system carries out until it is changed:
 absolute and relative heading, speed, depth, dive speed, direct actuators; `heading_achieved` and the two counts of
 neighbours answer questions. Obstacle avoidance is not asked for: it overrides the behaviour (controllers.conduct).
-Source: Read et al. 2013, section 2.2; cocorosim-facts 1.4 for the list.
+Source: Read et al. 2013, section 2.1; cocorosim-facts 1.4 for the list.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ def set_relative_heading(request: Floats, compass: float, turn: float) -> None:
 
 @kernel
 def set_speed(request: Floats, fraction: float) -> None:
-    """Swim with this fraction of the full thrust, 0..1."""
+    """Swim with this fraction of the full thrust, -1..1, backwards where it is negative, as the paper's text has it."""
     request[DIRECT] = 0.0
-    request[SPEED] = min(max(fraction, 0.0), 1.0)
+    request[SPEED] = min(max(fraction, -1.0), 1.0)
 
 
 @kernel

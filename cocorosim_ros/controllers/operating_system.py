@@ -117,7 +117,7 @@ def steer(observation: Observation, system: Floats, request: Floats, actuator: I
     gain = request[TURN_GAIN]
     turn = system[HEADING_GAIN] * gain * error
     turn -= system[YAW_RATE_GAIN] * math.sqrt(gain) * observation.angular_rate[2]
-    common = full * min(max(request[SPEED], 0.0), 1.0)
+    common = full * min(max(request[SPEED], -1.0), 1.0)
     left, right = common - 0.5 * turn, common + 0.5 * turn
     excess = max(abs(left), abs(right)) - full
     if excess > 0.0:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 HEADING = 0  # rad, world; NaN: hold the heading of the first reading
-SPEED = 1  # fraction of full thrust, 0..1
+SPEED = 1  # fraction of full thrust, -1..1
 TURN_GAIN = 2  # of the heading controller
 DIVE_MODE = 3  # DIVE_AT_SPEED or DIVE_TO_DEPTH
 DIVE = 4  # m/s, up positive, or m of depth, down positive

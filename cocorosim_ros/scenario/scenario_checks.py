@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.scenario.entry import Entry, nearest
+from cocorosim_ros.scenario.fastest_water import fastest_water
 from cocorosim_ros.scenario.quantity import nanoseconds_text
 from cocorosim_ros.scenario.seeding import start_poses
 from cocorosim_ros.scenario.stability import fastest_rate, longest_stable_step
@@ -63,13 +64,14 @@ def _check_times(scenario: Scenario, sections: Sections) -> None:
 
 def _check_stability(scenario: Scenario, sections: Sections) -> None:
     name, step = scenario.integrator.name, scenario.integrator.step_ns / 1e9
+    water = fastest_water(scenario)
+    swift = f" in water of up to {water:.3g} m/s" if water > 0.0 else ""
     for platform in dict.fromkeys(group.platform for group in scenario.swarm):
-        longest = longest_stable_step(name, platform)
+        longest, rate = longest_stable_step(name, platform, water), fastest_rate(platform, water)
         if step > longest:
             raise sections["integrator"].problem(
                 f"has a step of {step:g} s, beyond the {longest:.3g} s up to which '{name}' is stable for the platform "
-                f"'{platform.name}', whose fastest motion settles at {fastest_rate(platform):.3g} 1/s; choose a "
-                "shorter step."
+                f"'{platform.name}', whose fastest motion{swift} settles at {rate:.3g} 1/s; choose a shorter step."
             )
 
 

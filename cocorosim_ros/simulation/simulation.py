@@ -20,6 +20,7 @@ from cocorosim_ros.signals.radio import HEARING_LIMIT, MESSAGE_SIZE, Inbox
 from cocorosim_ros.signals.readings import Readings, blank_readings
 from cocorosim_ros.signals.state import YAW, X, row_size
 from cocorosim_ros.simulation.deciding import decide, speak
+from cocorosim_ros.simulation.divergence import check_motion
 from cocorosim_ros.simulation.exchange import Exchange
 from cocorosim_ros.simulation.sensing import Afloat, sense
 from cocorosim_ros.simulation.wants import nothing
@@ -110,7 +111,10 @@ class Simulation:
         decide(self.time_ns * 1e-9, self.perception, self.world.crew, self.memory, answer)
 
     def advance(self) -> None:
-        """Deliver what was said, move everybody under `command`, then the water, count the tick."""
+        """Deliver what was said, move everybody under `command`, then the water, count the tick.
+
+        Raises CocorosimError if the motion of a robot has run away.
+        """
         if not self.world.instant_radio:
             neighbours = self._neighbours if self._neighbours is not None else self._search.find(self.state)
             self._exchange.carry(self.tick, self.state, self.said, neighbours, self.nearest)
@@ -120,3 +124,4 @@ class Simulation:
         move(self.state, self.water.vehicles, world.tank, world.stepping, world.water.flow, self.time_ns * 1e-9)
         self.water.advance(self.tick, self.state, world.tank, world.tick_ns)
         self.tick += 1
+        check_motion(self.state, world, self.tick)

@@ -14,12 +14,12 @@ RUNS = 40
 
 @pytest.fixture
 def made_up() -> Callable[..., Any]:
-    """Function of (design, groups with the first as baseline, {(group, column): number}): Results in `paper` numerics.
+    """Function of (design, groups with the first as baseline, {(group, column): number}, runs): Results in `paper`.
 
     Every run of a group has the number plus a thousandth of its own; what is not given is 0.
     """
 
-    def make(design: str, groups: tuple[str, ...], numbers: Mapping[tuple[str, str], float]) -> Any:
+    def make(design: str, groups: tuple[str, ...], numbers: Mapping[tuple[str, str], float], runs: int = RUNS) -> Any:
         from cocorosim_ros.analysis.results import Results
         from cocorosim_ros.experiments.rows import SCHEMA
 
@@ -27,12 +27,12 @@ def made_up() -> Callable[..., Any]:
         for group in groups:
             columns: dict[str, Any] = {}
             for field in SCHEMA:
-                plain = np.arange(RUNS) if field.type == pa.int64() else np.arange(RUNS) / 1000
-                columns[field.name] = ["x"] * RUNS if field.type == pa.string() else plain
-            columns |= {"numerics": ["paper"] * RUNS, "group": [group] * RUNS, "replicate": np.arange(RUNS)}
+                plain = np.arange(runs) if field.type == pa.int64() else np.arange(runs) / 1000
+                columns[field.name] = ["x"] * runs if field.type == pa.string() else plain
+            columns |= {"numerics": ["paper"] * runs, "group": [group] * runs, "replicate": np.arange(runs)}
             for (owner, column), number in numbers.items():
                 if owner == group:
-                    columns[column] = number + np.arange(RUNS) / 1000
+                    columns[column] = number + np.arange(runs) / 1000
             arrays = {name: pa.array(values, SCHEMA.field(name).type) for name, values in columns.items()}
             tables.append(pa.table(arrays, schema=SCHEMA))
         about = {

@@ -8,7 +8,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cocorosim_ros.analysis.mechanism import exact_length, perceived_length
+from cocorosim_ros.analysis.mechanism import (
+    PerceivedCentre,
+    exact_length,
+    mechanism_answer,
+    perceived_length,
+    run_by_run,
+)
 from cocorosim_ros.signals.state import YAW
 
 
@@ -36,3 +42,30 @@ def test_the_perceived_offset() -> None:
     simulation = SimpleNamespace(world=SimpleNamespace(crew=SimpleNamespace(sensor_axis=axes)))
     ranges = np.array([[[0.4, 0.3, 0.48], [np.inf, np.inf, np.inf]]])
     np.testing.assert_allclose(perceived_length(simulation, ranges, 0.475), [[0.5, 0.0]])  # type: ignore[arg-type]
+
+
+def test_offsets_are_summed_up_run_by_run() -> None:
+    """Moments without a neighbour (NaN, or 0 perceived) are left out, and so is a run that has no others."""
+    exact = np.array([[1.0, 3.0, math.nan], [2.0, 2.0, 4.0], [math.nan, 1.0, 1.0]])
+    perceived = np.array([[2.0, 2.0, 5.0], [1.0, 0.0, 3.0], [1.0, 0.0, 0.0]])
+    found = run_by_run(exact, perceived)
+    assert (found.exact.tolist(), found.perceived.tolist(), found.nearer.tolist()) == ([2, 3], [2, 2], [0.5, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("nearer_by", "runs", "verdict"),
+    [
+        ((0.02, 0.04), 20, "reproduced"),
+        ((-0.04, -0.02), 20, "not reproduced"),
+        ((-0.05, 0.06), 20, "not decidable"),  # nearer on average, but as often not
+        ((0.02, 0.04), 5, "not decidable"),
+        ((0.02, 0.04), 0, "no runs"),
+    ],
+)
+def test_the_verdict_follows_from_the_spread_of_runs(nearer_by: tuple[float, float], runs: int, verdict: str) -> None:
+    """Runs that agree decide; runs that do not, or too few of them, leave it open."""
+    gap = np.resize(nearer_by, runs).astype(float)
+    found = PerceivedCentre(np.full(runs, 0.16), 0.16 - gap, 0.5 + gap)
+    answer = mechanism_answer(found, "paper")
+    assert answer.verdict == verdict
+    assert runs == 0 or f"nearer by {gap.mean():.3f} m (" in answer.ours

@@ -75,6 +75,19 @@ def test_the_page_needs_nothing_else(folder: Path) -> None:
     assert re.search(r"0\.9145 \(0\.907\d \u2026 0\.921\d\)", page) and "\u25bc 0.000 large" in page
 
 
+def test_how_far_chance_goes(folder: Path) -> None:
+    """Sets of 1, 5 and 10 of the baseline's 30 runs; lost is 0 in all of them, so that no two sets differ."""
+    from cocorosim_ros.analysis.report import render_report
+    from cocorosim_ros.analysis.results import load_results
+
+    page = render_report([load_results(folder)])
+    rows = re.findall(r'<tr><th>(\d+)</th><td class="number">(.*?)</td><td class="number">(.*?)</td>', page)
+    assert [(runs, lost) for runs, _, lost in rows] == [("1", "0.500"), ("5", "0.500"), ("10", "0.500")]
+    scores = [float(polarisation) for _, polarisation, _ in rows]
+    assert scores[0] == 1.0 > scores[1] > scores[2] > 0.56
+    assert "hours by the clock" in page and "processor" not in page
+
+
 def test_rows_in_the_table_and_in_parts_count_once(folder: Path) -> None:
     """As they are after a kill between the writing of the table and the removal of the parts."""
     from cocorosim_ros.analysis.results import load_results

@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
+import pyarrow.compute as pc
 import pytest
 from scipy import integrate, stats
 
-from cocorosim_ros.analysis.sample_size import consistency_by_chance, consistency_of, consistency_scores
+from cocorosim_ros.analysis.sample_size import (
+    Consistency,
+    baseline_consistency,
+    consistency_by_chance,
+    consistency_of,
+    consistency_scores,
+)
 
 
 def chance_by_theory(runs: int) -> float:
@@ -46,6 +56,49 @@ def test_scores_are_folded() -> None:
 
 
 def test_a_response_that_never_varies_needs_no_runs() -> None:
-    """All scores are a half; undefined values are left out."""
-    found = consistency_of(np.array([2.0, 2.0, np.nan]), 3, np.random.default_rng(0))
-    assert found.median_of_largest == 0.5 and found.enough == 1.0
+    """All scores are a half, however few runs there are."""
+    found = consistency_of(np.full((1, 2), 2.0), 3, np.random.default_rng(0))
+    assert found.median_of_largest == 0.5 and found.enough == 1.0 and found.each == (0.5,)
+
+
+def test_responses_of_one_run_stay_together() -> None:
+    """Twice the same response is as good as once; six that are independent reach further than any of them."""
+    draw, repetitions = np.random.default_rng(2), 200
+    six = draw.random((6, 400))
+    one = consistency_of(six[:1], 400, np.random.default_rng(3), repetitions)
+    twice = consistency_of(six[[0, 0]], 400, np.random.default_rng(3), repetitions)
+    assert twice == replace(one, each=one.each * 2) and one.median_of_largest == one.each[0]
+    all_six = consistency_of(six, 400, np.random.default_rng(4), repetitions)
+    expected = chance_by_theory(400) ** 6
+    assert all_six.enough == pytest.approx(expected, abs=4 * math.sqrt(expected * (1 - expected) / repetitions))
+    assert max(all_six.each) < all_six.median_of_largest < 0.56
+
+
+def test_ties_make_chance_smaller() -> None:
+    """A response that is 0 in nine of ten runs: all those pairs count a half."""
+    rare = (np.arange(400) % 10 == 0).astype(float)
+    ties, none = (consistency_of(values[None], 100, np.random.default_rng(5)) for values in (rare, np.arange(400.0)))
+    # The variance of A is by 1 - 0.9^3 - 0.1^3 = 0.27 that of values without ties.
+    spread = (ties.median_of_largest - 0.5) / (none.median_of_largest - 0.5)
+    assert spread == pytest.approx(math.sqrt(0.27), rel=0.1)
+
+
+def test_sizes_that_the_runs_of_the_baseline_allow(made_up: Callable[..., Any]) -> None:
+    """Of 40 runs, sets of 1, 5 and 10; one that has no polarisation is left out, so that of ten there are nine."""
+    results = made_up("boids", ("Van", "BLT"), {("BLT", "lost"): 1.0})
+    found = baseline_consistency(results, "paper", ("polarisation", "lost"))
+    assert [one.runs for one in found] == [1, 5, 10] and all(len(one.each) == 2 for one in found)
+    assert found == baseline_consistency(results, "paper", ("polarisation", "lost"))
+    ten = results.table.filter(pc.less(results.table["replicate"], 10))
+    column = ten.schema.get_field_index("polarisation")
+    holed = ten.set_column(column, "polarisation", pc.if_else(pc.equal(ten["replicate"], 3), math.nan, ten["lost"]))
+    assert [one.runs for one in baseline_consistency(replace(results, table=holed), "paper", ("polarisation",))] == [
+        1,
+        5,
+    ]
+
+
+def test_the_share_has_an_interval() -> None:
+    """Wilson's interval of 80 in 100 is 0.711 to 0.867."""
+    low, high = Consistency(400, (0.54,), 0.55, 0.8, 100).enough_interval
+    assert (low, high) == pytest.approx((0.7112, 0.8666), abs=1e-4)

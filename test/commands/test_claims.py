@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 
+import pyarrow.parquet as pq
 import pytest
 
 Run = Callable[..., SimpleNamespace]
@@ -37,12 +39,52 @@ def test_results_of_another_design(cocorosim: Run, tmp_path: Path) -> None:
     assert "exists already" in cocorosim("report", tmp_path / "smoke").err
 
 
-def test_one_command_makes_the_page(cocorosim: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With --run the designs run first; here the small one stands for them, asked of nobody."""
+@pytest.fixture
+def short_studies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
+    """The names of the two designs of the paper, which are found as copies of 20 ticks, calculated in this process."""
     from cocorosim_ros.analysis import all_claims
+    from cocorosim_ros.experiments import execution
+    from cocorosim_ros.scenario import config_files
 
-    monkeypatch.setattr(all_claims, "STUDIES", ("smoke",))
-    monkeypatch.setattr(all_claims, "all_answers", lambda experiments: [])
-    ended = cocorosim("claims", "--run", tmp_path / "runs", "--replicates", 1, "--out", tmp_path / "claims.md")
+    studies = ("boids", "turbulence")
+    folders = config_files.config_folders()
+    (tmp_path / "config" / "designs").mkdir(parents=True)
+    for name in studies:
+        text, changes = re.subn(
+            r"duration: \d+ s", "duration: 10 s", config_files.find_config("designs", name).read_text("utf-8")
+        )
+        assert changes == 1
+        (tmp_path / "config" / "designs" / f"{name}.yaml").write_text(text, "utf-8")
+    monkeypatch.setattr(config_files, "config_folders", lambda: [tmp_path / "config", *folders])
+    monkeypatch.setattr(all_claims, "STUDIES", studies)
+    monkeypatch.setattr(execution, "usual_workers", lambda: 1)
+    return studies
+
+
+def test_one_command_makes_the_page(cocorosim: Run, tmp_path: Path, short_studies: tuple[str, ...]) -> None:
+    """With --run the designs run first, and every claim is asked of them: on the terminal and on the page."""
+    page = tmp_path / "claims.md"
+    ended = cocorosim("claims", "--run", tmp_path / "runs", "--replicates", 2, "--out", page)
     assert ended.status == 0, ended.err
-    assert "| `smoke` | 1 |" in (tmp_path / "claims.md").read_text("utf-8")
+    text = page.read_text("utf-8")
+    for name in short_studies:
+        assert f"| `{name}` | 2 | accurate, paper | 20 |" in text
+    rows = [line.strip("| ").split(" | ") for line in text.partition("\n## ")[0].splitlines() if "| " in line]
+    claims = {cells[0]: cells for cells in rows}
+    expected = [f"{letter}{number}" for letter, last in (("C", 5), ("S", 22), ("T", 5), ("M", 3)) for number in
+                range(1, last + 1)]  # fmt: skip
+    assert [name for name in dict.fromkeys(cells[0] for cells in rows) if name in expected] == expected
+    assert all({claims[name][4], claims[name][6]} <= {"yes", "**no**", "open"} for name in expected)
+    assert all(name in ended.out for name in expected)
+    a = share_of_wins(tmp_path / "runs" / "boids", "NA", "Van", "polarisation")
+    assert f"A = {a:.3f} (" in claims["S3"][3]
+    # Two runs decide nothing that needs an interval over runs.
+    assert [claims[name][4] for name in ("T4", "M1", "S18")] == ["open"] * 3
+
+
+def share_of_wins(folder: Path, group: str, other: str, column: str) -> float:
+    """A by counting pairs of runs in the paper's numerics, a draw as a half."""
+    rows = [row for row in pq.read_table(folder / "results.parquet").to_pylist() if row["numerics"] == "paper"]
+    ours, theirs = ([row[column] for row in rows if row["group"] == name] for name in (group, other))
+    assert len(ours) == len(theirs) == 2
+    return sum((a > b) + (a == b) / 2 for a in ours for b in theirs) / 4

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import sys
@@ -144,3 +145,23 @@ def test_nothing_stays_in_shared_memory(run: Run, domain: int) -> None:
         assert done.returncode == 0, done.stderr
     ports = {int(path.name[13:]) for path in Path("/dev/shm").glob("fastrtps_port*") if path.name[13:].isdecimal()}
     assert not ports & set(range(7400 + 250 * domain, 7650 + 250 * domain))
+
+
+def test_a_motion_that_runs_away(
+    cocorosim: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """One sentence, status 1, and what was recorded until then can be read."""
+    from cocorosim_ros.simulation.simulation import Simulation
+
+    decide = Simulation.decide
+
+    def lost_at_four(swarm: Simulation) -> None:
+        decide(swarm)
+        if swarm.tick == 4:
+            swarm.state[0, 0, 0] = math.nan
+
+    monkeypatch.setattr(Simulation, "decide", lost_at_four)
+    said = cocorosim("run", "eleven_lilys", "--in-process", "--duration", "10 s", "--out", tmp_path / "out")
+    assert said.status == 1
+    assert "'lily_01' ran away at" in said.err
+    assert cocorosim("metrics", tmp_path / "out" / "bag").status == 0

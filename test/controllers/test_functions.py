@@ -84,6 +84,18 @@ def test_speed(carried_out: Make) -> None:
     assert carried_out(ask, 120.0)[4] == pytest.approx(0.0375 * math.sqrt(127.0 / 127.5), rel=1e-4)
 
 
+def test_speed_backwards(carried_out: Make) -> None:
+    """A quarter of the thrust backwards, the heading kept: half the terminal speed, tail first."""
+
+    def ask(request: Any, compass: float) -> None:
+        functions.set_speed(request, -0.25)
+        request[TURN_GAIN] = 3.0
+
+    row = carried_out(ask, 120.0)
+    assert row[4] == pytest.approx(-0.0375 * math.sqrt(127.0 / 127.5), rel=1e-4)
+    assert row[3] == pytest.approx(1.0, abs=math.radians(1.0))
+
+
 def test_depth(carried_out: Make) -> None:
     """From 5 m to 4.5 m at 5 cm/s: there after 30 s, within a centimetre."""
     assert carried_out(lambda request, _: functions.set_depth(request, 4.5), 30.0)[2] == pytest.approx(-4.5, abs=0.01)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -47,3 +48,47 @@ def test_a_step_beyond_it(name: str, good: float, bad: float) -> None:
     read_scenario(parse_yaml(TEXT.format(name=name, step=good).replace("60 s", f"{60 * good:g} s"), "good"))
     with pytest.raises(CocorosimError, match=rf"step of {bad:g} s, beyond the 1\.\d+ s up to which '{name}'.*'lily'"):
         read_scenario(parse_yaml(TEXT.format(name=name, step=bad).replace("60 s", f"{60 * bad:g} s"), "bad"))
+
+
+def test_what_makes_motions_faster_by_hand() -> None:
+    """Water of 0.5 m/s, linear drag of 2 N s/m, and twice the drag in heave, each added to the rate."""
+    from dataclasses import replace
+
+    from cocorosim_ros.scenario.quantity import Quantity, dimension_of
+
+    lily = load_platform("lily")
+    effects = {
+        "linear_drag": {"heave": Quantity(2.0, "N s/m", dimension_of("N s/m"))},
+        "anisotropic_drag": {"heave_ratio": Quantity(2.0, "1", dimension_of("1"))},
+    }
+    rate = (2.0 * math.sqrt(2.0 * 1.7778 * math.hypot(0.0981, 0.01)) + 2.0 * 2.0 * 1.7778 * 0.5 + 2.0) / 0.44
+    assert fastest_rate(replace(lily, effect_quantities=effects), 0.5) == pytest.approx(rate, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("current", "speed"),
+    [
+        ("kind: uniform, x: 3 m/s, y: 4 m/s", 5.0),
+        ("kind: tidal, x: 3 m/s, y: 4 m/s, period: 60 s", 5.0),
+        ("kind: sheared, x: 1 m/s, y: 0 m/s, dx_dy: 1 1/s", 4.0),
+        ("kind: vortex, x: 0 m, y: 0 m, circulation: 20 m^2/s, core: 0.5 m", 0.6382 * 20.0 / math.pi),
+    ],
+)
+def test_water_that_is_too_fast_for_a_step(current: str, speed: float) -> None:
+    """Lily's terminal speed and the water's together decide; 6 m of tank shear by 3 m/s from the middle to the wall."""
+    longest = 2.0 / (RATE + 2.0 * 1.7778 * speed / 0.44)
+    text = TEXT.format(name="semi_implicit_euler", step=0.5) + f"water: {{currents: [{{{current}}}]}}\n"
+    with pytest.raises(CocorosimError, match=rf"beyond the {longest:.3g} s .* in water of up to {speed:.3g} m/s"):
+        read_scenario(parse_yaml(text, "swift"))
+
+
+def test_a_gridded_current_is_as_fast_as_its_fastest_place(tmp_path: Any) -> None:
+    """Two places, one second: 0.1 m/s and, by Pythagoras, 5 m/s."""
+    import numpy as np
+    import xarray
+
+    speeds = {"u": (("y", "x"), np.array([[0.1, 3.0]])), "v": (("y", "x"), np.array([[0.0, 4.0]]))}
+    xarray.Dataset(speeds, coords={"x": [0.0, 1.0], "y": [0.0]}).to_netcdf(tmp_path / "flow.nc")
+    water = f"water: {{currents: [{{kind: gridded, file: {tmp_path / 'flow.nc'}}}]}}\n"
+    with pytest.raises(CocorosimError, match="in water of up to 5 m/s"):
+        read_scenario(parse_yaml(TEXT.format(name="rk4", step=0.5) + water, "swift"))

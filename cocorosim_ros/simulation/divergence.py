@@ -1,0 +1,29 @@
+"""A run whose numbers have run away ends with a sentence instead of going on with what is no number."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.signals.state import STATE_SIZE
+from cocorosim_ros.simulation.world import World
+
+
+def check_motion(state: NDArray[np.float64], world: World, tick: int) -> None:
+    """Nothing while every state (runs, robots, row) is a number after `tick` ticks; else raises CocorosimError."""
+    moving = state[..., :STATE_SIZE]
+    if math.isfinite(float(moving.sum())):
+        return
+    lost = np.argwhere(~np.isfinite(moving).all(axis=2))
+    if len(lost) == 0:  # numbers that are finite, but too large to be added
+        lost = np.argwhere(np.abs(moving).max(axis=2) == np.abs(moving).max())
+    run, robot = lost[0]
+    step = world.stepping.step
+    raise CocorosimError(
+        f"The motion of '{world.names[robot]}' ran away at {tick * world.tick_ns * 1e-9:g} s of simulated time (run "
+        f"{world.first_run + run}): forces or currents are too strong for the integrator's step of {step:g} s. "
+        "Choose a shorter step ('step' of 'integrator'), or weaker forces."
+    )
