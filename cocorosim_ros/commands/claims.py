@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -45,8 +46,8 @@ def command(
         raise CocorosimError(
             "Give either RESULTS, folders of finished experiments, or --run and a folder to run them in."
         )
-    if out is not None and out.exists() and not force:
-        raise CocorosimError(f"{out} exists already; give another file with --out, or --force.")
+    if out is not None:
+        _check_page(out, force=force)
     if runs is not None:
         results = tuple(_run(ctx, name, runs / name, replicates) for name in STUDIES)
     loaded = map(load_results, results)
@@ -59,6 +60,18 @@ def command(
     Console().print(_table(answers))
     if out is not None:
         _write(out, claims_page(answers, experiments))
+
+
+def _check_page(page: Path, *, force: bool) -> None:
+    """Raises CocorosimError if the page cannot be written there: before the runs, which may take days."""
+    if page.is_dir():
+        raise CocorosimError(f"{page} is a folder; give a file with --out.")
+    if page.exists() and not force:
+        raise CocorosimError(f"{page} exists already; give another file with --out, or --force.")
+    if not page.parent.is_dir():
+        raise CocorosimError(f"There is no folder {page.parent} for the page; make it, or give another --out.")
+    if not os.access(page if page.exists() else page.parent, os.W_OK):
+        raise CocorosimError(f"You may not write {page}; give another file with --out.")
 
 
 def _run(ctx: click.Context, design: str, folder: Path, replicates: int | None) -> Path:

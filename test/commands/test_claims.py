@@ -28,6 +28,30 @@ def test_pages_are_not_overwritten(cocorosim: Run, tmp_path: Path) -> None:
     assert page.read_text("utf-8") == "mine"
 
 
+@pytest.mark.parametrize(
+    ("page", "told"),
+    [
+        ("missing/page.md", "There is no folder"),
+        ("file/page.md", "There is no folder"),
+        ("folder", "is a folder; give a file"),
+    ],
+)
+def test_a_place_for_the_page_is_looked_for_first(cocorosim: Run, tmp_path: Path, page: str, told: str) -> None:
+    """Before anything is run for it, also with --force."""
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "file").touch()
+    ended = cocorosim("claims", "--run", tmp_path / "runs", "--out", tmp_path / page, "--replicates", 0, "--force")
+    assert ended.status == 2 and told in ended.err and ended.err.count("\n") == 1
+    assert not (tmp_path / "runs").exists()
+
+
+def test_a_folder_that_is_not_mine(cocorosim: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A place where nothing may be written is said before anything is run."""
+    monkeypatch.setattr("os.access", lambda *_: False)
+    ended = cocorosim("claims", "--run", tmp_path / "runs", "--replicates", 0, "--out", tmp_path / "page.md")
+    assert ended.status == 2 and "You may not write" in ended.err
+
+
 def test_results_of_another_design(cocorosim: Run, tmp_path: Path) -> None:
     """Results of a design that no claim is about."""
     options = ("--replicates", 1, "--numerics", "paper", "--workers", 1)
