@@ -140,25 +140,39 @@ def test_a_cluster_without_the_package(error: Exception, cluster: Any, monkeypat
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
-def test_a_scheduler_that_dies_midway(
-    number: signal.Signals, design_file: Write, tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    """Killed, or ended in order, while chunks wait for workers: one sentence with its address, no traceback beside."""
-    from cocorosim_ros.experiments.design import load_design
-    from cocorosim_ros.experiments.on_dask import connected, run_on_dask
-    from cocorosim_ros.experiments.rows import chunks
+def test_a_scheduler_that_dies_midway(number: signal.Signals, design_file: Write, tmp_path: Path) -> None:
+    """Killed, or ended in order, while chunks wait for workers: one sentence with its address and no traceback."""
+    program = "from cocorosim_ros.commands.main import main; main()"
+    words = [sys.executable, "-c", program, "experiment", design_file(), "--out", str(tmp_path / "a"), "--dask"]
+    with scheduler_process(tmp_path / "scheduler.json") as (scheduler, address):
+        command = subprocess.Popen([*words, address], stderr=subprocess.PIPE, text=True)
+        wait_for((tmp_path / "a/design.json").exists, command)
+        time.sleep(1.0)
+        scheduler.send_signal(number)
+        _, said = command.communicate(timeout=120)
+    assert command.returncode == 2 and said.count("\n") == 1 and f"'{address}' was lost on the way" in said, said
 
-    work = list(chunks(load_design(design_file()), set(), 1))
-    with scheduler_process(tmp_path / "scheduler.json") as (process, address):
 
-        def go_on() -> bool:
-            process.send_signal(number)
-            return True
+def test_a_scheduler_that_dies_before_anything_is_asked_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is noticed when it does not come back."""
+    from cocorosim_ros.experiments import on_dask
 
-        capfd.readouterr()
-        with connected(address) as client, pytest.raises(CocorosimError, match=f"'{address}' was lost on the way"):
-            list(run_on_dask(work, client, go_on))
-        assert "Traceback" not in capfd.readouterr().err
+    monkeypatch.setattr(on_dask, "_CONNECTING", 3)
+    chunk: Any = "a chunk"
+    with scheduler_process(tmp_path / "scheduler.json") as (scheduler, address):
+        with on_dask.connected(address) as client, pytest.raises(CocorosimError, match="was lost on the way"):
+            scheduler.kill()
+            scheduler.wait()
+            time.sleep(0.5)
+            list(on_dask.run_on_dask([chunk], client, lambda: True))
+
+
+def wait_for(happened: Callable[[], bool], process: subprocess.Popen[Any]) -> None:
+    """Wait for something that a process does."""
+    deadline = time.monotonic() + 120
+    while not happened():
+        assert time.monotonic() < deadline and process.poll() is None
+        time.sleep(0.05)
 
 
 @contextmanager
@@ -169,10 +183,7 @@ def scheduler_process(note: Path) -> Iterator[tuple[subprocess.Popen[bytes], str
         [sys.executable, "-m", "distributed.cli.dask_scheduler", *options], stderr=subprocess.DEVNULL
     )
     try:
-        deadline = time.monotonic() + 120
-        while not note.exists() or not note.read_text("utf-8").endswith("}"):
-            assert time.monotonic() < deadline and process.poll() is None
-            time.sleep(0.05)
+        wait_for(lambda: note.exists() and note.read_text("utf-8").endswith("}"), process)
         yield process, json.loads(note.read_text("utf-8"))["address"]
     finally:
         process.kill()
