@@ -30,7 +30,13 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.option("--replicates", type=int, help="runs per group instead of the design's own")
 @click.option("--group", "groups", multiple=True, help="only this group (repeatable)")
 @click.option("--numerics", multiple=True, help="only these numerics (repeatable)")
-@click.option("--row", type=int, help="run this row again and record it as a bag in --out")
+@click.option(
+    "--row",
+    type=int,
+    help="run this row, counted from 0, again and record it as a bag in --out: the row of the table that --results "
+    "names, or of one that was made with this --replicates, --group and --numerics",
+)
+@click.option("--results", type=click.Path(path_type=Path), help="with --row: folder of the experiment with the table")
 @click.option("--force", is_flag=True, help="start again instead of resuming")
 @click.pass_context
 def command(ctx: click.Context, /, **options: Any) -> None:
@@ -42,6 +48,8 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     if options["workers"] is not None and options["workers"] < 1:
         raise CocorosimError(f"--workers has {options['workers']}; give 1 or more.")
     console = Console()
+    if options["row"] is None and options["results"]:
+        raise CocorosimError("--results names the table whose row is to be recorded; give --row too.")
     if options["row"] is not None:
         ctx.exit(_record_row(design, options, console))
     ctx.exit(_run_all(design, options, console))
@@ -129,7 +137,7 @@ def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
     from cocorosim_ros.runs.results import recording_metadata
     from cocorosim_ros.runs.run_record import RunRecord
 
-    cell, replicate = design.cell_of_row(options["row"])
+    cell, replicate = _run_of_row(design, options, console)
     scenario = cell.scenario
     folder = prepare_folder(options["out"], force=options["force"])
     metadata = {**recording_metadata(scenario), "run": str(replicate), "group": cell.group, "numerics": cell.numerics}
@@ -146,3 +154,26 @@ def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
     outcome = Outcome(ticks, progress.seconds, progress.starting_after(start), interruption.happened)
     show_results(console, scenario, folder, outcome)
     return INTERRUPTED if outcome.interrupted else 0
+
+
+def _run_of_row(design: Any, options: dict[str, Any], console: Console) -> tuple[Any, int]:
+    """The cell and the replicate of a row of the table that the options tell."""
+    from cocorosim_ros.commands.terminal import say
+    from cocorosim_ros.experiments.code_version import version
+    from cocorosim_ros.experiments.table_row import row_of_table
+
+    row, folder = options["row"], options["results"]
+    if folder is None and options["replicates"] is None:
+        raise CocorosimError(
+            f"How many runs a group has in the table whose row {row} is meant is not known; name its folder with "
+            "--results, or give the --replicates that it was made with."
+        )
+    if folder is None:
+        return design.cell_of_row(row)  # type: ignore[no-any-return]
+    if options["replicates"] is not None or options["groups"] or options["numerics"]:
+        raise CocorosimError("The table of --results tells its own; leave out --replicates, --group and --numerics.")
+    found = row_of_table(design, folder, row)
+    if found.version != version():
+        words = f"Row {row} was made by version {found.version} of the program, this is {version()}"
+        say(console, f"{words}: the recording may differ from it.", "yellow")
+    return found.cell, found.replicate

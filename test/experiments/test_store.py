@@ -170,7 +170,7 @@ def test_errors_on_the_command_line(design_file: Write, tmp_path: Path) -> None:
     """Status 2 and one sentence on standard error; nothing is made."""
     for options, told in (
         (["--workers", "0"], "--workers has 0"),
-        (["--row", "8"], "has no row 8; choose from 0 to 7"),
+        (["--row", "8", "--replicates", "4"], "has no row 8; choose from 0 to 7"),
         (["--group", "Van"], "has no group 'Van'"),
         (["--numerics", "exact"], "has no kind of numerics 'exact'"),
         (["--replicates", "0"], "'replicates' has '0'"),
