@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Generator, Iterator
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from cocorosim_ros.errors import CocorosimError
 
 INTERRUPTED = 130
+Going = Callable[[], bool]
+Calculate = Callable[[list[Any], Going], Generator[Any, None, None]]
 # Workers and OpenBLAS would fight for the same processors.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -45,23 +48,12 @@ def command(ctx: click.Context, /, **options: Any) -> None:
 
 
 def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:
-    from cocorosim_ros.commands.interruption import Interruption
-    from cocorosim_ros.experiments.rows import chunks
-    from cocorosim_ros.experiments.store import Store
+    with _calculator(options) as calculate:  # before the folder is made: a scheduler may not answer
+        from cocorosim_ros.experiments.store import Store
 
-    store = Store(options["out"], design, force=options["force"])
-    done = store.done()
-    left = list(chunks(design, done))
-    missing = sum(chunk.count for chunk in left)
-    began = time.monotonic()
-    if missing < design.runs:
-        console.print(f"{design.runs - missing} of {design.runs} runs are there already")
-    with Interruption() as interruption, _bar(console) as bar:
-        task = bar.add_task(design.name, total=design.runs, completed=design.runs - missing)
-        for rows in _calculated(left, options, lambda: not interruption.happened):
-            store.add(rows)
-            bar.advance(task, rows.num_rows)
-            missing -= rows.num_rows
+        store = Store(options["out"], design, force=options["force"])
+        began = time.monotonic()
+        missing = _add_missing(store, design, calculate, console)
     if missing:
         console.print(f"Interrupted; {design.runs - missing} of {design.runs} runs are kept. The same command goes on.")
         return INTERRUPTED
@@ -71,14 +63,41 @@ def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:
     return 0
 
 
-def _calculated(left: list[Any], options: dict[str, Any], going: Any) -> Iterator[Any]:
+def _add_missing(store: Any, design: Any, calculate: Calculate, console: Console) -> int:
+    """Calculate what is not there yet; how many runs are missing in the end, more than none after an interruption."""
+    from cocorosim_ros.commands.interruption import Interruption
+    from cocorosim_ros.experiments.rows import chunks
+
+    left = list(chunks(design, store.done()))
+    missing = sum(chunk.count for chunk in left)
+    if missing < design.runs:
+        console.print(f"{design.runs - missing} of {design.runs} runs are there already")
+    with Interruption() as interruption, _bar(console) as bar:
+        task = bar.add_task(design.name, total=design.runs, completed=design.runs - missing)
+        with closing(calculate(left, lambda: not interruption.happened)) as tables:
+            for rows in tables:
+                store.add(rows)
+                bar.advance(task, rows.num_rows)
+                missing -= rows.num_rows
+    return missing
+
+
+@contextmanager
+def _calculator(options: dict[str, Any]) -> Iterator[Calculate]:
+    """What calculates chunks, in this process, in several or on a cluster."""
+    if options["dask"]:
+        from cocorosim_ros.experiments.on_dask import connected, run_on_dask
+
+        with connected(options["dask"]) as client:
+            yield lambda left, going: run_on_dask(left, client, going)
+    else:
+        yield lambda left, going: _calculated_here(left, options["workers"], going)
+
+
+def _calculated_here(left: list[Any], asked: int | None, going: Going) -> Generator[Any, None, None]:
     from cocorosim_ros.experiments import execution
 
-    if options["dask"]:
-        from cocorosim_ros.experiments.on_dask import run_on_dask
-
-        return run_on_dask(left, options["dask"], going)
-    workers = min(options["workers"] or execution.usual_workers(), len(left))
+    workers = min(asked or execution.usual_workers(), len(left))
     if workers <= 1:
         return execution.run_here(left, going)
     return execution.run_in_processes(left, workers, going)

@@ -7,7 +7,7 @@ import os
 import signal
 import threading
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 
@@ -21,7 +21,7 @@ ASKED_EVERY = 0.2  # s
 Going = Callable[[], bool]
 
 
-def run_here(chunks: Sequence[Chunk], going: Going) -> Iterator[pa.Table]:
+def run_here(chunks: Sequence[Chunk], going: Going) -> Generator[pa.Table, None, None]:
     """The rows of each chunk, calculated in this process one after the other."""
     for chunk in chunks:
         if not going():
@@ -29,7 +29,7 @@ def run_here(chunks: Sequence[Chunk], going: Going) -> Iterator[pa.Table]:
         yield run_chunk(chunk)
 
 
-def run_in_processes(chunks: Sequence[Chunk], workers: int, going: Going) -> Iterator[pa.Table]:
+def run_in_processes(chunks: Sequence[Chunk], workers: int, going: Going) -> Generator[pa.Table, None, None]:
     """The rows of each chunk as it is finished, from `workers` processes of this machine.
 
     A worker that dies is replaced and its chunks are calculated again. Raises CocorosimError if that goes on.
@@ -60,7 +60,7 @@ def _feed(
     running: dict[Future[pa.Table], Chunk],
     workers: int,
     going: Going,
-) -> Iterator[pa.Table]:
+) -> Generator[pa.Table, None, None]:
     while (waiting or running) and going():
         while waiting and len(running) < workers:
             future = pool.submit(run_chunk, waiting[0])  # which a broken pool refuses: the chunk must still wait then

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import pyarrow as pa
 
-from cocorosim_ros import __version__
-from cocorosim_ros.compilation import source_digest
 from cocorosim_ros.experiments.batch import run_batch, runs_that_fit
+from cocorosim_ros.experiments.code_version import version
 from cocorosim_ros.experiments.design import Design
 from cocorosim_ros.metrics import METRICS
 from cocorosim_ros.scenario.scenario import parse_scenario
@@ -42,11 +41,6 @@ class Chunk:
     first: int
     count: int
     scenario: str  # YAML
-
-
-def version() -> str:
-    """Which code made a row: the version of the package and the digest of its numerical sources."""
-    return f"{__version__}+{source_digest()}"
 
 
 def chunks(design: Design, done: set[tuple[str, str, int]], size: int | None = None) -> Iterator[Chunk]:

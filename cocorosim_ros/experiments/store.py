@@ -15,6 +15,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.experiments.code_version import version
 from cocorosim_ros.experiments.design import Design
 from cocorosim_ros.experiments.results_folder import (
     DESIGN,
@@ -26,7 +27,6 @@ from cocorosim_ros.experiments.results_folder import (
     read_note,
     row_keys,
 )
-from cocorosim_ros.experiments.rows import version
 
 _NEW = ".new"
 
@@ -57,7 +57,13 @@ class Store:
         return set(row_keys(read_folder(self._folder, KEYS)))
 
     def add(self, rows: pa.Table) -> None:
-        """Keep the rows of a finished chunk."""
+        """Keep the rows of a finished chunk. Raises CocorosimError if a worker with other code has made them."""
+        others = set(rows["version"].to_pylist()) - {version()}
+        if others:
+            raise CocorosimError(
+                f"A worker has version {others.pop()} of the program, this is {version()}; rows of both would not be "
+                "comparable, so its rows are not kept: give all workers this version and the same command again."
+            )
         first = rows.slice(0, 1).to_pylist()[0]
         name = f"{first['numerics']}-{first['group']}-{first['replicate']:07d}-{rows.num_rows}.parquet"
         _write(rows, self._parts / name.replace("/", "_"))

@@ -32,6 +32,7 @@ groups:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Results of numbers that are made up: polarisation of `deaf` is lower throughout, lost is 0 everywhere."""
+    from cocorosim_ros.experiments.code_version import version
     from cocorosim_ros.experiments.design import load_design
     from cocorosim_ros.experiments.rows import SCHEMA
     from cocorosim_ros.experiments.store import Store
@@ -44,6 +45,7 @@ def folder(tmp_path: Path) -> Path:
         for field in SCHEMA:
             columns[field.name] = ["x"] * 30 if field.type == pa.string() else np.zeros(30)
         columns |= {"numerics": ["paper"] * 30, "group": [group] * 30, "replicate": np.arange(30)}
+        columns["version"] = [version()] * 30
         columns["polarisation"] = 0.9 - 0.5 * place + np.arange(30) / 1000
         store.add(pa.table({name: pa.array(values, SCHEMA.field(name).type) for name, values in columns.items()}))
     return tmp_path / "results"

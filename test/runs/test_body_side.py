@@ -29,7 +29,10 @@ COUNTED = {
 }
 
 
-@pytest.mark.parametrize("controller", ["boids_blt", "boids_vanilla", "boids_blc", "beeclust", "plume_tracking"])
+@pytest.mark.parametrize(
+    "controller",
+    ["boids_blt", "boids_vanilla", "boids_blc", "boids_na", "minimal_flocking", "beeclust", "plume_tracking"],
+)
 @pytest.mark.parametrize("scenario_name", ["eleven_lilys", "noisy_lilys"])
 def test_a_node_sees_what_a_batch_sees(controller: str, scenario_name: str) -> None:
     """The observation decoded from a robot's topics is that of the batch, field by field, bit for bit."""

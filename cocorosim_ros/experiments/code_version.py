@@ -1,0 +1,44 @@
+"""Which code makes a row: the version of the package and a digest of the sources that decide rows, and of no others.
+
+The digest of compiled functions (`compilation.source_digest`) would not do: it knows the filter of the diagnosis, which
+no run meets, and does not know how a scenario is read and how places at the start are drawn.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numba
+import numpy
+
+from cocorosim_ros import __version__
+from cocorosim_ros.compilation import COMPILED_FOLDERS
+
+_MET_BY_NO_RUN = ("messages/kernels", "diagnosis/kernels")
+DECISIVE = (
+    "compilation.py",
+    *(folder for folder in COMPILED_FOLDERS if folder not in _MET_BY_NO_RUN),
+    "scenario",
+    "experiments/batch.py",
+    "experiments/rows.py",
+)
+"""Files and folders of the package that a row depends on, beside the scenario, which the digest of the design tells."""
+
+
+def decisive_digest(package: Path) -> str:
+    """First 16 hex digits of the SHA-256 over the sources of DECISIVE in this folder, and their compilers."""
+    digest = hashlib.sha256(f"{numba.__version__} {numpy.__version__}".encode())
+    sources = {path for part in DECISIVE for path in (package / part, *(package / part).rglob("*.py"))}
+    for path in sorted(path for path in sources if path.is_file()):
+        digest.update(path.relative_to(package).as_posix().encode() + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+# Taken when the code is loaded: a source that is edited while a long study runs changes nothing of what runs.
+_LOADED = f"{__version__}+{decisive_digest(Path(__file__).parents[1])}"
+
+
+def version() -> str:
+    """The version of the package, a plus sign and the digest of the sources that this process runs by."""
+    return _LOADED
