@@ -14,15 +14,21 @@ from cocorosim_ros.analysis.results import Results
 from cocorosim_ros.metrics import METRICS
 
 COLOURS = {"baseline": "#222222", "large": "#c1272d", "other": "#1f5fa8"}
-_COLUMNS = 3
+_WIDTH = 10.8  # inches of all panels beside each other
+_CROWDED = 6  # groups, of more than which the names do not fit beside each other
 
 
 def figure_of(results: Results, numerics: str, metrics: list[str]) -> str:
     """One panel per metric, a box per group, as SVG text for a page."""
-    rows = -(-len(metrics) // _COLUMNS)
-    figure = Figure(figsize=(3.6 * _COLUMNS, 3.1 * rows), layout=ConstrainedLayoutEngine(h_pad=0.09, w_pad=0.09))
+    crowded = len(results.groups) > _CROWDED
+    columns, height = (2, 4.4) if crowded else (3, 3.1)
+    rows = -(-len(metrics) // columns)
+    figure = Figure(figsize=(_WIDTH, height * rows), layout=ConstrainedLayoutEngine(h_pad=0.09, w_pad=0.09))
     for index, metric in enumerate(metrics):
-        _panel(figure.add_subplot(rows, _COLUMNS, index + 1), results, numerics, metric)
+        axes = figure.add_subplot(rows, columns, index + 1)
+        _panel(axes, results, numerics, metric)
+        if crowded:
+            axes.tick_params(axis="x", labelrotation=90, labelsize=8)
     stream = io.BytesIO()
     figure.savefig(stream, format="svg", metadata={"Date": None})
     encoded = base64.b64encode(stream.getvalue()).decode("ascii")

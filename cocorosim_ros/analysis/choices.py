@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from cocorosim_ros.analysis.claims import CLAIMS, Claim, Finding, found_in
-from cocorosim_ros.analysis.results import Results
+from cocorosim_ros.analysis.results import SEPARATOR, Results
 
-SUFFIX, SEPARATOR = "_choices", ", "
+SUFFIX = "_choices"
 AS_BEFORE = "as in the paper's design"
 
 

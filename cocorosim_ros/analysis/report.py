@@ -28,6 +28,7 @@ def render_report(experiments: Sequence[Results]) -> str:
 
 
 def _chapter(results: Results) -> dict[str, Any]:
+    against = {group: results.baseline_of(group) for group in results.groups}
     runs = min(_runs(results, kind, group) for kind in results.numerics for group in results.groups)
     return {
         "about": results.about,
@@ -38,6 +39,8 @@ def _chapter(results: Results) -> dict[str, Any]:
         "auv_ticks": sum(results.table["ticks"].to_pylist()) * results.about["robots"],
         "versions": sorted(set(results.table["version"].to_pylist())),
         "groups": {cell["group"]: cell["description"] for cell in results.about["cells"]},
+        "against": against,
+        "own_baselines": set(against.values()) != {results.baseline},
         "sections": [_section(results, kind) for kind in results.numerics],
     }
 
@@ -48,9 +51,8 @@ def _section(results: Results, numerics: str) -> dict[str, Any]:
     return {
         "numerics": numerics,
         "figure": figure_of(results, numerics, list(metrics)),
-        "others": others,
         "effects": [
-            (name, [_shown_effect(results.effect(numerics, group, name)) for group in others]) for name in metrics
+            (group, [_shown_effect(results.effect(numerics, group, name)) for name in metrics]) for group in others
         ],
         "consistency": [_shown_consistency(found) for found in baseline_consistency(results, numerics, metrics)],
         "spreads": [_all_spreads(results, numerics, name) for name in METRICS],

@@ -1,9 +1,14 @@
-"""The results of an experiment as arrays, group by group."""
+"""The results of experiments as arrays, group by group.
+
+A group "X, choice" is X under an open choice. It is compared with the baseline under the same choice where the design
+has that, and with the baseline itself where the baseline does not know the choice.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +22,9 @@ from cocorosim_ros.experiments.results_folder import DESIGN, group_rows, read_fo
 from cocorosim_ros.metrics import METRICS
 
 Floats = NDArray[np.float64]
+
+SEPARATOR = ", "
+"""Between a group's name and the choice that it is under."""
 
 
 @dataclass(frozen=True)
@@ -52,9 +60,20 @@ class Results:
         """The group that the others are compared with."""
         return str(self.about["baseline"])
 
+    def baseline_of(self, group: str) -> str:
+        """The group that this one is compared with: the baseline under the same choice, or the baseline."""
+        own = f"{self.baseline}{SEPARATOR}{group.partition(SEPARATOR)[2]}"
+        return own if own in self.groups and own != group else self.baseline
+
+    @cached_property
+    def _rows(self) -> dict[tuple[str, str], pa.Table]:
+        """The rows of each cell by numerics and group."""
+        cells = [(cell["numerics"], cell["group"]) for cell in self.about["cells"]]
+        return {cell: group_rows(self.table, *cell) for cell in cells}
+
     def values(self, numerics: str, group: str, column: str) -> Floats:
-        """One number per run, NaN where undefined."""
-        rows = group_rows(self.table, numerics, group)
+        """One number per run, NaN where undefined; none of a group that the design does not have."""
+        rows = self._rows.get((numerics, group), self.table.slice(0, 0))
         return np.asarray(rows[column].to_numpy(zero_copy_only=False), dtype=np.float64)
 
     def spread(self, numerics: str, group: str, column: str) -> Spread:
@@ -67,8 +86,23 @@ class Results:
         return Spread(known.size, float(median), float(lower), float(upper))
 
     def effect(self, numerics: str, group: str, column: str) -> Effect:
-        """A of a group against the baseline."""
-        return effect(self.values(numerics, group, column), self.values(numerics, self.baseline, column))
+        """A of a group against the one that it is compared with."""
+        return effect(self.values(numerics, group, column), self.values(numerics, self.baseline_of(group), column))
+
+
+def load_all(folders: Sequence[Path]) -> list[Results]:
+    """The results in several folders. Raises CocorosimError if one holds none, or two are of the same design."""
+    found = [load_results(folder) for folder in folders]
+    seen: dict[str, Path] = {}
+    for folder, results in zip(folders, found, strict=True):
+        name = str(results.about["design"])
+        if name in seen:
+            raise CocorosimError(
+                f"{seen[name]} and {folder} both hold results of a design '{name}', whose groups could not be told "
+                "apart; give one of them."
+            )
+        seen[name] = folder
+    return found
 
 
 def load_results(folder: Path) -> Results:

@@ -1,4 +1,4 @@
-"""Every column of every group in numbers: runs, quartiles, and A against the baseline, as CSV."""
+"""Every column of every group in numbers: runs, quartiles, and A against its baseline, which is named, as CSV."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from cocorosim_ros.metrics import METRICS
 
 HEADING = (
     *("design", "numerics", "group", "metric", "unit", "over time", "runs", "lower quartile", "median"),
-    *("upper quartile", "A against baseline", "A from", "A to"),
+    *("upper quartile", "baseline", "A against baseline", "A from", "A to"),
 )
 _WORDS = {"": "own definition", "_time_mean": "mean", "_time_median": "median"}
 
@@ -41,7 +41,9 @@ def _numbers(results: Results, numerics: str, group: str, column: str) -> tuple[
     spread = results.spread(numerics, group, column)
     quartiles = (spread.lower, spread.median, spread.upper)
     found = results.effect(numerics, group, column)
-    against = ("", "", "") if group == results.baseline else tuple(map(_digits, (found.value, found.low, found.high)))
+    against: tuple[str, ...] = ("",) * 4
+    if group != results.baseline:
+        against = (results.baseline_of(group), *map(_digits, (found.value, found.low, found.high)))
     return (str(spread.runs), *map(_digits, quartiles), *against)
 
 

@@ -40,7 +40,7 @@ def command(
     """
     from cocorosim_ros.analysis.all_claims import STUDIES, all_answers
     from cocorosim_ros.analysis.claims_page import by_claim, claims_page
-    from cocorosim_ros.analysis.results import load_results
+    from cocorosim_ros.analysis.results import load_all
 
     if bool(results) == (runs is not None):
         raise CocorosimError(
@@ -50,8 +50,7 @@ def command(
         _check_page(out, force=force)
     if runs is not None:
         results = tuple(_run(ctx, name, runs / name, replicates) for name in STUDIES)
-    loaded = map(load_results, results)
-    experiments = {found.about["design"]: found for found in loaded}
+    experiments = {found.about["design"]: found for found in load_all(results)}
     if not experiments.keys() & set(STUDIES):
         raise CocorosimError(
             f"No claim is about the design '{next(iter(experiments))}'; give results of 'boids' or 'turbulence'."

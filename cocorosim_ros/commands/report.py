@@ -18,13 +18,13 @@ from cocorosim_ros.errors import CocorosimError
 def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, force: bool) -> None:
     """Write one self-contained HTML page about RESULTS, folders that `cocorosim experiment` has made."""
     from cocorosim_ros.analysis.report import render_report
-    from cocorosim_ros.analysis.results import load_results
+    from cocorosim_ros.analysis.results import load_all
 
     page = out or results[0] / "report.html"
     for path in (page, *([summary] if summary else [])):
         if path.exists() and not force:
             raise CocorosimError(f"{path} exists already; give another file, or --force.")
-    experiments = [load_results(folder) for folder in results]
+    experiments = load_all(results)
     _write(page, render_report(experiments))
     Console().print(f"{page}: {page.stat().st_size / 1e6:.1f} MB, open it in a browser")
     if summary:

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import json
 import re
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
+import numpy as np
+import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
@@ -112,3 +119,78 @@ def share_of_wins(folder: Path, group: str, other: str, column: str) -> float:
     ours, theirs = ([row[column] for row in rows if row["group"] == name] for name in (group, other))
     assert len(ours) == len(theirs) == 2
     return sum((a > b) + (a == b) / 2 for a in ours for b in theirs) / 4
+
+
+STUDIES = ("boids", "turbulence", "boids_choices", "turbulence_choices")
+
+
+@pytest.fixture
+def four_folders(tmp_path: Path) -> list[Path]:
+    """Eight rows for each group of the four designs, without a simulation: polarisation tells design and group."""
+    from cocorosim_ros.experiments.rows import SCHEMA
+    from cocorosim_ros.scenario.config_files import find_config
+    from cocorosim_ros.scenario.yaml_file import load_yaml
+
+    for place, name in enumerate(STUDIES):
+        design = load_yaml(find_config("designs", name)).mapping()
+        groups = list(design["groups"].mapping())
+        cells = [{"numerics": "accurate", "group": group, "description": "", "scenario": ""} for group in groups]
+        note = {"design": name, "digest": "d", "description": name, "baseline": groups[0], "cells": cells}
+        note |= {"replicates": 8, "metrics": ["polarisation", "lost"], "robots": 11, "tank": "", "ticks": 9, "tick": 1}
+        runs = 8 * len(groups)
+        columns: dict[str, Any] = {
+            field.name: ["accurate"] * runs if field.type == pa.string() else np.zeros(runs) for field in SCHEMA
+        }
+        columns |= {"group": np.repeat(groups, 8), "replicate": np.tile(np.arange(8), len(groups))}
+        medians = [made_up_median(place, group) for group in range(len(groups))]
+        columns["polarisation"] = np.add.outer(medians, np.arange(-3.5, 4) / 1e4).ravel()
+        table = pa.table({key: pa.array(column, SCHEMA.field(key).type) for key, column in columns.items()})
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "design.json").write_text(json.dumps(note), "utf-8")
+        pq.write_table(table, tmp_path / name / "results.parquet")
+    return [tmp_path / name for name in STUDIES]
+
+
+def made_up_median(design: int, group: int) -> float:
+    """Each group above the one before, but in the third design below."""
+    return 0.1 * (design + 1) + (0.002 if design != 2 else -0.002) * group
+
+
+def test_groups_of_the_same_name_in_four_designs(cocorosim: Run, four_folders: list[Path], tmp_path: Path) -> None:
+    """Van, BLT, T0 and others are in two designs: medians and effects are those of each design's own runs."""
+    page, table = tmp_path / "all.html", tmp_path / "all.csv"
+    ended = cocorosim("report", *four_folders, "--out", page, "--table", table)
+    assert ended.status == 0, ended.err
+    lines = {
+        (line["design"], line["group"]): line
+        for line in csv.DictReader(io.StringIO(table.read_text("utf-8")))
+        if (line["numerics"], line["metric"], line["over time"]) == ("accurate", "polarisation", "own definition")
+    }
+    for place, name in enumerate(STUDIES):
+        groups = [group for design, group in lines if design == name]
+        found = [float(lines[name, group]["median"]) for group in groups]
+        assert found == pytest.approx([made_up_median(place, group) for group in range(len(groups))])
+        assert {lines[name, group]["runs"] for group in groups} == {"8"}
+    assert {key[0] for key in lines if key[1] == "T5e-4"} == {"turbulence", "turbulence_choices"}
+    told = [lines[key][column] for key in (("boids", "BLT"), ("boids_choices", "BLT")) for column in
+            ("baseline", "A against baseline")]  # fmt: skip
+    assert told == ["Van", "1", "Van", "0"]
+    assert lines["turbulence_choices", "T5e-4, lever"]["baseline"] == "T0, lever"
+    assert lines["boids_choices", "BLC, units"]["baseline"] == "Van"
+    chapters = page.read_text("utf-8").split("<h1 ")
+    assert [name in chapter for name, chapter in zip(STUDIES, chapters[1:], strict=True)] == [True] * 4
+    assert all(f'href="#design-{number}"' in chapters[0] for number in range(1, 5))
+    shown = [re.search(r"<tr><th>BLT</th><td>Van</td>.*?<span class=\"large\">(.)", chapters[part]) for part in (1, 3)]
+    assert [match and match[1] for match in shown] == ["\u25b2", "\u25bc"]
+    assert "<td>T0, lever</td>" in chapters[4] and "<td>T0, lever</td>" not in chapters[2]
+
+
+@pytest.mark.parametrize("command", ["report", "claims"])
+def test_two_folders_of_one_design(cocorosim: Run, four_folders: list[Path], tmp_path: Path, command: str) -> None:
+    """Which of the two a row is of could not be told, and claims would be held against the last alone."""
+    (tmp_path / "copy").mkdir()
+    for name in ("design.json", "results.parquet"):
+        shutil.copy(four_folders[0] / name, tmp_path / "copy" / name)
+    ended = cocorosim(command, *four_folders, tmp_path / "copy", "--out", tmp_path / "page")
+    assert ended.status == 2 and "both hold results of a design 'boids'" in ended.err
+    assert not (tmp_path / "page").exists()
