@@ -22,7 +22,8 @@ from cocorosim_ros.experiments.rows import SCHEMA
 DESIGN, PARTS, RESULTS = "design.json", "parts", "results.parquet"
 KEYS = ("numerics", "group", "replicate")
 """The columns that tell rows apart."""
-_NOTED = {"design", "digest", "baseline", "replicates", "metrics", "robots", "ticks", "tick", "cells"}
+_NOTED = set("design digest description baseline replicates metrics robots tank ticks tick cells version".split())
+_NOTED_OF_CELLS = {"numerics", "group", "description", "scenario"}
 
 
 def read_note(folder: Path) -> dict[str, Any]:
@@ -48,7 +49,7 @@ def _what_lacks(note: Any) -> str:
     if lacking:
         return f"it lacks '{lacking[0]}'"
     cells = note["cells"]
-    known = isinstance(cells, list) and all(isinstance(cell, dict) and {*KEYS[:2]} <= cell.keys() for cell in cells)
+    known = isinstance(cells, list) and all(isinstance(cell, dict) and cell.keys() >= _NOTED_OF_CELLS for cell in cells)
     return "" if cells and known else "its 'cells' are none"
 
 

@@ -34,7 +34,7 @@ def row_of_table(design: Design, folder: Path, row: int) -> TableRow:
     if not 0 <= row < table.num_rows:
         raise CocorosimError(f"{path} has no row {row}; choose from 0 to {table.num_rows - 1}.")
     numerics, group, replicate, version = table.slice(row, 1).to_pylist()[0].values()
-    texts = [cell.get("scenario") for cell in _cells(folder, numerics, group)]
+    texts = [cell["scenario"] for cell in _cells(folder, numerics, group)]
     for cell in design.cells:
         if (cell.numerics, cell.group) == (numerics, group) and cell.scenario.to_yaml() in texts:
             return TableRow(cell, replicate, version)

@@ -126,7 +126,9 @@ def test_a_column_that_holds_no_numbers(folder: Path) -> None:
     [
         ("{", "", "design.json does not say which design the rows beside it belong to (Extra data"),
         ('"baseline"', '"base"', "(it lacks 'baseline')"),
+        ('"tank"', '"pool"', "(it lacks 'tank')"),
         ('"numerics"', '"kind"', "(its 'cells' are none)"),
+        ('"scenario"', '"story"', "(its 'cells' are none)"),
         ('"polarisation"', '"polarization"', "design.json asks for the metric 'polarization', which this version"),
     ],
 )
