@@ -34,7 +34,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     "--row",
     type=int,
     help="run this row, counted from 0, again and record it as a bag in --out: the row of the table that --results "
-    "names, or of one that was made with this --replicates, --group and --numerics",
+    "names, or of one that was made with these --replicates (the design's own if left out), --group and --numerics",
 )
 @click.option("--results", type=click.Path(path_type=Path), help="with --row: folder of the experiment with the table")
 @click.option("--force", is_flag=True, help="start again instead of resuming")
@@ -163,12 +163,10 @@ def _run_of_row(design: Any, options: dict[str, Any], console: Console) -> tuple
     from cocorosim_ros.experiments.table_row import row_of_table
 
     row, folder = options["row"], options["results"]
-    if folder is None and options["replicates"] is None:
-        raise CocorosimError(
-            f"How many runs a group has in the table whose row {row} is meant is not known; name its folder with "
-            "--results, or give the --replicates that it was made with."
-        )
     if folder is None:
+        if options["replicates"] is None:
+            told = f"Row {row} of a table with the design's own {design.replicates} runs in each group"
+            say(console, f"{told}; name the folder of another one with --results.", "yellow")
         return design.cell_of_row(row)  # type: ignore[no-any-return]
     if options["replicates"] is not None or options["groups"] or options["numerics"]:
         raise CocorosimError("The table of --results tells its own; leave out --replicates, --group and --numerics.")

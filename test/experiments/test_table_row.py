@@ -35,6 +35,13 @@ def test_the_row_is_that_of_the_table(
     assert (row["group"], row["replicate"]) == ("deaf", 1) and shown == pytest.approx(row["separation"], rel=1e-9)
 
 
+def test_which_table_is_meant_is_said(experiment: Experiment, design_file: Write, tmp_path: Path) -> None:
+    """Without a folder and a number it is the table of the design as it stands, four runs in each group."""
+    ended = experiment(design_file(duration="5 s"), "--row", 4, "--out", tmp_path / "bag")
+    assert ended.status == 0 and "row 4: group deaf, paper numerics, replicate 0" in ended.out, ended.err
+    assert "own 4 runs in each group" in ended.out and "--results" in ended.out
+
+
 def test_a_table_of_one_group(experiment: Experiment, design_file: Write, tmp_path: Path) -> None:
     """The table knows that it has the second group alone."""
     path = design_file(duration="5 s")
@@ -55,7 +62,6 @@ def test_other_code_is_said(experiment: Experiment, design_file: Write, table: P
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        (("--row", 4), "How many runs a group has in the table whose row 4 is meant is not known"),
         (("--row", 6, "--results", "table"), "results.parquet has no row 6; choose from 0 to 5"),
         (("--row", -1, "--results", "table"), "has no row -1"),
         (("--row", 4, "--results", "table", "--replicates", 3), "leave out --replicates, --group and --numerics"),
