@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.phases import phased, phases
 
 CROSSED = 0.1  # m above and below a layer that have to be visited
 PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebody's clock
+THRUST_TICK = 0.02  # s: the same of thrusters, which move the robot more sharply
 PLAY = 0.002  # of a full command: below, a linkage has no play
 CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
@@ -188,7 +189,7 @@ ENTRIES: tuple[Entry, ...] = (
         "thrust that lags behind its command",
         "tau dT/dt = T_command - T",
         "surge",
-        (Amplitude("thruster_lag.time_constant", "time_constant", "s", 0.3, 0.05, 0.0, smallest=CLOCK_TICK),),
+        (Amplitude("thruster_lag.time_constant", "time_constant", "s", 0.3, 0.05, 0.0, smallest=THRUST_TICK),),
         group=_LATE,
         manoeuvre="steps",
     ),

@@ -25,7 +25,8 @@ class Refined:
 
     candidate: Candidate
     fit: Fit
-    count: int  # unknowns that it added, the last ones of the fit's laws
+    first: int  # of its unknowns among the fit's laws
+    count: int
     nats: float
 
 
@@ -37,10 +38,6 @@ class Begun:
     fit: Fit
     count: int  # unknowns that it added, the last ones of the fit's laws
     gain: float
-
-    def as_it_is(self, base_evidence: float) -> Refined:
-        """It without noise let loose."""
-        return Refined(self.candidate, self.fit, self.count, log_evidence(self.fit) - base_evidence)
 
 
 def log_evidence(fit: Fit) -> float:
@@ -84,4 +81,5 @@ def refine(begun: Begun, base_evidence: float) -> Refined:
     trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
     if trial.objective - begun.fit.objective + begun.gain > CLEAR:
         trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)
-    return Refined(begun.candidate, trial, begun.count, log_evidence(trial) - base_evidence)
+    first = len(trial.laws) - begun.count
+    return Refined(begun.candidate, trial, first, begun.count, log_evidence(trial) - base_evidence)

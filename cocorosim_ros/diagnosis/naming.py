@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.columns import WATER_NOISE
 from cocorosim_ros.diagnosis.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS
-from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
+from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, with_noise
 from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
 from cocorosim_ros.diagnosis.open_set import open_set
 from cocorosim_ros.diagnosis.quiet_pump import quiet_gain
@@ -35,6 +35,7 @@ MOST_REFINED = 8
 MOST_EFFECTS = 4
 CHECKED = 60.0  # nats below which an accusation is checked against a model that was fitted anew
 FORM_SHARE = 0.025  # of what an effect explains may be left over, because its law is not quite the sea's
+LAW_SHARE = 0.4  # the same for laws of readings, which follow any motion
 LAW_MARGIN = 3.0  # nats by which a law has to beat the catalogue
 Progress = Callable[[str, float], None]
 
@@ -49,6 +50,10 @@ class Accused:
     nats: float
     rivals: tuple[tuple[Candidate, float], ...]  # and how far behind
     held_out: HeldOutGain
+
+    def in_fit(self, fit: Fit) -> Refined:
+        """It as a part of a fit that has it."""
+        return Refined(self.candidate, fit, self.first, self.count, self.nats)
 
 
 @dataclass(frozen=True)
@@ -130,7 +135,7 @@ def _first_believed(
     """The fit with the best of these that may be accused; who is too small for that joins the negligible."""
     refined.sort(key=lambda part: -_standing(part))
     for best in refined:
-        needed = _needed(accused, best.candidate)
+        needed = _needed(accused, best)
         if _standing(best) < needed:
             return None
         if best.nats < CHECKED and _regained(best, fit) < needed:
@@ -165,8 +170,9 @@ def _held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
 
 def _is_tiny(part: Refined) -> bool:
     """Whether all of its amplitudes are too small to be believed."""
-    new = part.fit.laws[-part.count :]
-    values = [law.value(float(q)) for law, q in zip(new, part.fit.q[-part.count :], strict=True)]
+    new = part.fit.laws[part.first : part.first + part.count]
+    found = part.fit.q[part.first : part.first + part.count]
+    values = [law.value(float(q)) for law, q in zip(new, found, strict=True)]
     entry = part.candidate.entry
     amplitudes = [entry.amplitudes[index % len(entry.amplitudes)] for index in range(_amplitude_count(part))]
     return all(abs(value - each.neutral) < each.smallest for value, each in zip(values, amplitudes, strict=False))
@@ -185,16 +191,35 @@ def _is_like(candidate: Candidate, other: Candidate) -> bool:
     return bool(entry.group) and (entry.group, entry.topic) == (other.entry.group, other.entry.topic)
 
 
-def _needed(accused: tuple[Accused, ...], candidate: Candidate) -> float:
+def _needed(accused: tuple[Accused, ...], part: Refined) -> float:
     """Nats that a candidate needs beside what is accused: more than a wrong form of another effect would leave over.
 
-    That is one on the same side; a second fault of a sensor is no form of the first, only a law may be.
+    That is one on the same side; a second fault of a sensor is no form of the first, only a law may be. An effect that
+    does not look like another one at all is no rest of it either. A law of readings may be the rest of any motion.
     """
-    if candidate.entry.law is None and candidate.entry.channel in SENSOR_CHANNELS:
+    candidate = part.candidate
+    others = [each for each in accused if each.candidate.key != candidate.key]
+    of_sensor, is_law = candidate.entry.channel in SENSOR_CHANNELS, candidate.entry.law is not None
+    if of_sensor and not is_law:
         return THRESHOLD
-    others = [part for part in accused if part.candidate.key != candidate.key]
-    explained = max((part.nats for part in others if _side(part.candidate) == _side(candidate)), default=0.0)
-    return max(THRESHOLD, FORM_SHARE * explained)
+    shares = [
+        min(FORM_SHARE, FORM_SHARE if is_law else _likeness(part, each)) * each.nats
+        for each in others
+        if _side(each.candidate) == _side(candidate)
+    ]
+    if of_sensor:
+        shares += [LAW_SHARE * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS]
+    return max(THRESHOLD, *shares, 0.0)
+
+
+def _likeness(part: Refined, other: Accused) -> float:
+    """The greatest squared cosine between what numbers of the one and of the other change in the readings."""
+    matrix = information(part.fit).matrix
+    size = np.diag(matrix)
+    mine = range(part.first, part.first + part.count)
+    cross = matrix[np.ix_(mine, range(other.first, other.first + other.count))]
+    scale = np.outer(size[list(mine)], size[other.first : other.first + other.count])
+    return float((cross**2 / np.maximum(scale, 1e-300)).max())
 
 
 def _side(candidate: Candidate) -> str:
@@ -209,9 +234,7 @@ def _standing(part: Refined) -> float:
 
 
 def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
-    result = begun.as_it_is(base_evidence)
-    if not _is_tiny(result):
-        result = refine(begun, base_evidence)
+    result = refine(begun, base_evidence)
     return replace(result, nats=result.nats - _held_against(begun.candidate, fit, result.fit))
 
 
@@ -239,9 +262,10 @@ def _pruned(fit: Fit, accused: tuple[Accused, ...], base: Fit) -> tuple[Fit, tup
             losses.append((nats, part, without))
         kept = {part.candidate.key: change for change, part, _ in losses}
         accused = tuple(replace(part, nats=kept[part.candidate.key]) for part in accused)
-        losses.sort(key=lambda entry: entry[0] / _needed(accused, entry[1].candidate))
+        wanted = {part.candidate.key: _needed(accused, part.in_fit(fit)) for part in accused}
+        losses.sort(key=lambda entry: entry[0] / wanted[entry[1].candidate.key])
         loss, weakest, without = losses[0]
-        if loss >= _needed(accused, weakest.candidate):
+        if loss >= wanted[weakest.candidate.key]:
             break
         fit, accused = without, _moved(accused, weakest)
     return fit, accused

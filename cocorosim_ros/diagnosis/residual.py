@@ -49,7 +49,14 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
         periods,
         tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_COLUMNS["heave"]])),
         _scales(tracks[0], seen, duration),
+        _driven(tracks, seen),
     )
+
+
+def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
+    """Whether the thrust is greater than the random force in the level plane, by root mean squares."""
+    thrust = np.concatenate([track.nominal_force() for track in tracks])
+    return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_COLUMNS["world_x"] : FORCE_COLUMNS["world_y"] + 1] ** 2))
 
 
 def _in_body(mean: Floats) -> tuple[Floats, Floats]:
