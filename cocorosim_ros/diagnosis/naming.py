@@ -35,7 +35,8 @@ MOST_REFINED = 8
 MOST_EFFECTS = 4
 CHECKED = 60.0  # nats below which an accusation is checked against a model that was fitted anew
 FORM_SHARE = 0.025  # of what an effect explains may be left over, because its law is not quite the sea's
-LAW_SHARE = 0.4  # the same for laws of readings, which follow any motion
+LAW_REST = 0.1  # the same for laws outside the catalogue, which fill what any form leaves
+LAW_SHARE = 0.4  # and for laws of readings beside effects of motion, which they follow
 LAW_MARGIN = 3.0  # nats by which a law has to beat the catalogue
 Progress = Callable[[str, float], None]
 
@@ -203,7 +204,7 @@ def _needed(accused: tuple[Accused, ...], part: Refined) -> float:
     if of_sensor and not is_law:
         return THRESHOLD
     shares = [
-        min(FORM_SHARE, FORM_SHARE if is_law else _likeness(part, each)) * each.nats
+        (LAW_REST if is_law else min(FORM_SHARE, _likeness(part, each))) * each.nats
         for each in others
         if _side(each.candidate) == _side(candidate)
     ]

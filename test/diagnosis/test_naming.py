@@ -106,3 +106,13 @@ def test_a_sensor_is_not_blamed_for_another_one(swim: Any) -> None:
     base = base_fit(replace(evidence, recordings=(replace(recording, robots=(log,)),)))
     naming = name_effects(base, lambda words, share: None)
     assert [part.candidate.entry.id for part in naming.accused] == ["camera_scale"]
+
+
+def test_what_does_not_look_like_an_effect_is_no_rest_of_it(swim: Any) -> None:
+    """A weak asymmetry beside a tide that explains a hundred times as much: both are named."""
+    hidden = {
+        "tidal_current": {"x": -0.004, "y": 0.007, "period": 60.0, "phase": 1.0},
+        "thruster_asymmetry": {"difference": 0.02},
+    }
+    diagnosis, _ = diagnosed(swim, hidden, 9, 300.0, disturbance=0.01)
+    assert {part.id for part in diagnosis.effects} == set(hidden)

@@ -174,3 +174,23 @@ def test_an_eddy_is_no_sheared_current(swim: Any) -> None:
     assert found.simulated_as == "eddy"
     coefficient = found.parameters["coefficient"]
     assert abs(coefficient.value - 0.05) <= coefficient.high - coefficient.low
+
+
+def test_where_only_water_moves_a_robot_no_law_of_its_place_is_asked(swim: Any) -> None:
+    """A place that is read too short would make the water look calmer: laws of poses need a robot that is driven."""
+    from cocorosim_ros.diagnosis.recalibration import base_fit
+    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.sensor_laws import sensor_law_entries
+    from cocorosim_ros.scenario.platform import load_platform
+
+    fit = base_fit(swim(load_platform("lily"), SECONDS, seed=8))
+    driven = scene_of(fit.tracks, smoothed_tracks(fit))
+    assert driven.driven
+    of_pose = [entry for entry in sensor_law_entries(driven, ()) if entry.topic == "pose"]
+    assert of_pose
+    adrift = sensor_law_entries(driven._replace(driven=False), ())
+    assert adrift and not [entry for entry in adrift if entry.topic == "pose"]
+    for track in fit.tracks:
+        track.log.command[:] = 0.0
+        track._by_numbers.clear()
+    assert not scene_of(fit.tracks, smoothed_tracks(fit)).driven
