@@ -137,6 +137,7 @@ def four_folders(tmp_path: Path) -> list[Path]:
         cells = [{"numerics": "accurate", "group": group, "description": "", "scenario": ""} for group in groups]
         note = {"design": name, "digest": "d", "description": name, "baseline": groups[0], "cells": cells}
         note |= {"replicates": 8, "metrics": ["polarisation", "lost"], "robots": 11, "tank": "", "ticks": 9, "tick": 1}
+        note["version"] = "0.1.0+made"
         runs = 8 * len(groups)
         columns: dict[str, Any] = {
             field.name: ["accurate"] * runs if field.type == pa.string() else np.zeros(runs) for field in SCHEMA
