@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -34,14 +34,18 @@ COMPILED_FOLDERS = (
 )
 
 
-def source_digest() -> str:
-    """First 16 hex digits of the SHA-256 over every source that holds compiled functions, and their compilers."""
+def digest_of_sources(package: Path, parts: Iterable[str]) -> str:
+    """First 16 hex digits of the SHA-256 over these files and folders of a package, and what compiles them."""
     digest = hashlib.sha256(f"{numba.__version__} {numpy.__version__}".encode())
-    package = Path(__file__).parent
-    sources = [path for folder in COMPILED_FOLDERS for path in (package / folder).rglob("*.py")]
-    for path in sorted([Path(__file__), *sources]):
+    sources = {path for part in parts for path in (package / part, *(package / part).rglob("*.py"))}
+    for path in sorted(path for path in sources if path.is_file()):
         digest.update(path.relative_to(package).as_posix().encode() + path.read_bytes())
     return digest.hexdigest()[:16]
+
+
+def source_digest() -> str:
+    """The digest of every source that holds compiled functions."""
+    return digest_of_sources(Path(__file__).parent, ("compilation.py", *COMPILED_FOLDERS))
 
 
 def _cache_folder() -> str:

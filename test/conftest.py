@@ -7,6 +7,7 @@ tests expect does not depend on how files are read.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace
 from typing import Any
@@ -18,6 +19,22 @@ TICK = 0.5  # s
 OPEN_WATER = ((-1000.0, -1000.0, -1000.0), (1000.0, 1000.0, 0.0))
 TANK = {"bounds": OPEN_WATER, "spheres": (), "boxes": ()}
 PAPER_TANK = ((-3.0, -3.0, -2.0), (3.0, 3.0, 0.0))
+
+
+@pytest.fixture
+def cocorosim(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Callable[..., SimpleNamespace]:
+    """A function of arguments: the command's exit status, output and errors; run in this process."""
+    from cocorosim_ros.commands.main import main
+
+    def run(*arguments: Any) -> SimpleNamespace:
+        monkeypatch.setattr(sys, "argv", ["cocorosim", *(str(argument) for argument in arguments)])
+        capfd.readouterr()
+        with pytest.raises(SystemExit) as ended:
+            main()
+        out, err = capfd.readouterr()
+        return SimpleNamespace(status=ended.value.code or 0, out=out, err=err)
+
+    return run
 
 
 @pytest.fixture

@@ -18,12 +18,7 @@ import numpy as np
 from cocorosim_ros.analysis.answers import DASH, NO_RUNS, NOT_DECIDABLE, NOT_REPRODUCED, REPRODUCED, Answer, above
 from cocorosim_ros.analysis.effect_size import SMALL
 from cocorosim_ros.analysis.results import Results
-from cocorosim_ros.analysis.sample_size import (
-    REPETITIONS,
-    Consistency,
-    baseline_consistency,
-    consistency_by_chance,
-)
+from cocorosim_ros.analysis.sample_size import Consistency, baseline_consistency, median_by_chance
 from cocorosim_ros.metrics import PAPER_METRICS
 from cocorosim_ros.scenario.scenario import Scenario, load_scenario
 from cocorosim_ros.scenario.seeding import start_poses
@@ -38,11 +33,9 @@ _SUBJECT_M3 = f"{CROWD:,} Lilys (BLT) as dense as eleven in 6 x 6 x 2 m, one run
 
 def method_answers(experiments: Mapping[str, Results]) -> Iterator[Answer]:
     """M1 of the designs that are there, M2 where both are, and M3."""
-    for design in ("boids", "turbulence"):
-        results = experiments.get(design)
-        for numerics in results.numerics if results is not None else ():
-            if results is not None:
-                yield _enough_runs(results, numerics)
+    for results in (experiments[design] for design in ("boids", "turbulence") if design in experiments):
+        for numerics in results.numerics:
+            yield _enough_runs(results, numerics)
     if {"boids", "turbulence"} <= experiments.keys():
         for numerics in experiments["turbulence"].numerics:
             yield _bottleneck(experiments, numerics)
@@ -69,8 +62,7 @@ def _told(found: Consistency) -> str:
 
 
 def _by_chance(runs: int) -> str:
-    chance = consistency_by_chance(runs, REPETITIONS, np.random.default_rng(0))
-    return f"one continuous metric by chance alone: {chance.median_of_largest:.3f}"
+    return f"one continuous metric by chance alone: {median_by_chance(runs):.3f}"
 
 
 def _bottleneck(experiments: Mapping[str, Results], numerics: str) -> Answer:

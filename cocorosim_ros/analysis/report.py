@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from cocorosim_ros.analysis.box_plots import figure_of
 from cocorosim_ros.analysis.effect_size import Effect
 from cocorosim_ros.analysis.results import Results, Spread
-from cocorosim_ros.analysis.sample_size import REPETITIONS, Consistency, baseline_consistency, consistency_by_chance
+from cocorosim_ros.analysis.sample_size import Consistency, baseline_consistency, median_by_chance
 from cocorosim_ros.metrics import METRICS
 from cocorosim_ros.reporting.page import page_template
 
@@ -107,14 +104,8 @@ def _shown_consistency(found: Consistency) -> dict[str, Any]:
         "each": [_two(score) for score in found.each],
         "all": _two(found.median_of_largest),
         "enough": f"{100 * found.enough:.0f} % ({low:.0f} \u2026 {high:.0f} %)",
-        "chance": _two(_by_chance(found.runs)),
+        "chance": _two(median_by_chance(found.runs)),
     }
-
-
-@lru_cache
-def _by_chance(runs: int) -> float:
-    """The same of one continuous response that nothing influences."""
-    return consistency_by_chance(runs, REPETITIONS, np.random.default_rng(0)).median_of_largest
 
 
 def _runs(results: Results, numerics: str, group: str) -> int:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +62,12 @@ def consistency_by_chance(runs: int, repetitions: int, random: np.random.Generat
     """The procedure on one continuous response that nothing influences."""
     largest = [[consistency_scores(random.random((SETS, runs))).max()] for _ in range(repetitions)]
     return _summed_up(runs, np.array(largest))
+
+
+@lru_cache
+def median_by_chance(runs: int) -> float:
+    """Median of the largest score of one continuous response that nothing influences; the draws are always the same."""
+    return consistency_by_chance(runs, REPETITIONS, np.random.default_rng(0)).median_of_largest
 
 
 def consistency_of(

@@ -36,7 +36,8 @@ class Begun:
 
     candidate: Candidate
     fit: Fit
-    count: int  # unknowns that it added, the last ones of the fit's laws
+    first: int  # of its unknowns among the fit's laws
+    count: int
     gain: float
 
 
@@ -73,7 +74,7 @@ def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
     trial = evaluated(replace(fit, rows=rows, laws=(*fit.laws, *new), q=start))
     cautious = evaluated(replace(trial, q=np.concatenate([fit.q, 0.3 * screened.q, np.zeros(shapes)])))
     trial = improved(trial if trial.objective > cautious.objective else cautious, 3)
-    return Begun(candidate, trial, len(new), trial.objective - fit.objective)
+    return Begun(candidate, trial, len(fit.laws), len(new), trial.objective - fit.objective)
 
 
 def refine(begun: Begun, base_evidence: float) -> Refined:
@@ -81,5 +82,4 @@ def refine(begun: Begun, base_evidence: float) -> Refined:
     trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
     if trial.objective - begun.fit.objective + begun.gain > CLEAR:
         trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)
-    first = len(trial.laws) - begun.count
-    return Refined(begun.candidate, trial, first, begun.count, log_evidence(trial) - base_evidence)
+    return Refined(begun.candidate, trial, begun.first, begun.count, log_evidence(trial) - base_evidence)

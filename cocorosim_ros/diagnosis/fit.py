@@ -15,11 +15,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.columns import COLUMN
 from cocorosim_ros.diagnosis.kernels.products import weighted_products
 from cocorosim_ros.diagnosis.track import Pass, Track
 from cocorosim_ros.diagnosis.tracks_at_once import of_each_track
-from cocorosim_ros.diagnosis.unknowns import Unknown, prior_centre, prior_precision, write_values
+from cocorosim_ros.diagnosis.unknowns import Unknown, nudged, prior_centre, prior_precision, write_values
 
 Floats = NDArray[np.float64]
 LARGEST_NOISE_STEP = 1.0  # of a logarithm
@@ -92,9 +91,7 @@ def slopes(fit: Fit, laws: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
         found = np.zeros((len(laws), len(part.innovation)))
         for law, place, step, slope in zip(laws, q, steps, found, strict=True):
             if number in law.tracks:
-                nudged = filled[number].copy()
-                nudged[COLUMN[law.column]] = law.value(float(place) + step)
-                fit.tracks[number].slope(nudged, part, step, slope)
+                fit.tracks[number].slope(nudged(filled[number], law, float(place) + step), part, step, slope)
         return found.T
 
     return tuple(of_each_track(of_track, len(fit.tracks)))
@@ -225,22 +222,22 @@ def _noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]
     filled = fit.filled
 
     def of_track(number: int) -> tuple[Floats, Floats]:
-        nudged = [
-            write_values(filled, [unknown], np.array([fit.q_noise[index] + NOISE_STEP]))[number]
-            if number in unknown.tracks else None
+        row = filled[number]
+        others = [
+            nudged(row, unknown, float(fit.q_noise[index]) + NOISE_STEP) if number in unknown.tracks else None
             for index, unknown in zip(chosen, unknowns, strict=True)
-        ]  # fmt: skip
-        return _noise_of_track(fit.tracks[number], fit.passes[number], nudged)
+        ]
+        return _noise_of_track(fit.tracks[number], fit.passes[number], others)
 
     for added_score, added_matrix in of_each_track(of_track, len(fit.tracks)):
         score, matrix = score + added_score, matrix + added_matrix
     return score, matrix
 
 
-def _noise_of_track(track: Track, part: Pass, nudged: Sequence[Floats | None]) -> tuple[Floats, Floats]:
-    """Score (n,) and information (n, n) of noise on a track; nudged: its row with each one a step off, or not its."""
-    mean, spread = np.zeros((2, len(nudged), len(part.innovation)))
-    for column, row in enumerate(nudged):
+def _noise_of_track(track: Track, part: Pass, rows: Sequence[Floats | None]) -> tuple[Floats, Floats]:
+    """Score (n,) and information (n, n) of noise on a track; rows: its own with each one a step off, or none."""
+    mean, spread = np.zeros((2, len(rows), len(part.innovation)))
+    for column, row in enumerate(rows):
         if row is None:
             continue
         other = track.full(row)

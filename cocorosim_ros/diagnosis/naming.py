@@ -152,14 +152,14 @@ def _first_believed(
             near = tuple(
                 (part, max(0.0, behind)) for part, behind in rivals if behind <= AMBIGUITY and part.entry.law is None
             )
-            added = Accused(best.candidate, len(fit.laws), best.count, best.nats, near, gain)
+            added = Accused(best.candidate, best.first, best.count, best.nats, near, gain)
             return best.fit, (*accused, added)
     return None
 
 
 def _regained(part: Refined, before: Fit) -> float:
     """Its evidence over a model without it that was let loose again from there, lest an unfinished fit be its merit."""
-    without = _without(part.fit, len(part.fit.laws) - part.count, part.count, before)
+    without = _without(part.fit, part.first, part.count, before)
     nats = log_evidence(part.fit) - log_evidence(without) - _held_against(part.candidate, without, part.fit)
     return _standing(replace(part, nats=nats))
 
@@ -171,9 +171,8 @@ def _held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
 
 def _is_tiny(part: Refined) -> bool:
     """Whether all of its amplitudes are too small to be believed."""
-    new = part.fit.laws[part.first : part.first + part.count]
-    found = part.fit.q[part.first : part.first + part.count]
-    values = [law.value(float(q)) for law, q in zip(new, found, strict=True)]
+    mine = slice(part.first, part.first + part.count)
+    values = [law.value(float(q)) for law, q in zip(part.fit.laws[mine], part.fit.q[mine], strict=True)]
     entry = part.candidate.entry
     amplitudes = [entry.amplitudes[index % len(entry.amplitudes)] for index in range(_amplitude_count(part))]
     return all(abs(value - each.neutral) < each.smallest for value, each in zip(values, amplitudes, strict=False))
@@ -210,17 +209,16 @@ def _needed(accused: tuple[Accused, ...], part: Refined) -> float:
     ]
     if of_sensor:
         shares += [LAW_SHARE * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS]
-    return max(THRESHOLD, *shares, 0.0)
+    return max([THRESHOLD, *shares])
 
 
 def _likeness(part: Refined, other: Accused) -> float:
     """The greatest squared cosine between what numbers of the one and of the other change in the readings."""
     matrix = information(part.fit).matrix
     size = np.diag(matrix)
-    mine = range(part.first, part.first + part.count)
-    cross = matrix[np.ix_(mine, range(other.first, other.first + other.count))]
-    scale = np.outer(size[list(mine)], size[other.first : other.first + other.count])
-    return float((cross**2 / np.maximum(scale, 1e-300)).max())
+    mine, theirs = (slice(each.first, each.first + each.count) for each in (part, other))
+    scale = np.outer(size[mine], size[theirs])
+    return float((matrix[mine, theirs] ** 2 / np.maximum(scale, 1e-300)).max())
 
 
 def _side(candidate: Candidate) -> str:

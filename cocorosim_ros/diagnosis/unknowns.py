@@ -52,6 +52,13 @@ def write_values(rows: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats
     return filled
 
 
+def nudged(row: Floats, unknown: Unknown, q: float) -> Floats:
+    """(columns,) a copy of one track's row with another value of an unknown of that track."""
+    other = row.copy()
+    other[COLUMN[unknown.column]] = unknown.value(q)
+    return other
+
+
 def prior_precision(unknowns: Sequence[Unknown]) -> Floats:
     """(n,) of q."""
     return np.array([0.0 if math.isinf(unknown.prior) else unknown.prior**-2 for unknown in unknowns])

@@ -6,14 +6,10 @@ no run meets, and does not know how a scenario is read and how places at the sta
 
 from __future__ import annotations
 
-import hashlib
 from pathlib import Path
 
-import numba
-import numpy
-
 from cocorosim_ros import __version__
-from cocorosim_ros.compilation import COMPILED_FOLDERS
+from cocorosim_ros.compilation import COMPILED_FOLDERS, digest_of_sources
 
 _MET_BY_NO_RUN = ("messages/kernels", "diagnosis/kernels")
 DECISIVE = (
@@ -27,12 +23,8 @@ DECISIVE = (
 
 
 def decisive_digest(package: Path) -> str:
-    """First 16 hex digits of the SHA-256 over the sources of DECISIVE in this folder, and their compilers."""
-    digest = hashlib.sha256(f"{numba.__version__} {numpy.__version__}".encode())
-    sources = {path for part in DECISIVE for path in (package / part, *(package / part).rglob("*.py"))}
-    for path in sorted(path for path in sources if path.is_file()):
-        digest.update(path.relative_to(package).as_posix().encode() + path.read_bytes())
-    return digest.hexdigest()[:16]
+    """The digest of the sources of DECISIVE in this folder."""
+    return digest_of_sources(package, DECISIVE)
 
 
 # Taken when the code is loaded: a source that is edited while a long study runs changes nothing of what runs.

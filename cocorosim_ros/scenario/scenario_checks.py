@@ -67,8 +67,9 @@ def _check_stability(scenario: Scenario, sections: Sections) -> None:
     water = fastest_water(scenario)
     swift = f" in water of up to {water:.3g} m/s" if water > 0.0 else ""
     for platform in dict.fromkeys(group.platform for group in scenario.swarm):
-        longest, rate = longest_stable_step(name, platform, water), fastest_rate(platform, water)
+        longest = longest_stable_step(name, platform, water)
         if step > longest:
+            rate = fastest_rate(platform, water)
             raise sections["integrator"].problem(
                 f"has a step of {step:g} s, beyond the {longest:.3g} s up to which '{name}' is stable for the platform "
                 f"'{platform.name}', whose fastest motion{swift} settles at {rate:.3g} 1/s; choose a shorter step."

@@ -22,22 +22,6 @@ from cocorosim_ros.scenario.scenario import load_scenario
 PROGRAM = "import sys; from cocorosim_ros.commands.main import main; sys.argv[0] = 'cocorosim'; main()"
 
 
-@pytest.fixture
-def cocorosim(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Callable[..., SimpleNamespace]:
-    """A function of arguments: the command's exit status, output and errors; run in this process."""
-    from cocorosim_ros.commands.main import main
-
-    def run(*arguments: Any) -> SimpleNamespace:
-        monkeypatch.setattr(sys, "argv", ["cocorosim", *(str(argument) for argument in arguments)])
-        capfd.readouterr()
-        with pytest.raises(SystemExit) as ended:
-            main()
-        out, err = capfd.readouterr()
-        return SimpleNamespace(status=ended.value.code or 0, out=out, err=err)
-
-    return run
-
-
 @pytest.fixture(scope="session")
 def run_of_20_seconds(tmp_path_factory: pytest.TempPathFactory) -> SimpleNamespace:
     """Five Lilys in lock-step for 40 ticks of 0.5 s: the folder of the bag, its digest, the statistics as measured

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
@@ -39,16 +38,6 @@ def design_file(tmp_path: Path) -> Callable[..., str]:
 
 
 @pytest.fixture
-def experiment(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Callable[..., SimpleNamespace]:
+def experiment(cocorosim: Callable[..., SimpleNamespace]) -> Callable[..., SimpleNamespace]:
     """Function of arguments: exit status, output and errors of `cocorosim experiment` in this process."""
-    from cocorosim_ros.commands.main import main
-
-    def run(*arguments: Any) -> SimpleNamespace:
-        monkeypatch.setattr(sys, "argv", ["cocorosim", "experiment", *map(str, arguments)])
-        capfd.readouterr()
-        with pytest.raises(SystemExit) as ended:
-            main()
-        out, err = capfd.readouterr()
-        return SimpleNamespace(status=ended.value.code or 0, out=out, err=err)
-
-    return run
+    return partial(cocorosim, "experiment")

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import xarray
 
 Write = Callable[..., str]
+Experiment = Callable[..., SimpleNamespace]
 GROUPS = """groups:
   BLT: {description: as it is}
   deaf: {description: hears nothing, change: {swarm: {overrides: {alignment_weight: 0}}}}
@@ -45,20 +46,9 @@ REFUSED = {
 }
 
 
-def refusal(arguments: list[str], monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> str:
-    """What `cocorosim experiment` says on standard error when it ends with status 2."""
-    from cocorosim_ros.commands.main import main
-
-    monkeypatch.setattr(sys, "argv", ["cocorosim", "experiment", *arguments])
-    with pytest.raises(SystemExit) as ended:
-        main()
-    assert ended.value.code == 2
-    return capfd.readouterr().err
-
-
 @pytest.mark.parametrize("case", REFUSED)
 def test_it_is_refused_before_anything_is_written(
-    case: str, design_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    case: str, design_file: Write, experiment: Experiment, tmp_path: Path
 ) -> None:
     """A new folder is not made, and one with results is left as it is, --force or not."""
     axes = {"t": [0.0], "z": [-1.0], "y": [0.0, 1.0], "x": [0.0, 1.0]}
@@ -73,8 +63,9 @@ def test_it_is_refused_before_anything_is_written(
     for name in ("design.json", "results.parquet", "parts/rows.parquet"):
         (kept / name).write_text(name, "utf-8")
     for folder, force in ((tmp_path / "new", ()), (kept, ()), (kept, ("--force",))):
-        said = refusal([str(path), "--out", str(folder), *options, *force], monkeypatch, capfd)
-        assert told in said and said.count("\n") == 1, said
+        ended = experiment(path, "--out", folder, *options, *force)
+        assert ended.status == 2
+        assert told in ended.err and ended.err.count("\n") == 1, ended.err
     assert not (tmp_path / "new").exists()
     left = {str(part.relative_to(kept)): part.read_text("utf-8") for part in kept.rglob("*") if part.is_file()}
     assert left == {name: name for name in ("design.json", "results.parquet", "parts/rows.parquet")}

@@ -25,10 +25,9 @@ swarm:
 
 def scenario() -> Any:
     """Two Lilys at rest."""
-    from cocorosim_ros.scenario.scenario import read_scenario
-    from cocorosim_ros.scenario.yaml_file import parse_yaml
+    from cocorosim_ros.scenario.scenario import parse_scenario
 
-    return read_scenario(parse_yaml(TEXT, "two"))
+    return parse_scenario(TEXT, "two")
 
 
 def simulation(first_run: int = 0, runs: int = 1) -> Any:
@@ -39,8 +38,9 @@ def simulation(first_run: int = 0, runs: int = 1) -> Any:
     from cocorosim_ros.simulation.assembly import build_world
     from cocorosim_ros.simulation.simulation import Simulation
 
-    starts = np.stack([start_poses(scenario(), run) for run in range(first_run, first_run + runs)])
-    return Simulation(build_world(scenario(), runs, first_run), starts)
+    two = scenario()
+    starts = np.stack([start_poses(two, run) for run in range(first_run, first_run + runs)])
+    return Simulation(build_world(two, runs, first_run), starts)
 
 
 @pytest.mark.parametrize(("column", "value"), [(X, math.nan), (SURGE, math.inf)])
