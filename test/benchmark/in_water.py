@@ -39,11 +39,12 @@ def one_run_in_patches(robots: int) -> tuple[Pace, Simulation]:
     return replace(pace_of([simulation], 8, 2), threads=LARGE_THREADS), simulation
 
 
-def one_run_in_flow(robots: int) -> Pace:
+def one_run_in_flow(robots: int) -> tuple[Pace, Simulation]:
     """The same where the water has velocities: a vortex and a tide."""
     currents = (VortexCurrent(x=0.0, y=0.0, circulation=0.1, core=2.0), TidalCurrent(x=0.01, y=0.0, period=600.0))
     scenario = replace(in_tank_of(turbulent(), robots), water=Water(currents=currents))
-    return pace_of(batches(scenario, 1, 1), 60)
+    (simulation,) = batches(scenario, 1, 1)
+    return pace_of([simulation], 60), simulation
 
 
 def field_times(field: ForceField) -> dict[str, float]:

@@ -13,7 +13,13 @@ from cocorosim_ros.compilation import kernel
 
 Floats = NDArray[np.float64]
 COPIED = 32_000_000  # numbers; far more than any cache holds
-CHAINS, ROUNDS = 8, 20_000_000
+CHAINS, ROUNDS = 24, 10_000_000  # enough that none waits for the one before it
+IN_CACHE, POLYNOMIALS, DEGREE, TIMES = (
+    512,
+    8,
+    16,
+    5_000,
+)  # numbers of one array, and how often the compiler may use vectors on them
 
 
 @kernel
@@ -29,14 +35,35 @@ def _triad(one: Floats, other: Floats, target: Floats) -> None:
 
 
 @kernel
-def _multiply_and_add(result: Floats) -> None:
-    """Eight independent chains of x = x * a + b: what scalar arithmetic can do when it waits for nothing."""
-    a, b = 0.999999, 1e-6
+def _in_chains(result: Floats) -> None:
+    """Independent chains of x = x * a + b, each from another number: scalar arithmetic that waits for nothing."""
+    a, b = result[0] + 0.999999, result[0] + 1e-6
     c0, c1, c2, c3, c4, c5, c6, c7 = 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0
+    c8, c9, c10, c11, c12, c13, c14, c15 = 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0
+    c16, c17, c18, c19, c20, c21, c22, c23 = 17.0, 18.0, 19.0, 20.0, 21.0, 22.0, 23.0, 24.0
     for _ in range(ROUNDS):
         c0, c1, c2, c3 = c0 * a + b, c1 * a + b, c2 * a + b, c3 * a + b
         c4, c5, c6, c7 = c4 * a + b, c5 * a + b, c6 * a + b, c7 * a + b
+        c8, c9, c10, c11 = c8 * a + b, c9 * a + b, c10 * a + b, c11 * a + b
+        c12, c13, c14, c15 = c12 * a + b, c13 * a + b, c14 * a + b, c15 * a + b
+        c16, c17, c18, c19 = c16 * a + b, c17 * a + b, c18 * a + b, c19 * a + b
+        c20, c21, c22, c23 = c20 * a + b, c21 * a + b, c22 * a + b, c23 * a + b
     result[0] = c0 + c1 + c2 + c3 + c4 + c5 + c6 + c7
+    result[0] += c8 + c9 + c10 + c11 + c12 + c13 + c14 + c15
+    result[0] += c16 + c17 + c18 + c19 + c20 + c21 + c22 + c23
+
+
+@kernel
+def _in_vectors(numbers: Floats, result: Floats) -> None:
+    """Eight polynomials of each number by Horner's rule: arithmetic in vectors, on numbers of the first cache."""
+    for _ in range(TIMES):
+        for index in range(numbers.shape[0]):
+            x = numbers[index]
+            p0, p1, p2, p3, p4, p5, p6, p7 = x, x + 0.1, x + 0.2, x + 0.3, x + 0.4, x + 0.5, x + 0.6, x + 0.7
+            for _ in range(DEGREE):
+                p0, p1, p2, p3 = p0 * x + 0.5, p1 * x + 0.5, p2 * x + 0.5, p3 * x + 0.5
+                p4, p5, p6, p7 = p4 * x + 0.5, p5 * x + 0.5, p6 * x + 0.5, p7 * x + 0.5
+            result[index] = (p0 + p1) + (p2 + p3) + ((p4 + p5) + (p6 + p7))
 
 
 def at_once(work: Callable[[int], None], threads: int) -> float:
@@ -74,9 +101,21 @@ def triad_bandwidth(threads: int, numbers: int = COPIED) -> float:
     return 24.0 * part * threads * rounds / seconds
 
 
-def arithmetic(threads: int) -> float:
-    """Multiplications and additions of float64 per second, best of three."""
+def scalar_arithmetic(threads: int) -> float:
+    """Multiplications and additions of float64 per second, one number at a time, best of three."""
     result = np.zeros((threads, 1))
-    _multiply_and_add(result[0])
-    seconds = min(at_once(lambda number: _multiply_and_add(result[number]), threads) for _ in range(3))
-    return 2.0 * CHAINS * ROUNDS * threads / seconds
+    _in_chains(result[0])
+
+    def work(number: int) -> None:
+        result[number] = 0.0
+        _in_chains(result[number])
+
+    return 2.0 * CHAINS * ROUNDS * threads / min(at_once(work, threads) for _ in range(3))
+
+
+def vector_arithmetic(threads: int) -> float:
+    """The same in vectors, multiplied and added as our own code is compiled (without fused operations)."""
+    numbers, result = np.full((threads, IN_CACHE), 0.5), np.zeros((threads, IN_CACHE))
+    _in_vectors(numbers[0], result[0])
+    seconds = min(at_once(lambda number: _in_vectors(numbers[number], result[number]), threads) for _ in range(3))
+    return 2.0 * POLYNOMIALS * DEGREE * IN_CACHE * TIMES * threads / seconds
