@@ -103,12 +103,26 @@ def _shorter(change: Floats, track: Track) -> Floats:
 
 
 @dataclass(frozen=True)
+class OfTrack:
+    """The laws that a track feels, and their slopes alone (m, those): the others' are nothing but zeros to multiply."""
+
+    laws: list[int]
+    slopes: Floats
+
+    @property
+    def block(self) -> tuple[NDArray[np.intp], ...]:
+        """Where they meet in a matrix of all laws."""
+        return np.ix_(self.laws, self.laws)
+
+
+@dataclass(frozen=True)
 class Information:
     """Slopes of the laws by track, their Fisher information with the prior's, and the score, in q."""
 
     slopes: tuple[Floats, ...]
     matrix: Floats
     score: Floats
+    own: tuple[OfTrack, ...]  # by track
 
 
 def information(fit: Fit) -> Information:
@@ -120,10 +134,16 @@ def _information(fit: Fit) -> Information:
     parts = slopes(fit, fit.laws, fit.q)
     precision = prior_precision(fit.laws)
     matrix, score = np.diag(precision), -precision * (fit.q - prior_centre(fit.laws))
-    for part, slope in zip(fit.passes, parts, strict=True):
-        matrix = matrix + weighted_products(slope, slope, part.variance)
-        score = score - weighted_products(slope, part.innovation[:, None], part.variance)[:, 0]
-    return Information(parts, matrix, score)
+    own = tuple(_of_track(fit, number, each) for number, each in enumerate(parts))
+    for part, each in zip(fit.passes, own, strict=True):
+        matrix[each.block] += weighted_products(each.slopes, each.slopes, part.variance)
+        score[each.laws] -= weighted_products(each.slopes, part.innovation[:, None], part.variance)[:, 0]
+    return Information(parts, matrix, score, own)
+
+
+def _of_track(fit: Fit, number: int, slopes: Floats) -> OfTrack:
+    laws = [index for index, law in enumerate(fit.laws) if number in law.tracks]
+    return OfTrack(laws, slopes.T[laws].T)
 
 
 def solve(matrix: Floats, right: Floats) -> Floats:

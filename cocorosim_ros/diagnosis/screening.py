@@ -103,7 +103,7 @@ class _Products:
 
     def __init__(self, screen: Screen, directions: Sequence[tuple[Floats, ...]]) -> None:
         self._fit, self._known, self._directions = screen.fit, screen.known, directions
-        self._cross = [self._sum(screen.known.slopes, moved) for moved in directions]
+        self._cross = [self._with_laws(moved) for moved in directions]
         self._absorbed = [solve(screen.known.matrix, cross) for cross in self._cross]
         self._found: dict[tuple[int, int], Floats] = {}
 
@@ -122,6 +122,13 @@ class _Products:
             own = self._sum(self._directions[i], self._directions[j]) - self._cross[i].T @ self._absorbed[j]
             self._found[i, j], self._found[j, i] = own, own.T
         return self._found[i, j]
+
+    def _with_laws(self, moved: tuple[Floats, ...]) -> Floats:
+        """(laws, n) the information that a direction shares with the laws of the model."""
+        shared = np.zeros((len(self._known.matrix), moved[0].shape[1]))
+        for own, other, part in zip(self._known.own, moved, self._fit.passes, strict=True):
+            shared[own.laws] += weighted_products(own.slopes, other, part.variance)
+        return shared
 
     def _sum(self, left: tuple[Floats, ...], right: tuple[Floats, ...]) -> Floats:
         """Over all readings of all tracks, by the variance of the innovations."""

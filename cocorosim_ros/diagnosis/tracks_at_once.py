@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
@@ -16,7 +17,7 @@ def of_each_track(work: Callable[[int], Found], count: int) -> list[Found]:
     One track is one thread's: its memory is not locked. Kernels let go of the interpreter, so that threads help. They
     live as long as this call, for a process that is forked later would wait for them forever.
     """
-    if count < 2:
+    if count < 2 or len(os.sched_getaffinity(0)) < 2:
         return [work(number) for number in range(count)]
     with ThreadPoolExecutor(min(count, MOST)) as threads:
         return list(threads.map(work, range(count)))

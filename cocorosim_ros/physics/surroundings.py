@@ -12,7 +12,7 @@ from cocorosim_ros.signals.angles import sine_cosine
 from cocorosim_ros.signals.state import STATE_SIZE, YAW, X, Z
 
 Floats = NDArray[np.float64]
-_LOOKING = EFFECT_BIT["neighbour_wake"] | LAW_BITS
+LOOKING = EFFECT_BIT["neighbour_wake"] | LAW_BITS
 
 
 @kernel
@@ -20,7 +20,7 @@ def _somebody_looks(vehicles: Vehicles) -> bool:
     looking = 0
     for run in range(vehicles.active.shape[0]):
         for robot in range(vehicles.active.shape[1]):
-            looking |= vehicles.active[run, robot] & _LOOKING
+            looking |= vehicles.active[run, robot] & LOOKING
     return looking != 0
 
 

@@ -92,11 +92,13 @@ def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: f
     variance = noise
     for i in range(HORIZONTAL):
         variance += seen[i] * gain[i]
-    doubted = gate > GATE * GATE * variance
+    doubted, share = gate > GATE * GATE * variance, stack_array(12)
     for i in range(0 if doubted else HORIZONTAL):
-        _add_row(covariance, i * HORIZONTAL, gain, 0, -gain[i] / variance)
+        share[i] = gain[i] / variance
+    for i in range(0 if doubted else HORIZONTAL):
+        _add_row(covariance, i * HORIZONTAL, gain, 0, -share[i])
     for i in range(HORIZONTAL):
-        gain[i] = 0.0 if doubted else gain[i] / variance
+        gain[i] = share[i]
     return variance
 
 

@@ -29,6 +29,7 @@ from cocorosim_ros.diagnosis.kernels.random_force import Fading
 from cocorosim_ros.diagnosis.kernels.records import Drive
 from cocorosim_ros.physics.dynamics import state_rate
 from cocorosim_ros.physics.effects import BASIC_EFFECTS
+from cocorosim_ros.physics.surroundings import LOOKING
 from cocorosim_ros.physics.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Body
 from cocorosim_ros.signals.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
@@ -70,6 +71,8 @@ def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -
     for column in range(actuators):
         row[STATE_SIZE + column] = 0.5 * (drive.force[point, column] + drive.force[earlier, column])
         row[memory + MEMORY_SIZE * column + RATE] = 0.5 * (drive.rate[point, column] + drive.rate[earlier, column])
+    if body.active & LOOKING == 0:
+        return
     for other in range(body.neighbours.shape[0]):
         for column in range(body.neighbours.shape[1]):
             body.neighbours[other, column] = drive.around[point, other, column]
