@@ -8,6 +8,7 @@ from typing import Any
 
 from cocorosim_ros.calibration.fit import Fit, Fitted
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.output_file import check_file
 from cocorosim_ros.scenario.platform import Platform, platform_tree
 from cocorosim_ros.scenario.yaml_file import yaml_text
 
@@ -19,11 +20,10 @@ def write_platform(out: Path, platform: Platform, fit: Fit, recording: str, *, f
 
     Raises CocorosimError if the file is there (without `force`) or cannot be written.
     """
+    check_file(out, force=force)
     text = yaml_text(fitted_tree(out.stem, platform, fit, recording))
     partial = out.with_name(out.name + ".partial")
     try:
-        if out.exists() and not force:
-            raise CocorosimError(f"{out} exists already; give another --out, or --force to replace it.")
         partial.write_text(text, "utf-8")
         os.replace(partial, out)
     except OSError as error:

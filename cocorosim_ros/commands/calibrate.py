@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.output_file import check_file
 
 if TYPE_CHECKING:
     from cocorosim_ros.calibration.fit import Fit
@@ -43,8 +44,7 @@ def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, tar
     from cocorosim_ros.scenario.platform import load_platform
 
     out, force = target
-    if out is not None and out.exists() and not force:
-        raise CocorosimError(f"{out} exists already; give another --out, or --force to replace it.")
+    check_file(out, force=force)
     platform = load_platform(platform_name)
     fit = fit_platform(platform, read_calibration_run(bag, platform, robot))
     console.print(fit_table(fit, platform_name))

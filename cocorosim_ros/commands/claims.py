@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.output_file import check_file
 
 if TYPE_CHECKING:
     from cocorosim_ros.analysis.answers import Answer
@@ -47,7 +47,7 @@ def command(
             "Give either RESULTS, folders of finished experiments, or --run and a folder to run them in."
         )
     if out is not None:
-        _check_page(out, force=force)
+        check_file(out, force=force)
     if runs is not None:
         results = tuple(_run(ctx, name, runs / name, replicates) for name in STUDIES)
     experiments = {found.about["design"]: found for found in load_all(results)}
@@ -59,18 +59,6 @@ def command(
     Console().print(_table(answers))
     if out is not None:
         _write(out, claims_page(answers, experiments))
-
-
-def _check_page(page: Path, *, force: bool) -> None:
-    """Raises CocorosimError if the page cannot be written there: before the runs, which may take days."""
-    if page.is_dir():
-        raise CocorosimError(f"{page} is a folder; give a file with --out.")
-    if page.exists() and not force:
-        raise CocorosimError(f"{page} exists already; give another file with --out, or --force.")
-    if not page.parent.is_dir():
-        raise CocorosimError(f"There is no folder {page.parent} for the page; make it, or give another --out.")
-    if not os.access(page if page.exists() else page.parent, os.W_OK):
-        raise CocorosimError(f"You may not write {page}; give another file with --out.")
 
 
 def _run(ctx: click.Context, design: str, folder: Path, replicates: int | None) -> Path:

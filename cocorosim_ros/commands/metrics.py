@@ -9,7 +9,7 @@ from rich.console import Console
 
 from cocorosim_ros.commands.show_results import metrics_table
 from cocorosim_ros.commands.terminal import say, show_table
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.output_file import check_file
 from cocorosim_ros.recording.bag_reader import read_bag
 from cocorosim_ros.runs.results import draw_picture, measure_recording, summary_of, write_json
 from cocorosim_ros.scenario.entry import Entry
@@ -33,7 +33,7 @@ def command(
     """
     console = Console()
     for file in (json_file, picture):
-        _check_writable(file, force=force)
+        check_file(file, force=force)
     opened = read_bag(bag)
     tracks, samples, monitor = measure_recording(opened, _nanoseconds(interval))
     summary = summary_of(opened, samples, monitor)
@@ -50,14 +50,3 @@ def command(
 
 def _nanoseconds(interval: str | None) -> int | None:
     return None if interval is None else read_nanoseconds(Entry(interval, "the command line", 0, "--interval"))
-
-
-def _check_writable(file: Path | None, *, force: bool) -> None:
-    """Raise CocorosimError, before anything is measured, if the file cannot be written or must not be."""
-    if file is None:
-        return
-    if file.is_dir() or not file.absolute().parent.is_dir():
-        wrong = "is a folder" if file.is_dir() else "lies in a folder that does not exist"
-        raise CocorosimError(f"{file} {wrong}; give the name of a file in a folder that exists.")
-    if file.exists() and not force:
-        raise CocorosimError(f"{file} exists already and is not overwritten; choose another name, or --force.")

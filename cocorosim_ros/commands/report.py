@@ -8,6 +8,7 @@ import click
 from rich.console import Console
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.output_file import check_file
 
 
 @click.command("report", short_help="results of experiments as one page")
@@ -22,8 +23,7 @@ def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, f
 
     page = out or results[0] / "report.html"
     for path in (page, *([summary] if summary else [])):
-        if path.exists() and not force:
-            raise CocorosimError(f"{path} exists already; give another file, or --force.")
+        check_file(path, force=force)
     experiments = load_all(results)
     _write(page, render_report(experiments))
     Console().print(f"{page}: {page.stat().st_size / 1e6:.1f} MB, open it in a browser")

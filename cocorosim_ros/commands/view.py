@@ -11,6 +11,7 @@ from rich.console import Console
 
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.output_file import check_file
 from cocorosim_ros.pictures.player import player_page
 from cocorosim_ros.recording.bag_reader import read_bag
 from cocorosim_ros.recording.tracks import read_poses
@@ -29,8 +30,7 @@ def command(bag: Path, out: Path | None, no_open: bool, force: bool) -> None:
     type geometry_msgs/msg/PoseStamped.
     """
     console = Console()
-    if out is not None and out.exists() and not force:
-        raise CocorosimError(f"{out} exists already and is not overwritten; give another file with --out, or --force.")
+    check_file(out, force=force)
     opened = read_bag(bag)
     tracks = read_poses(opened)
     if not any(track.stamp_ns.size for track in tracks.values()):

@@ -15,6 +15,7 @@ from matplotlib.lines import Line2D
 
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.metrics import PAPER_METRICS
+from cocorosim_ros.output_file import check_file
 from cocorosim_ros.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.pictures.metric_panels import draw_metric, moments_per_group, time_axis
 from cocorosim_ros.pictures.track_views import (
@@ -45,8 +46,7 @@ def draw_shoal(
     tracks: poses per robot; robots without any are left out. An existing file is replaced only if `force`.
     Raises CocorosimError if there is nothing to draw, or if the file exists or cannot be written.
     """
-    if path.exists() and not force:
-        raise CocorosimError(f"{path} exists already and is not overwritten: choose another name, or --force.")
+    check_file(path, force=force)
     seen = {name: track for name, track in sorted(tracks.items()) if track.stamp_ns.size}
     if not seen or not series.stamp_ns.size:
         raise CocorosimError(f"{path} is not drawn: the run has no poses.")

@@ -1,6 +1,7 @@
 """How long a diagnosis takes, stage by stage: ten minutes of one robot, and of three, with the whole catalogue.
 
-Prints processor seconds and seconds on the clock of each stage once all is compiled, on one core. Without a BAG the
+Prints processor seconds and seconds on the clock of each stage once all is compiled, on one core; then, where the
+machine has several, how long it takes on all of them: robots of a recording then go side by side. Without a BAG the
 recordings are made by the concealer, with linear drag that the model lacks.
 
 Usage: python test/benchmark/bench_diagnosis.py [BAG...]
@@ -13,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from conditions import conditions
@@ -67,7 +68,8 @@ def stages_of(bag: Path) -> tuple[dict[str, tuple[float, float]], str]:
 def main(bags: Sequence[Path]) -> None:
     """Diagnose each bag, the first one twice: at first it is compiled."""
     print("\n".join(conditions()))
-    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    every = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(every)})
     print("on one core, everything compiled; processor seconds (seconds on the clock)")
     stages_of(bags[0])
     for bag in bags:
@@ -75,8 +77,16 @@ def main(bags: Sequence[Path]) -> None:
         print(f"{bag}: {verdict}")
         for name, (processor, clock) in spent.items():
             print(f"  {name:44s} {processor:6.2f} ({clock:.2f})")
-        processor, clock = (sum(part[index] for part in spent.values()) for index in range(2))
-        print(f"  {'all':44s} {processor:6.2f} ({clock:.2f})")
+        print(f"  {'all':44s} {in_all(spent)}")
+    os.sched_setaffinity(0, every)
+    for bag in bags if len(every) > 1 else ():
+        print(f"{bag} on {len(every)} cores: {in_all(stages_of(bag)[0])}")
+
+
+def in_all(spent: Mapping[str, tuple[float, float]]) -> str:
+    """Processor seconds (seconds on the clock) of all stages."""
+    processor, clock = (sum(part[index] for part in spent.values()) for index in range(2))
+    return f"{processor:6.2f} ({clock:.2f})"
 
 
 if __name__ == "__main__":

@@ -38,9 +38,9 @@ def test_pages_are_not_overwritten(cocorosim: Run, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("page", "told"),
     [
-        ("missing/page.md", "There is no folder"),
-        ("file/page.md", "There is no folder"),
-        ("folder", "is a folder; give a file"),
+        ("missing/page.md", "in a folder that does not exist"),
+        ("file/page.md", "in a folder that does not exist"),
+        ("folder", "is a folder; give the name of a file"),
     ],
 )
 def test_a_place_for_the_page_is_looked_for_first(cocorosim: Run, tmp_path: Path, page: str, told: str) -> None:
@@ -56,7 +56,7 @@ def test_a_folder_that_is_not_mine(cocorosim: Run, tmp_path: Path, monkeypatch: 
     """A place where nothing may be written is said before anything is run."""
     monkeypatch.setattr("os.access", lambda *_: False)
     ended = cocorosim("claims", "--run", tmp_path / "runs", "--replicates", 0, "--out", tmp_path / "page.md")
-    assert ended.status == 2 and "You may not write" in ended.err
+    assert ended.status == 2 and "may not be written by you" in ended.err
 
 
 def test_results_of_another_design(cocorosim: Run, tmp_path: Path) -> None:

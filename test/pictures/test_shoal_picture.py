@@ -106,7 +106,7 @@ def _no_series() -> MetricSeries:
 
 def test_a_missing_folder_is_said(tmp_path: Path) -> None:
     """The sentence names the file."""
-    with pytest.raises(CocorosimError, match=r"nowhere.*cannot be written"):
+    with pytest.raises(CocorosimError, match=r"nowhere.*in a folder that does not exist"):
         draw_shoal(tmp_path / "nowhere" / "shoal.png", tracks(2), series(), TANK)
 
 
