@@ -119,7 +119,7 @@ def _share_of_hull(body: Body, share: Floats) -> None:
 def state_rate(row: Floats, time: float, body: Body, rate: Floats) -> None:
     """Write the time derivative of one robot's state `row` (row_size(actuators),) at `time` [s] into `rate`.
 
-    Actuator forces are the columns behind STATE_SIZE; they hold while a step lasts, their rate is zero.
+    Actuator forces are the columns behind STATE_SIZE; they hold while a step lasts: `rate` (STATE_SIZE,) has none.
     """
     parameters, actuator_wrench = body.parameters, body.actuator_wrench
     total, relative = stack_array(4), stack_array(4)
@@ -137,7 +137,6 @@ def state_rate(row: Floats, time: float, body: Body, rate: Floats) -> None:
         force = row[STATE_SIZE + actuator]
         for axis in range(4):
             total[axis] += actuator_wrench[actuator, axis] * force
-        rate[STATE_SIZE + actuator] = 0.0
     if body.active & _INERTIA_BITS != 0:
         share = stack_array(4)
         _share_of_hull(body, share)

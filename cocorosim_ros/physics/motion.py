@@ -11,11 +11,12 @@ from cocorosim_ros.compilation import allocating_kernel, kernel
 from cocorosim_ros.environment.tank import Tank
 from cocorosim_ros.physics.actuation import ACTUATION_BITS, actuate, admitted
 from cocorosim_ros.physics.contact import keep_in_tank
-from cocorosim_ros.physics.integrators import SCRATCH_ROWS, take_step
+from cocorosim_ros.physics.group import Group, is_simple, member, simplified
+from cocorosim_ros.physics.integrators import SCRATCH_ROWS, SIDE_BY_SIDE, take_step
 from cocorosim_ros.physics.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.physics.obstacle_contact import keep_out_of_obstacles
 from cocorosim_ros.physics.surroundings import look_around
-from cocorosim_ros.physics.vehicles import Body, Surroundings, Vehicles, body_of
+from cocorosim_ros.physics.vehicles import Surroundings, Vehicles, body_of
 from cocorosim_ros.signals.state import STATE_SIZE
 
 Floats = NDArray[np.float64]
@@ -61,7 +62,8 @@ def move(state: Floats, vehicles: Vehicles, tank: Tank, stepping: Stepping, flow
     The commands in `state` (see `apply_commands`) hold for the tick; `flow` is the velocity of the water.
     """
     surroundings = Surroundings(flow, tank.lower, tank.upper, look_around(state, vehicles))
-    _move_all(state, vehicles, (tank, surroundings), stepping, time, np.empty((SCRATCH_ROWS, state.shape[2])))
+    scratch = np.empty((SCRATCH_ROWS, SIDE_BY_SIDE, state.shape[2]))
+    _move_all(state, vehicles, (tank, surroundings), stepping, time, scratch)
 
 
 @kernel
@@ -82,21 +84,33 @@ def _move_all(
 ) -> None:
     tank, surroundings = place
     for run in range(state.shape[0]):
-        for robot in range(state.shape[1]):
-            _move_one(state[run, robot], body_of(vehicles, surroundings, run, robot), tank, stepping, time, scratch)
+        for first in range(0, state.shape[1], SIDE_BY_SIDE):
+            rows = state[run, first : min(first + SIDE_BY_SIDE, state.shape[1])]
+            _move_group(rows, Group(vehicles, surroundings, run, first, -1), tank, stepping, time, scratch)
 
 
 @kernel
-def _move_one(row: Floats, body: Body, tank: Tank, stepping: Stepping, time: float, scratch: Floats) -> None:
-    """One robot's tick. Forces that change within it are taken anew for every step, and at its end for who measures."""
-    force, command, memory = actuator_columns(row, body.actuator_wrench.shape[0])
-    changing = body.active & ACTUATION_BITS != 0
+def _move_group(rows: Floats, group: Group, tank: Tank, stepping: Stepping, time: float, scratch: Floats) -> None:
+    """A tick of a group. Forces that change within it are taken anew every step, and at its end for who measures."""
+    simple = is_simple(group, rows.shape[0])
     for step in range(stepping.steps):
         now = time + step * stepping.step
-        if changing:
-            actuate(command, memory, body, (now, stepping.step), force)
-        take_step(stepping.integrator, row, now, stepping.step, body, scratch)
-        keep_out_of_obstacles(row, tank, stepping.contact)
-        keep_in_tank(row, tank, stepping.contact)
-    if changing:
-        actuate(command, memory, body, (time + stepping.steps * stepping.step, 0.0), force)
+        _actuate_all(rows, group, (now, stepping.step))
+        if simple:
+            take_step(stepping.integrator, rows, now, stepping.step, simplified(group), scratch)
+        else:
+            take_step(stepping.integrator, rows, now, stepping.step, group, scratch)
+        for robot in range(rows.shape[0]):
+            keep_out_of_obstacles(rows[robot], tank, stepping.contact)
+            keep_in_tank(rows[robot], tank, stepping.contact)
+    _actuate_all(rows, group, (time + stepping.steps * stepping.step, 0.0))
+
+
+@kernel
+def _actuate_all(rows: Floats, group: Group, interval: tuple[float, float]) -> None:
+    """Bring the forces that change within a tick to an interval: its beginning and length [s]."""
+    for robot in range(rows.shape[0]):
+        body = member(group, robot)
+        if body.active & ACTUATION_BITS != 0:
+            force, command, memory = actuator_columns(rows[robot], body.actuator_wrench.shape[0])
+            actuate(command, memory, body, interval, force)

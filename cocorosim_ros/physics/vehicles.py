@@ -78,6 +78,7 @@ PATCH_FORCE_COLUMNS = [
     PARAMETER_COLUMNS[name] for name in ("patch_force_x", "patch_force_y", "patch_force_z", "patch_moment")
 ]
 EFFECT_BIT: dict[str, int] = {name: 1 << position for position, name in enumerate(EFFECTS)}
+BASIC_BITS: int = sum(EFFECT_BIT[name] for name in BASIC_EFFECTS)
 LAW_BITS: int = sum(EFFECT_BIT[name] for name in LAWS)
 
 

@@ -42,6 +42,8 @@ def gain_change(index: int, factor: float) -> Change:
     def change(message: Message, _time: float) -> Message:
         message.command = np.array(message.command)
         message.command[index] *= factor
+        if abs(message.command[index]) > 1.0:
+            raise ValueError(f"times {factor:g} a command is more than full: who reads the log takes it for full")
         return message
 
     return change

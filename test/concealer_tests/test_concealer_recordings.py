@@ -252,7 +252,7 @@ def test_tampering_changes_one_stream_as_sealed(trial: Path, tmp_path: Path) -> 
     from rosbags.rosbag2 import Reader
 
     source = trial / "recordings" / "r0000"
-    told = json.loads(tamper(source, tmp_path / "t", "gain:1", 0.05))
+    told = json.loads(tamper(source, tmp_path / "t", "gain:1", -0.05))
     with Reader(source) as before, Reader(tmp_path / "t" / "recordings" / "r0000") as after:
         for (link, time, old), (_, other_time, new) in zip(before.messages(), after.messages(), strict=True):
             assert time == other_time
@@ -260,13 +260,15 @@ def test_tampering_changes_one_stream_as_sealed(trial: Path, tmp_path: Path) -> 
                 assert bytes(old) == bytes(new)
                 continue
             a, b = (typestore().deserialize_cdr(data, link.msgtype) for data in (old, new))
-            assert np.allclose(b.command, a.command * [1.0, 1.05, 1.0])
-    assert told["parameters"]["difference"] == pytest.approx(-0.05 / 1.025, rel=1e-3)
+            assert np.allclose(b.command, a.command * [1.0, 0.95, 1.0])
+    assert told["parameters"]["difference"] == pytest.approx(0.05 / 0.975, rel=1e-3)
     for how in ("delay:pose", "skew:imu" if "imu" in str(told) else "skew:pose", "compass", "scale", "lowpass"):
         target = tmp_path / how.replace(":", "_")
         assert json.loads(tamper(source, target, how, 0.01))["messages"] > 100
     with pytest.raises(ValueError, match="no topic"):
         tamper(source, tmp_path / "none", "delay:sonar", 0.1)
+    with pytest.raises(ValueError, match="more than full"):
+        tamper(source, tmp_path / "full", "gain:1", 9.0)
 
 
 def test_a_twin_is_what_the_recording_cannot_tell_apart() -> None:

@@ -19,6 +19,7 @@ class Way:
     topic: str | None
     parameter: str
     change: float
+    same: tuple[str, str] = ("", "")  # effect and number that stand for the same where nothing else measures time
 
     @property
     def name(self) -> str:
@@ -31,12 +32,16 @@ def _gain(index: int, amount: float) -> Way:
     return Way(f"gain:{index}", amount, "thruster_asymmetry", None, "difference", 2.0 * (right - left) / (right + left))
 
 
+def _late_pose(seconds: float) -> Way:
+    """With the pose as the only stream, one that is late and thrusters that lag are told apart by their forms alone."""
+    same = ("thruster_lag", "time_constant")
+    return Way("delay:pose", seconds, "sensor_latency", "pose", "latency", seconds, same)
+
+
+# Commands are 0 or 1 there: the log of one can be made weaker, but not stronger than full.
 WAYS = {
     "hovercraft_epfl": (
-        _gain(0, 0.2), _gain(1, 0.2), _gain(0, -0.15),
-        Way("delay:pose", 0.05, "sensor_latency", "pose", "latency", 0.05),
-        Way("delay:pose", 0.15, "sensor_latency", "pose", "latency", 0.15),
-        Way("lowpass", 0.15, "thruster_lag", None, "time_constant", -0.15),
+        _gain(0, -0.15), _gain(1, -0.15), _gain(0, -0.3), _late_pose(0.05), _late_pose(0.15),
         Way("scale", 0.1, "camera_scale", "pose", "scale", 0.1),
     ),
     "haizhe_auv": (
@@ -48,6 +53,7 @@ WAYS = {
         Way("gyro", 0.05, "imu_bias", "imu", "gyro_z", 0.05),
     ),
 }  # fmt: skip
+OUTCOMES = ("right", "cannot be seen", "missed", "blamed", "no diagnosis")
 UNTOLD = {"camera_scale": "thrust, drag and inertia take it up where nothing else measures a length"}
 
 
@@ -57,42 +63,57 @@ def answer(folder: Path) -> dict[str, Any] | None:
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
 
 
-def accused(diagnosis: dict[str, Any] | None, way: Way) -> dict[str, Any] | None:
-    """The accusation of what a way does, if there is one."""
-    for effect in (diagnosis or {}).get("effects") or []:
+def effects(diagnosis: dict[str, Any] | None) -> list[dict[str, Any]]:
+    """What a diagnosis accuses."""
+    return list((diagnosis or {}).get("effects") or [])
+
+
+def accused(diagnosis: dict[str, Any] | None, way: Way) -> list[tuple[dict[str, Any], str]]:
+    """The accusations of what a way does, each with the number that tells how much."""
+    found = []
+    for effect in effects(diagnosis):
         topic = effect.get("topic")
         if effect["id"] == way.effect and (not topic or not way.topic or topic == way.topic):
-            return dict(effect)
-    return None
+            found.append((effect, way.parameter))
+        elif effect["id"] == way.same[0]:
+            found.append((effect, way.same[1]))
+    return found
 
 
-def number(effect: dict[str, Any] | None, way: Way) -> tuple[float, float] | None:
+def number(found: list[tuple[dict[str, Any], str]], way: Way) -> tuple[float, float] | None:
     """Value and half of its 95 % interval; not accused counts as nothing, not as unknown."""
-    if effect is None:
-        return (1.0, 0.0) if way.effect == "camera_scale" else (0.0, 0.0)
-    found = (effect.get("parameters") or {}).get(way.parameter)
-    if not found or found.get("value") is None:
-        return None
-    low, high = found.get("ci95") or (math.nan, math.nan)
-    return float(found["value"]), 0.5 * (float(high) - float(low)) if None not in (low, high) else math.nan
+    total, half = (1.0 if way.effect == "camera_scale" and not found else 0.0), 0.0
+    for effect, parameter in found:
+        told = (effect.get("parameters") or {}).get(parameter)
+        if not told or told.get("value") is None:
+            return None
+        low, high = told.get("ci95") or (math.nan, math.nan)
+        total += float(told["value"])
+        half = math.hypot(half, 0.5 * (float(high) - float(low)) if None not in (low, high) else math.nan)
+    return total, half
 
 
 def judged(control: dict[str, Any] | None, tampered: dict[str, Any] | None, way: Way) -> dict[str, Any]:
-    """What was found of one way in one group.
+    """What was found of one way in one group, and the outcome.
 
-    `right`: it is accused, and its number moved by what was put in, within 30 % or what both intervals allow.
+    right: it is accused, and its number moved by what was put in, within 30 % or what both intervals allow.
+    blamed: not right, and an effect of the catalogue is accused that the control is not accused of.
+    cannot be seen: neither, and the diagnosis says that these recordings could not show it.
     """
     before, after = accused(control, way), accused(tampered, way)
     one, two = number(before, way), number(after, way)
-    row: dict[str, Any] = {"named": after is not None, "in_control": before is not None, "moved": None, "right": False}
-    rivals = [
-        rival["id"] for effect in (tampered or {}).get("effects") or [] for rival in effect.get("ambiguous_with") or []
-    ]
-    row["in_ambiguity_set"] = after is not None or way.effect in rivals
-    if after is not None and not way.parameter:
-        row["right"] = before is None
-    elif after is not None and one and two:
-        row["moved"] = two[0] - one[0]
-        slack = max(0.3 * abs(way.change), math.hypot(one[1], two[1]))
-        row["right"] = abs(row["moved"] - way.change) <= slack
-    return row
+    named, in_control = (any(effect["id"] == way.effect for effect, _ in found) for found in (after, before))
+    right, moved = False, None
+    if after and not way.parameter:
+        right = not before
+    elif after and one and two:
+        moved = two[0] - one[0]
+        right = abs(moved - way.change) <= max(0.3 * abs(way.change), math.hypot(one[1], two[1]))
+    known = {way.effect, way.same[0], *(effect["id"] for effect in effects(control))}
+    blamed = [effect["id"] for effect in effects(tampered) if effect["id"] not in known and ":" not in effect["id"]]
+    unseen = way.effect in ((tampered or {}).get("not_shown_by_this_recording") or [])
+    outcome = "right" if right else "blamed" if blamed else "cannot be seen" if unseen else "missed"
+    return {
+        "named": named, "in_control": in_control, "moved": moved, "right": right, "blamed": blamed,
+        "outcome": outcome if tampered is not None else "no diagnosis",
+    }  # fmt: skip

@@ -109,21 +109,44 @@ def said(name: str, key: str = "", value: float = 0.0, half: float = 0.0, topic:
 @pytest.mark.parametrize(
     ("control", "tampered", "right"),
     [
-        ({"effects": []}, said("thruster_asymmetry", "difference", 0.19), True),  # 0.182 was put in
-        ({"effects": []}, said("thruster_asymmetry", "difference", -0.19), False),  # the other way round
-        (said("thruster_asymmetry", "difference", 0.1), said("thruster_asymmetry", "difference", 0.28), True),
+        ({"effects": []}, said("thruster_asymmetry", "difference", -0.17), True),  # -0.162 was put in
+        ({"effects": []}, said("thruster_asymmetry", "difference", 0.17), False),  # the other way round
+        (said("thruster_asymmetry", "difference", 0.1), said("thruster_asymmetry", "difference", -0.06), True),
         (said("thruster_asymmetry", "difference", 0.1), said("thruster_asymmetry", "difference", 0.1), False),
         ({"effects": []}, said("torque_bias"), False),
         ({"effects": []}, None, False),
     ],
 )
 def test_what_was_altered_is_judged_against_the_control(control: Any, tampered: Any, right: bool) -> None:
-    """The left log times 1.2 is a right thruster stronger by 2 (1 - 1/1.2) / (1 + 1/1.2) = 0.182, beside what was."""
+    """The left log times 0.85 is a left thruster stronger by 2 (1/0.85 - 1) / (1/0.85 + 1) = 0.162, beside what was."""
     from trial.ways import WAYS, judged
 
     way = WAYS["hovercraft_epfl"][0]
-    assert (way.how, way.amount) == ("gain:0", 0.2) and math.isclose(way.change, 0.4 / 2.2)
+    assert (way.how, way.amount) == ("gain:0", -0.15) and math.isclose(way.change, -0.3 / 1.85)
     assert judged(control, tampered, way)["right"] is right
+
+
+def test_what_is_not_right_is_said_to_be_so() -> None:
+    """Innocents that the control does not accuse, what was said to be out of sight, and what was passed over."""
+    from trial.ways import WAYS, judged
+
+    way, none = WAYS["hovercraft_epfl"][0], {"effects": []}
+    unseen = none | {"not_shown_by_this_recording": ["thruster_asymmetry"]}
+    assert judged(none, said("steady_current") | unseen | said("steady_current"), way)["outcome"] == "blamed"
+    assert judged(said("steady_current"), said("steady_current"), way)["outcome"] == "missed"
+    assert judged(none, unseen, way)["outcome"] == "cannot be seen"
+    assert judged(none, None, way)["outcome"] == "no diagnosis"
+
+
+def test_a_late_pose_may_be_a_lag_where_there_is_nothing_else() -> None:
+    """What was of the thrusters before and what is of the pose now count together."""
+    from trial.ways import WAYS, judged
+
+    way = next(way for way in WAYS["hovercraft_epfl"] if way.how == "delay:pose")
+    before = said("thruster_lag", "time_constant", 0.07)
+    assert judged(before, said("thruster_lag", "time_constant", 0.12), way)["right"]
+    assert judged(before, said("sensor_latency", "latency", 0.115, topic="pose"), way)["right"]
+    assert judged(before, before, way)["outcome"] == "missed"
 
 
 def test_a_stream_is_judged_by_its_topic() -> None:
