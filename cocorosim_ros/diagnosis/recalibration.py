@@ -58,6 +58,14 @@ WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
 }
 LEAST_READING_NOISE = 1e-9
+# By how much the logarithms move for the second start.
+COARSE = math.log(10.0)
+AT_RANDOM = {
+    "random.force": math.log(10.0),
+    "random.heave_force": math.log(10.0),
+    "random.moment": math.log(10.0),
+    "random.correlation": -math.log(10.0),
+}
 
 
 def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
@@ -128,29 +136,45 @@ def _prior(column: str, ranges: Ranges) -> float:
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
-    """Random forces, one for all robots; noise of readings, one for each robot."""
+    """Random forces, one for all robots; noise of readings, one for each robot in each recording.
+
+    A tracker that was at a loss in one recording says nothing against it in the others.
+    """
     everybody = tuple(range(len(tracks)))
     found = [
         Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=prior, bounds=bounds)
         for name, (prior, bounds) in WATER_PRIOR.items()
     ]
-    for numbers in tracks_by_robot(tracks).values():
-        present = {
-            READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
-        }
+    for number in everybody:
+        present = {READING_NOISE_OF_KIND[kind] for kind in np.unique(tracks[number].readings.kind)}
         for column in READING_NOISE:
             if column.partition(".")[2] in present:
-                base = float(rows[numbers[0], COLUMN[column]])
-                found.append(Unknown(column, numbers, base, prior=0.7, bounds=(-3.0, 5.0)))
+                base = float(rows[number, COLUMN[column]])
+                found.append(Unknown(column, (number,), base, prior=0.7, bounds=(-3.0, 5.0)))
     return found
 
 
 def base_fit(evidence: Evidence) -> Fit:
-    """The recalibrated model: the platform's numbers and the noise at their most likely values."""
+    """The recalibrated model: the platform's numbers and the noise at their most likely values.
+
+    Where the first guess of the noise shuts out readings, much is wrong, and the way from there may end anywhere: then
+    a second way begins where hardly anything but chance moves the robot.
+    """
     tracks = make_tracks(evidence)
     rows = base_rows(tracks)
-    fit = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
-    fit = _opened(fit)
+    first = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    starts = [first, _at_random(first)] if any(_is_shut(first, unknown) for unknown in first.noise) else [first]
+    return max((_settled(_opened(start)) for start in starts), key=lambda fit: fit.objective)
+
+
+def _at_random(fit: Fit) -> Fit:
+    """The fit with strong and quick random forces, and coarse readings: each is then heeded a little."""
+    coarse = [COARSE if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
+    moves = np.array([AT_RANDOM.get(part.column, other) for part, other in zip(fit.noise, coarse, strict=True)])
+    return evaluated(replace(fit, q_noise=fit.q_noise + moves))
+
+
+def _settled(fit: Fit) -> Fit:
     for _ in range(MOST_ROUNDS):
         before = fit.objective
         fit = improved(with_noise(fit, 2), 3)

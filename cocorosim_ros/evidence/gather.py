@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.evidence.bursts import as_taken
 from cocorosim_ros.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.evidence.clocks import clock_skews, on_one_clock, skew_sentence
 from cocorosim_ros.evidence.identities import with_true_identities
@@ -42,8 +43,9 @@ def gather_recording(path: Path, platform: Platform) -> Recording:
     clean = []
     for rows in topics:
         result = cleaned(rows)
-        clean.append(result.rows)
-        remarks += [*rows.remarks, *result.remarks]
+        even, said = as_taken(result.rows)
+        clean.append(even)
+        remarks += [*rows.remarks, *result.remarks, *said]
     if not any(len(rows.stamp_ns) for rows in clean):
         raise _nothing_usable(path, bag)
     start = min(int(rows.stamp_ns[0]) for rows in clean if len(rows.stamp_ns))

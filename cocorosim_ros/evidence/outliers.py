@@ -1,4 +1,4 @@
-"""Single readings that are far off those before and after them: no motion does that, a faulty sensor does."""
+"""Readings that are far off those before and after them: no motion does that, a faulty sensor does."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ NEIGHBOURHOOD = 5  # readings: up to two in a row are told from the other three
 FAR = 12.0  # times the scale of what is usual, and the noise of a reading
 MOST, STEPS = 0.95, 3.0  # quantile of the steps between readings, and how many of them are motion
 RARE = 0.05  # share of the readings; what is more frequent is how this sensor is
+LONGEST = 0.5  # s that a heading may be away
+MOST_AWAY = 0.2  # share of the readings of a heading
 
 
 def outliers(value: Floats, noise: float) -> NDArray[np.bool_]:
@@ -33,3 +35,29 @@ def outliers(value: Floats, noise: float) -> NDArray[np.bool_]:
     if np.mean(far) <= RARE:
         found[given[far]] = True
     return found
+
+
+def away(time: Floats, angle: Floats, noise: float) -> NDArray[np.bool_]:
+    """(n,) which readings of a heading belong to a leap and the leap back soon after it, as of a tracker that confuses
+    the marks on a robot; time (n,) [s], angle (n,) [rad], not wrapped. None where they are too many for faults.
+    """
+    found = np.zeros(angle.shape, dtype=bool)
+    given = np.flatnonzero(np.isfinite(angle))
+    if given.size < 4 * NEIGHBOURHOOD or not noise > 0.0:
+        return found
+    moment, heading = time[given], angle[given]
+    step = np.diff(heading)
+    usual = float(np.quantile(np.abs(step), MOST))
+    leaps = np.flatnonzero(np.abs(step) > FAR * noise + STEPS * usual)
+    back = 0
+    for leap in leaps:
+        if leap < back:
+            continue
+        for other in leaps[leaps > leap]:
+            if moment[other + 1] - moment[leap] > LONGEST:
+                break
+            if abs(heading[other + 1] - heading[leap]) <= FAR * noise + usual * (other + 1 - leap):
+                found[given[leap + 1 : other + 1]] = True
+                back = other + 1
+                break
+    return found if np.mean(found) <= MOST_AWAY else np.zeros(angle.shape, dtype=bool)

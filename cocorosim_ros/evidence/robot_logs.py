@@ -11,7 +11,7 @@ from cocorosim_ros.evidence.cleaning import gaps_of
 from cocorosim_ros.evidence.clocks import Skew
 from cocorosim_ros.evidence.log import STREAMS, Floats, RobotLog, Stream
 from cocorosim_ros.evidence.noise import noise_of
-from cocorosim_ros.evidence.outliers import outliers
+from cocorosim_ros.evidence.outliers import away, outliers
 from cocorosim_ros.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.evidence.turning import period_of, turned_by_gyro, unwrapped
 from cocorosim_ros.messages.stamps import NANOSECONDS
@@ -58,8 +58,21 @@ def _finished(name: str, topic: str, streams: Mapping[str, Stream], remarks: lis
         value[:, column] = angle if turned is None else unwrapped(stream.time, angle, period, turned)
     noise = np.array([noise_of(stream.time, column) for column in value.T])
     _leave_out(name, topic, stream.time, value, noise, remarks)
+    if topic in HEADINGS:
+        _leave_out_leaps(name, stream.time, value[:, HEADINGS[topic]], float(noise[HEADINGS[topic]]), remarks)
     kept = np.isfinite(value).any(axis=1)
     return replace(stream, time=stream.time[kept], value=value[kept], noise=noise, full_turn=period)
+
+
+def _leave_out_leaps(name: str, time: Floats, heading: Floats, noise: float, remarks: list[str]) -> None:
+    """Write NaN over readings of a heading that leaps away and soon back."""
+    wrong = away(time, heading, noise)
+    if wrong.any():
+        heading[wrong] = np.nan
+        remarks.append(
+            f"{name}: the heading leaps away and back within half a second, first at {time[wrong][0]:.1f} s; the "
+            f"{np.count_nonzero(wrong)} readings in between were left out."
+        )
 
 
 def _leave_out(name: str, topic: str, time: Floats, value: Floats, noise: Floats, remarks: list[str]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.evidence.outliers import outliers
+from cocorosim_ros.evidence.outliers import away, outliers
 
 
 def test_one_and_two_faulty_readings() -> None:
@@ -40,3 +40,25 @@ def test_what_is_frequent_is_no_fault() -> None:
     assert not outliers(value, 0.02).any()
     assert not outliers(np.append(np.zeros(99), 1.0), float("nan")).any()
     assert not outliers(np.array([0.0, 9.0, 0.0]), 0.1).any()
+
+
+def test_a_heading_that_leaps_away_and_back() -> None:
+    """A dozen readings from confused marks on a robot that spins at 15 rad/s; two leaps within one second."""
+    rng = np.random.default_rng(6)
+    time = np.arange(0.0, 20.0, 0.01)
+    heading = np.cumsum(0.15 * np.sin(0.7 * time)) + 0.004 * rng.standard_normal(time.size)
+    heading[400:412] -= 2.6
+    heading[700:703] += 2.0
+    heading[760:790] += 2.0
+    expected = [*range(400, 412), *range(700, 703), *range(760, 790)]
+    assert np.flatnonzero(away(time, heading, 0.004)).tolist() == expected
+
+
+def test_a_heading_that_stays_where_it_leapt_is_none() -> None:
+    """Set down again by hand, it faces elsewhere; and half of all readings cannot be faults."""
+    time = np.arange(0.0, 20.0, 0.01)
+    heading = 0.004 * np.random.default_rng(7).standard_normal(time.size)
+    heading[1000:] += 2.0
+    assert not away(time, heading, 0.004).any()
+    flicker = np.where(np.arange(time.size) % 40 < 20, 0.0, 2.0)
+    assert not away(time, heading + flicker, 0.004).any()

@@ -1,0 +1,65 @@
+"""The honest base: where the first guess of the noise is far off, another way leads to a better fit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis import recalibration
+from cocorosim_ros.diagnosis.fit import make_fit
+from cocorosim_ros.scenario.platform import load_platform
+
+Swim = Callable[..., Any]
+
+
+def doubted(evidence: Any, share: float) -> Any:
+    """The evidence with noise that is told as a share of what it is."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    streams = {name: replace(stream, noise=share * stream.noise) for name, stream in log.streams.items()}
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
+
+
+@pytest.fixture(scope="module")
+def rough(swim: Swim) -> Any:
+    """A minute in rough water with readings ten times worse than told."""
+    return doubted(swim(load_platform("lily"), 60.0, disturbance=0.3), 0.1)
+
+
+def first_guess(evidence: Any) -> Any:
+    """The model as the diagnosis begins with it."""
+    tracks = recalibration.make_tracks(evidence)
+    rows = recalibration.base_rows(tracks)
+    return make_fit(tracks, rows, recalibration.base_laws(tracks), recalibration.noise_unknowns(tracks, rows))
+
+
+def test_the_better_of_two_ways_is_taken(rough: Any) -> None:
+    """Readings that the first guess shuts out are heeded at the second start, and the base is no worse than by it."""
+    first = first_guess(rough)
+    second = recalibration._at_random(first)
+    shut = [[recalibration._is_shut(fit, unknown) for unknown in fit.noise] for fit in (first, second)]
+    assert any(shut[0]) and sum(shut[1]) < sum(shut[0])
+    ways = [recalibration._settled(recalibration._opened(start)).objective for start in (first, second)]
+    assert recalibration.base_fit(rough).objective == pytest.approx(max(ways))
+
+
+def test_every_recording_has_its_own_noise_of_readings(swim: Swim) -> None:
+    """Two recordings of one robot, one with a tracker at a loss: the other's readings stay as good as they are."""
+    good = swim(load_platform("lily"), 60.0, seed=1)
+    (recording,) = swim(load_platform("lily"), 60.0, seed=2).recordings
+    (log,) = recording.robots
+    pose = log.streams["pose"]
+    lost = pose.value + [0.1, 0.1, 0.1, 0.0] * np.random.default_rng(3).standard_normal(pose.value.shape)
+    worse = replace(log, streams={**log.streams, "pose": replace(pose, value=lost)})
+    both = replace(good, recordings=(*good.recordings, replace(recording, robots=(worse,))))
+    fit = recalibration.base_fit(both)
+    found = [
+        float(np.exp(unknown.value(float(q))))
+        for unknown, q in zip(fit.noise, fit.q_noise, strict=True)
+        if unknown.column == "reading.pose_xy"
+    ]
+    assert found[0] == pytest.approx(0.002, rel=0.1) and found[1] > 0.03
