@@ -28,9 +28,8 @@ from cocorosim_ros.diagnosis.kernels.layout import (
 from cocorosim_ros.diagnosis.kernels.random_force import Fading
 from cocorosim_ros.diagnosis.kernels.records import Drive
 from cocorosim_ros.physics.dynamics import state_rate
-from cocorosim_ros.physics.effects import BASIC_EFFECTS
 from cocorosim_ros.physics.surroundings import LOOKING
-from cocorosim_ros.physics.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Body
+from cocorosim_ros.physics.vehicles import BASIC_BITS, PATCH_FORCE_COLUMNS, Body
 from cocorosim_ros.signals.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
 Floats = NDArray[np.float64]
@@ -40,7 +39,6 @@ ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
 AT_POINT = 2  # stages of a step before the rates at its end
 HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that are given
-BASIC_BITS = sum(EFFECT_BIT[name] for name in BASIC_EFFECTS)  # effects that do not depend on the place
 
 
 class Motion(NamedTuple):
