@@ -143,7 +143,7 @@ def others() -> None:
     for robots, ticks in ((11, 2000), (100, 400), (1000, 60)):
         pace = mujoco_pace(robots, ticks)
         if pace is None:
-            print("MuJoCo is not installed: 'pip install .[bench]' adds its rows.")
+            print("MuJoCo is not installed: 'pip install --editable .[bench]' adds its rows.")
             return
         say(
             f"MuJoCo, ellipsoid fluid, k-d tree, {robots:,}", pace, "implicitfast, 0.25 s; 1 thread; simpler controller"
