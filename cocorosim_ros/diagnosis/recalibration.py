@@ -136,21 +136,20 @@ def _prior(column: str, ranges: Ranges) -> float:
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
-    """Random forces, one for all robots; noise of readings, one for each robot in each recording.
-
-    A tracker that was at a loss in one recording says nothing against it in the others.
-    """
+    """Random forces, one for all robots; noise of readings, one for each robot."""
     everybody = tuple(range(len(tracks)))
     found = [
         Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=prior, bounds=bounds)
         for name, (prior, bounds) in WATER_PRIOR.items()
     ]
-    for number in everybody:
-        present = {READING_NOISE_OF_KIND[kind] for kind in np.unique(tracks[number].readings.kind)}
+    for numbers in tracks_by_robot(tracks).values():
+        present = {
+            READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
+        }
         for column in READING_NOISE:
             if column.partition(".")[2] in present:
-                base = float(rows[number, COLUMN[column]])
-                found.append(Unknown(column, (number,), base, prior=0.7, bounds=(-3.0, 5.0)))
+                base = float(rows[numbers[0], COLUMN[column]])
+                found.append(Unknown(column, numbers, base, prior=0.7, bounds=(-3.0, 5.0)))
     return found
 
 

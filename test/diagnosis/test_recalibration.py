@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis import recalibration
@@ -45,21 +44,3 @@ def test_the_better_of_two_ways_is_taken(rough: Any) -> None:
     assert any(shut[0]) and sum(shut[1]) < sum(shut[0])
     ways = [recalibration._settled(recalibration._opened(start)).objective for start in (first, second)]
     assert recalibration.base_fit(rough).objective == pytest.approx(max(ways))
-
-
-def test_every_recording_has_its_own_noise_of_readings(swim: Swim) -> None:
-    """Two recordings of one robot, one with a tracker at a loss: the other's readings stay as good as they are."""
-    good = swim(load_platform("lily"), 60.0, seed=1)
-    (recording,) = swim(load_platform("lily"), 60.0, seed=2).recordings
-    (log,) = recording.robots
-    pose = log.streams["pose"]
-    lost = pose.value + [0.1, 0.1, 0.1, 0.0] * np.random.default_rng(3).standard_normal(pose.value.shape)
-    worse = replace(log, streams={**log.streams, "pose": replace(pose, value=lost)})
-    both = replace(good, recordings=(*good.recordings, replace(recording, robots=(worse,))))
-    fit = recalibration.base_fit(both)
-    found = [
-        float(np.exp(unknown.value(float(q))))
-        for unknown, q in zip(fit.noise, fit.q_noise, strict=True)
-        if unknown.column == "reading.pose_xy"
-    ]
-    assert found[0] == pytest.approx(0.002, rel=0.1) and found[1] > 0.03
