@@ -371,7 +371,7 @@ ENTRIES: tuple[Entry, ...] = (
             f"{topic} that comes late",
             "reading(t) = what was at t - latency",
             topic,
-            (Amplitude(f"sensor_latency.{topic}", "latency", "s", 0.15, 0.05, smallest=CLOCK_TICK),),
+            (Amplitude(f"sensor_latency.{topic}", "latency", "s", 0.15, 0.05, 0.0, smallest=CLOCK_TICK),),
             group=_LATE,
             topic=topic,
             manoeuvre="steps",

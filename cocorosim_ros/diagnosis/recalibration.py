@@ -136,7 +136,10 @@ def _prior(column: str, ranges: Ranges) -> float:
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
-    """Random forces, one for all robots; noise of readings, one for each robot."""
+    """Random forces, one for all robots; noise of readings, one for each robot; that of poses in each recording.
+
+    A robot's own instruments are the same in every recording; how well a tracker sees it is not.
+    """
     everybody = tuple(range(len(tracks)))
     found = [
         Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=prior, bounds=bounds)
@@ -147,9 +150,11 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
             READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
         }
         for column in READING_NOISE:
-            if column.partition(".")[2] in present:
-                base = float(rows[numbers[0], COLUMN[column]])
-                found.append(Unknown(column, numbers, base, prior=0.7, bounds=(-3.0, 5.0)))
+            if column.partition(".")[2] not in present:
+                continue
+            for alike in [(number,) for number in numbers] if column.startswith("reading.pose") else [numbers]:
+                base = float(rows[alike[0], COLUMN[column]])
+                found.append(Unknown(column, alike, base, prior=0.7, bounds=(-3.0, 5.0)))
     return found
 
 
