@@ -46,8 +46,7 @@ def command(
         raise CocorosimError(
             "Give either RESULTS, folders of finished experiments, or --run and a folder to run them in."
         )
-    if out is not None:
-        check_file(out, force=force)
+    check_file(out, force=force)
     if runs is not None:
         results = tuple(_run(ctx, name, runs / name, replicates) for name in STUDIES)
     experiments = {found.about["design"]: found for found in load_all(results)}

@@ -22,7 +22,7 @@ def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, f
     from cocorosim_ros.analysis.results import load_all
 
     page = out or results[0] / "report.html"
-    for path in (page, *([summary] if summary else [])):
+    for path in (page, summary):
         check_file(path, force=force)
     experiments = load_all(results)
     _write(page, render_report(experiments))

@@ -143,7 +143,7 @@ def _information(fit: Fit) -> Information:
 
 def _of_track(fit: Fit, number: int, slopes: Floats) -> OfTrack:
     laws = [index for index, law in enumerate(fit.laws) if number in law.tracks]
-    return OfTrack(laws, slopes.T[laws].T)
+    return OfTrack(laws, slopes if len(laws) == len(fit.laws) else slopes.T[laws].T)
 
 
 def solve(matrix: Floats, right: Floats) -> Floats:

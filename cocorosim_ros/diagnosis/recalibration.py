@@ -158,15 +158,20 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
     return found
 
 
+def first_fit(evidence: Evidence) -> Fit:
+    """The model as the platform's file and the first guess of the noise have it."""
+    tracks = make_tracks(evidence)
+    rows = base_rows(tracks)
+    return make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+
+
 def base_fit(evidence: Evidence) -> Fit:
     """The recalibrated model: the platform's numbers and the noise at their most likely values.
 
     Where the first guess of the noise shuts out readings, much is wrong, and the way from there may end anywhere: then
     a second way begins where hardly anything but chance moves the robot.
     """
-    tracks = make_tracks(evidence)
-    rows = base_rows(tracks)
-    first = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    first = first_fit(evidence)
     starts = [first, _at_random(first)] if any(_is_shut(first, unknown) for unknown in first.noise) else [first]
     return max((_settled(_opened(start)) for start in starts), key=lambda fit: fit.objective)
 

@@ -43,8 +43,8 @@ def gather_recording(path: Path, platform: Platform) -> Recording:
     clean = []
     for rows in topics:
         result = cleaned(rows)
-        even, said = as_taken(result.rows)
-        clean.append(even)
+        taken, said = as_taken(result.rows)
+        clean.append(taken)
         remarks += [*rows.remarks, *result.remarks, *said]
     if not any(len(rows.stamp_ns) for rows in clean):
         raise _nothing_usable(path, bag)

@@ -38,8 +38,10 @@ def outliers(value: Floats, noise: float) -> NDArray[np.bool_]:
 
 
 def away(time: Floats, angle: Floats, noise: float) -> NDArray[np.bool_]:
-    """(n,) which readings of a heading belong to a leap and the leap back soon after it, as of a tracker that confuses
-    the marks on a robot; time (n,) [s], angle (n,) [rad], not wrapped. None where they are too many for faults.
+    """(n,) which readings of a heading belong to a leap and the leap back soon after it.
+
+    So leaps what a tracker says that confuses the marks on a robot. time (n,) [s], angle (n,) [rad], not wrapped. None
+    are found where they are too many for faults.
     """
     found = np.zeros(angle.shape, dtype=bool)
     given = np.flatnonzero(np.isfinite(angle))
@@ -51,13 +53,9 @@ def away(time: Floats, angle: Floats, noise: float) -> NDArray[np.bool_]:
     leaps = np.flatnonzero(np.abs(step) > FAR * noise + STEPS * usual)
     back = 0
     for leap in leaps:
-        if leap < back:
-            continue
-        for other in leaps[leaps > leap]:
-            if moment[other + 1] - moment[leap] > LONGEST:
-                break
-            if abs(heading[other + 1] - heading[leap]) <= FAR * noise + usual * (other + 1 - leap):
-                found[given[leap + 1 : other + 1]] = True
-                back = other + 1
-                break
+        soon = leaps[(leaps > leap) & (moment[leaps + 1] - moment[leap] <= LONGEST)] if leap >= back else leaps[:0]
+        near = np.abs(heading[soon + 1] - heading[leap]) <= FAR * noise + usual * (soon + 1 - leap)
+        if near.any():
+            back = int(soon[near][0]) + 1
+            found[given[leap + 1 : back]] = True
     return found if np.mean(found) <= MOST_AWAY else np.zeros(angle.shape, dtype=bool)

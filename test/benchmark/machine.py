@@ -14,12 +14,8 @@ from cocorosim_ros.compilation import kernel
 Floats = NDArray[np.float64]
 COPIED = 32_000_000  # numbers; far more than any cache holds
 CHAINS, ROUNDS = 24, 10_000_000  # enough that none waits for the one before it
-IN_CACHE, POLYNOMIALS, DEGREE, TIMES = (
-    512,
-    8,
-    16,
-    5_000,
-)  # numbers of one array, and how often the compiler may use vectors on them
+IN_CACHE, TIMES = 512, 5_000  # numbers of one array, on which the compiler may use vectors, and how often
+POLYNOMIALS, DEGREE = 8, 16  # of each number
 
 
 @kernel

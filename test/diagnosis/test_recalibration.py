@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis import recalibration
-from cocorosim_ros.diagnosis.fit import make_fit
 from cocorosim_ros.scenario.platform import load_platform
 
 Swim = Callable[..., Any]
@@ -30,16 +29,9 @@ def rough(swim: Swim) -> Any:
     return doubted(swim(load_platform("lily"), 60.0, disturbance=0.3), 0.1)
 
 
-def first_guess(evidence: Any) -> Any:
-    """The model as the diagnosis begins with it."""
-    tracks = recalibration.make_tracks(evidence)
-    rows = recalibration.base_rows(tracks)
-    return make_fit(tracks, rows, recalibration.base_laws(tracks), recalibration.noise_unknowns(tracks, rows))
-
-
 def test_the_better_of_two_ways_is_taken(rough: Any) -> None:
     """Readings that the first guess shuts out are heeded at the second start, and the base is no worse than by it."""
-    first = first_guess(rough)
+    first = recalibration.first_fit(rough)
     second = recalibration._at_random(first)
     shut = [[recalibration._is_shut(fit, unknown) for unknown in fit.noise] for fit in (first, second)]
     assert any(shut[0]) and sum(shut[1]) < sum(shut[0])

@@ -10,7 +10,7 @@ from typing import Any
 from trial.examiner import Task, Terms
 from trial.recordings import Group, dives, hovercraft
 from trial.sealed import diagnose
-from trial.ways import answer
+from trial.ways import answer, effects
 
 
 def groups(data: Path, out: Path) -> list[tuple[Group, Group]]:
@@ -64,7 +64,7 @@ def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
     if said is None:
         return [f"- {pair[0].name}: no diagnosis"]
     lines = [f"- {pair[0].name} ({len(pair[0].bags)} recordings): {said['verdict']}"]
-    for effect in said.get("effects") or []:
+    for effect in effects(said):
         values = ", ".join(
             f"{k} {_number(p.get('value'))} {p.get('unit', '')}".strip() for k, p in effect["parameters"].items()
         )

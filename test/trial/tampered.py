@@ -78,7 +78,7 @@ def controls(found: list[Group], out: Path) -> list[str]:
     for group in found:
         said = answer(out / "diagnoses" / group.name / "control")
         verdict = said["verdict"] if said else "no diagnosis"
-        names = [f"{e['id']} ({e.get('nats') or 0:.0f} nats)" for e in (said or {}).get("effects") or []]
+        names = [f"{e['id']} ({e.get('nats') or 0:.0f} nats)" for e in effects(said)]
         lines.append(f"| {group.name} | {len(group.bags)} | {verdict} | {listed(names)} |")
     return lines
 
