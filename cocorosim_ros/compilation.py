@@ -20,6 +20,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 from numba.np.arrayobj import populate_array
 
+COMPILING_FILES = ("compilation.py", "four.py")
 COMPILED_FOLDERS = (
     "signals",
     "environment",
@@ -45,7 +46,7 @@ def digest_of_sources(package: Path, parts: Iterable[str]) -> str:
 
 def source_digest() -> str:
     """The digest of every source that holds compiled functions."""
-    return digest_of_sources(Path(__file__).parent, ("compilation.py", *COMPILED_FOLDERS))
+    return digest_of_sources(Path(__file__).parent, (*COMPILING_FILES, *COMPILED_FOLDERS))
 
 
 def _cache_folder() -> str:
@@ -90,12 +91,25 @@ def stack_array(typing_context: Any, size: Any) -> Any:
     Takes the place of `np.zeros(size)` in a kernel. The result must not outlive the compiled function that asked for
     it: it is to be passed down, never up.
     """
+    array_type = types.Array(types.float64, 1, "C")
+    return array_type(size), _stack_space(array_type, size)
+
+
+@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def stack_like(typing_context: Any, array: Any, size: Any) -> Any:
+    """`stack_array(size)` of the numbers that `array` has: floats or fours (see cocorosim_ros.four)."""
+    array_type = types.Array(array.dtype, 1, "C", aligned=array.aligned)
+    return array_type(array, size), _stack_space(array_type, size)
+
+
+def _stack_space(array_type: Any, size: Any) -> Callable[..., Any]:
+    """What generates the working space of `stack_array`."""
     if not isinstance(size, types.IntegerLiteral):
-        raise numba.errors.TypingError("stack_array needs a number that is written out")
-    count, array_type = size.literal_value, types.Array(types.float64, 1, "C")
+        raise numba.errors.TypingError("stack_array and stack_like need a number that is written out")
+    count = size.literal_value
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        word = context.get_value_type(types.float64)
+        word = context.get_value_type(array_type.dtype)
         length = context.get_constant(types.intp, count)
         stride = context.get_constant(types.intp, context.get_abi_sizeof(word))
         space = cgutils.alloca_once(builder, word, size=count)
@@ -111,7 +125,7 @@ def stack_array(typing_context: Any, size: Any) -> Any:
         )
         return array._getvalue()
 
-    return array_type(size), generate
+    return generate
 
 
 @intrinsic  # type: ignore[untyped-decorator]

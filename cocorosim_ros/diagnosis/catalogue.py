@@ -13,7 +13,12 @@ PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebo
 THRUST_TICK = 0.02  # s: the same of thrusters, which move the robot more sharply
 PLAY = 0.002  # of a full command: below, a linkage has no play
 CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
+LONG = 600.0  # s, of a recording: a skew that makes less than a tick of it on average is none
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
+
+
+def _within(size: float) -> tuple[float, float]:
+    return (-size, size)
 
 
 def _spread(low: float, high: float, count: int) -> list[float]:
@@ -189,7 +194,11 @@ ENTRIES: tuple[Entry, ...] = (
         "thrust that lags behind its command",
         "tau dT/dt = T_command - T",
         "surge",
-        (Amplitude("thruster_lag.time_constant", "time_constant", "s", 0.3, 0.05, 0.0, smallest=THRUST_TICK),),
+        (
+            Amplitude(
+                "thruster_lag.time_constant", "time_constant", "s", 0.3, 0.05, 0.0, negligible=_within(THRUST_TICK)
+            ),
+        ),
         group=_LATE,
         manoeuvre="steps",
     ),
@@ -271,8 +280,8 @@ ENTRIES: tuple[Entry, ...] = (
         "tau dZ/dt = Z_command - Z, with backlash",
         "heave",
         (
-            Amplitude("pump_lag.time_constant", "time_constant", "s", 1.0, 0.1, 0.0, smallest=PUMP_TICK),
-            Amplitude("pump_lag.backlash", "backlash", "1", 0.06, 0.1, 0.0, smallest=PLAY),
+            Amplitude("pump_lag.time_constant", "time_constant", "s", 1.0, 0.1, 0.0, negligible=_within(PUMP_TICK)),
+            Amplitude("pump_lag.backlash", "backlash", "1", 0.06, 0.1, 0.0, negligible=_within(PLAY)),
         ),
         group="late pump",
         of_pump=True,
@@ -371,7 +380,7 @@ ENTRIES: tuple[Entry, ...] = (
             f"{topic} that comes late",
             "reading(t) = what was at t - latency",
             topic,
-            (Amplitude(f"sensor_latency.{topic}", "latency", "s", 0.15, 0.05, 0.0, smallest=CLOCK_TICK),),
+            (Amplitude(f"sensor_latency.{topic}", "latency", "s", 0.15, 0.05, 0.0, negligible=_within(CLOCK_TICK)),),
             group=_LATE,
             topic=topic,
             manoeuvre="steps",
@@ -384,7 +393,7 @@ ENTRIES: tuple[Entry, ...] = (
             f"clock of {topic} that runs wrong",
             "stamp = t0 + (1 + skew) (t - t0)",
             "clock",
-            (Amplitude(f"clock_skew.{topic}", "skew", "s/s", 5e-4, 0.05, smallest=2e-5),),
+            (Amplitude(f"clock_skew.{topic}", "skew", "s/s", 5e-4, 0.05, negligible=_within(2.0 * CLOCK_TICK / LONG)),),
             group=_LATE,
             topic=topic,
             manoeuvre="repeat_at_end",

@@ -46,7 +46,7 @@ class Amplitude:
     least: float = -math.inf  # of q
     most: float = math.inf
     neutral: float = 0.0
-    smallest: float = 0.0  # distance from neutral that is believed at all, SI units
+    negligible: tuple[float, float] = (0.0, 0.0)  # between these distances from neutral it is not believed, SI units
 
 
 @dataclass(frozen=True)
@@ -91,5 +91,5 @@ class Entry:
     needs_neighbours: bool = False
     basis: Basis | None = None  # how its slope at any shape is a sum of those at a few
     prior_nats: float = 0.0  # against it from the outset, for entries of which there are many
-    of_pump: bool = False  # of how the pump answers its command
+    of_pump: bool = False  # of how the pump answers its command, or how the dive speed is resisted
     law: str | None = None  # the place of the simulator that it takes, for laws outside the catalogue

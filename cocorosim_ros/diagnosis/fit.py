@@ -24,6 +24,7 @@ Floats = NDArray[np.float64]
 LARGEST_NOISE_STEP = 1.0  # of a logarithm
 NOISE_STEP = 0.02
 LEAST_GAIN = 0.02  # nats below which an iteration has converged
+SETTLED = 0.1  # nats
 HALVINGS = 4
 DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
 
@@ -272,6 +273,16 @@ def _noise_of_track(track: Track, part: Pass, rows: Sequence[Floats | None]) -> 
     score += 0.5 * weighted_products(relative.T, excess[:, None], one)[:, 0]
     matrix = weighted_products(mean.T, mean.T, part.variance)
     return score, matrix + 0.5 * weighted_products(relative.T, relative.T, one)
+
+
+def settled(fit: Fit, rounds: int) -> Fit:
+    """The fit after at most so many turns of noise and laws, until they leave each other alone."""
+    for _ in range(rounds):
+        before = fit.objective
+        fit = improved(with_noise(fit, 2), 3)
+        if fit.objective - before < SETTLED:
+            break
+    return fit
 
 
 def covariance(fit: Fit) -> Floats:

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Collection
 from dataclasses import replace
 
+from cocorosim_ros.diagnosis.catalogue import PUMP_TICK
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.law_forms import Factor, Law, amount, given, product, signed_square, single, square
 from cocorosim_ros.diagnosis.phases import phased, phases
@@ -17,6 +18,7 @@ from cocorosim_ros.physics.effects import LAWS
 from cocorosim_ros.physics.laws import EQUATIONS
 
 LARGE_SHARE = 0.1  # of the full force of an equation
+LEAST_SHARE = 0.002  # of the full force: below, it may be what the filter's steps leave
 
 
 def _powers(name: str) -> tuple[Law, ...]:
@@ -120,7 +122,11 @@ def law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:
 
 def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
     force = SYMBOLS[equation]
-    amplitude = Amplitude(f"{place}.coefficient", "coefficient", _unit(equation, law), typical(scene, equation, law))
+    size = typical(scene, equation, law)
+    least = size * LEAST_SHARE / LARGE_SHARE
+    behind = PUMP_TICK if (equation, law.regressor) == ("heave", "pump_rate") else 0.0  # a pump's lag by another name
+    negligible = (-max(least, behind), least)
+    amplitude = Amplitude(f"{place}.coefficient", "coefficient", _unit(equation, law), size, negligible=negligible)
     return Entry(
         f"unknown:{equation}~{law.regressor}",
         f"a law outside the catalogue: {force} in proportion to {law.regressor}",
@@ -129,8 +135,14 @@ def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
         (amplitude,),
         _roundings(place, law, scene),
         fixed=_codes(place, equation, law),
+        of_pump=equation == "heave" and _follows_pump(law),
         law=place,
     )
+
+
+def _follows_pump(law: Law) -> bool:
+    """Whether it is about what a depth controller moves in answer to the water: the pump, the dive speed."""
+    return not {law.first.name, law.second.name}.isdisjoint(("pump", "pump_rate", "w"))
 
 
 def _roundings(place: str, law: Law, scene: Scene) -> tuple[Shape, ...]:

@@ -16,8 +16,8 @@ from cocorosim_ros.diagnosis.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.columns import WATER_NOISE
 from cocorosim_ros.diagnosis.contest import Begun, Refined, begin, log_evidence, refine
-from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS
-from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, with_noise
+from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS, Scene
+from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, settled, with_noise
 from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
 from cocorosim_ros.diagnosis.open_set import open_set
 from cocorosim_ros.diagnosis.quiet_pump import quiet_gain
@@ -30,6 +30,8 @@ WORTH_REFINING = 2.0  # nats of the screening
 HOPELESS = 0.1  # of the leader's nats below which refining a candidate does not make it the leader
 PROMISING = 0.5  # of the leader's nats with noise held, and
 CLOSE = 20.0  # nats behind it: who has less of both is put off
+SETTLING = 4  # turns of noise and laws after each addition, lest the next one's merit be an unfinished fit
+KEPT = 0.01  # of the screening's nats that a fit of the candidate has to find
 LEADERS = 4
 MOST_REFINED = 8
 MOST_EFFECTS = 4
@@ -90,7 +92,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         found = _best(fit, accused, screen, tested, tested_laws)
         if found is None:
             break
-        fit, accused = found
+        fit, accused = settled(found[0], SETTLING), found[1]
     fit, accused = _pruned(fit, accused, base)
     return Naming(base, fit, accused, first, first_laws)
 
@@ -107,17 +109,37 @@ def _best(
     fit: Fit, accused: tuple[Accused, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
 ) -> tuple[Fit, tuple[Accused, ...]] | None:
     """The fit with the best addition, or None if none passes."""
-    chosen = [*_worth_refining(tested), *(part for part in laws[:2] if part.nats > WORTH_REFINING)]
-    if not chosen:
+    begun = _begun(fit, screen.scene, tested, [part for part in laws[:2] if part.nats > WORTH_REFINING])
+    if not begun:
         return None
     base_evidence = log_evidence(fit)
     negligible: list[Candidate] = []  # they explain something but are too small to be believed
-    for part in _by_promise([begin(fit, part, screen.scene) for part in chosen]):
+    for part in _by_promise(begun):
         refined = [_refined(fit, begun, base_evidence) for begun in part]
         found = _first_believed(fit, accused, refined, negligible)
         if found is not None:
             return found
     return None
+
+
+def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], laws: Sequence[Screened]) -> list[Begun]:
+    """All that is worth refining and these laws, let loose; who does not keep its promise makes room for the next.
+
+    A slope at a kink, as of a reading on the edge between two commands, promises what no model reaches.
+    """
+    begun: dict[int, Begun] = {}
+    while True:
+        chosen = [part for part in (*_worth_refining(tested), *laws) if id(part) not in begun]
+        begun |= {id(part): begin(fit, part, scene) for part in chosen}
+        empty = {_fault(part) for part in chosen if begun[id(part)].gain < KEPT * part.nats}
+        tested, before = [part for part in tested if _fault(part) not in empty], tested
+        if len(tested) == len(before):
+            return list(begun.values())
+
+
+def _fault(screened: Screened) -> tuple[str, str | None]:
+    """What it is, whosever."""
+    return screened.candidate.entry.id, screened.candidate.entry.topic
 
 
 def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
@@ -175,7 +197,10 @@ def _is_tiny(part: Refined) -> bool:
     values = [law.value(float(q)) for law, q in zip(part.fit.laws[mine], part.fit.q[mine], strict=True)]
     entry = part.candidate.entry
     amplitudes = [entry.amplitudes[index % len(entry.amplitudes)] for index in range(_amplitude_count(part))]
-    return all(abs(value - each.neutral) < each.smallest for value, each in zip(values, amplitudes, strict=False))
+    return all(
+        each.negligible[0] < value - each.neutral < each.negligible[1]
+        for value, each in zip(values, amplitudes, strict=False)
+    )
 
 
 def _amplitude_count(part: Refined) -> int:

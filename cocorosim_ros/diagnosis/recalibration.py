@@ -22,7 +22,7 @@ from cocorosim_ros.diagnosis.columns import (
     READING_NOISE_OF_KIND,
     WATER_NOISE,
 )
-from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, make_fit, with_noise
+from cocorosim_ros.diagnosis.fit import Fit, evaluated, make_fit, settled, with_noise
 from cocorosim_ros.diagnosis.kernels.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.surroundings import introduce
 from cocorosim_ros.diagnosis.track import Track
@@ -57,8 +57,11 @@ WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.correlation": (0.7, (-7.0, 7.0)),
     "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
 }
+SHARED_NOISE = ("random.correlation", "random.smoothness")
 LEAST_READING_NOISE = 1e-9
-# By how much the logarithms move for the second start.
+INERTIAL = ("reading.gyro_z", "reading.accel")
+# By how much the logarithms move for the further starts.
+DOUBT = math.log(20.0)
 COARSE = math.log(10.0)
 AT_RANDOM = {
     "random.force": math.log(10.0),
@@ -136,16 +139,19 @@ def _prior(column: str, ranges: Ranges) -> float:
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
-    """Random forces, one for all robots; noise of readings, one for each robot; that of poses in each recording.
+    """Random forces and noise of readings, each robot's own; how fast the water changes is shared by all.
 
-    A robot's own instruments are the same in every recording; how well a tracker sees it is not.
+    The same water moves a robot of another mass or inertia otherwise, and forces are known relative to these alone. A
+    robot's own instruments are the same in every recording; how well a tracker sees it is not.
     """
-    everybody = tuple(range(len(tracks)))
+    robots = tuple(tracks_by_robot(tracks).values())
+    everybody = (tuple(range(len(tracks))),)
     found = [
-        Unknown(name, everybody, float(rows[0, COLUMN[name]]), prior=prior, bounds=bounds)
+        Unknown(name, alike, float(rows[alike[0], COLUMN[name]]), prior=prior, bounds=bounds)
         for name, (prior, bounds) in WATER_PRIOR.items()
+        for alike in (everybody if name in SHARED_NOISE else robots)
     ]
-    for numbers in tracks_by_robot(tracks).values():
+    for numbers in robots:
         present = {
             READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
         }
@@ -169,11 +175,14 @@ def base_fit(evidence: Evidence) -> Fit:
     """The recalibrated model: the platform's numbers and the noise at their most likely values.
 
     Where the first guess of the noise shuts out readings, much is wrong, and the way from there may end anywhere: then
-    a second way begins where hardly anything but chance moves the robot.
+    a second way begins where hardly anything but chance moves the robot, and a third where its inertial sensors, which
+    the model leans on at every step, are doubted before those that see where it is.
     """
     first = first_fit(evidence)
-    starts = [first, _at_random(first)] if any(_is_shut(first, unknown) for unknown in first.noise) else [first]
-    return max((_settled(_opened(start)) for start in starts), key=lambda fit: fit.objective)
+    starts = [first]
+    if any(_is_shut(first, unknown) for unknown in first.noise):
+        starts += [_at_random(first), _without_inertial(first)]
+    return max((settled(_opened(start), MOST_ROUNDS) for start in starts), key=lambda fit: fit.objective)
 
 
 def _at_random(fit: Fit) -> Fit:
@@ -183,13 +192,10 @@ def _at_random(fit: Fit) -> Fit:
     return evaluated(replace(fit, q_noise=fit.q_noise + moves))
 
 
-def _settled(fit: Fit) -> Fit:
-    for _ in range(MOST_ROUNDS):
-        before = fit.objective
-        fit = improved(with_noise(fit, 2), 3)
-        if fit.objective - before < 0.1:
-            break
-    return fit
+def _without_inertial(fit: Fit) -> Fit:
+    """The fit with inertial readings so coarse that they hardly count."""
+    moves = np.array([DOUBT if part.column in INERTIAL else 0.0 for part in fit.noise])
+    return evaluated(replace(fit, q_noise=fit.q_noise + moves))
 
 
 def _opened(fit: Fit) -> Fit:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from cocorosim_ros import __version__
-from cocorosim_ros.compilation import COMPILED_FOLDERS, digest_of_sources
+from cocorosim_ros.compilation import COMPILED_FOLDERS, COMPILING_FILES, digest_of_sources
 
 _MET_BY_NO_RUN = ("messages/kernels", "diagnosis/kernels")
 DECISIVE = (
-    "compilation.py",
+    *COMPILING_FILES,
     *(folder for folder in COMPILED_FOLDERS if folder not in _MET_BY_NO_RUN),
     "scenario",
     "experiments/batch.py",

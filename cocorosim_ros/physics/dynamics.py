@@ -16,7 +16,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.compilation import compile_lines, kernel, outlined_kernel, stack_array
+from cocorosim_ros.compilation import compile_lines, kernel, outlined_kernel, stack_array, stack_like
 from cocorosim_ros.environment.flow import add_water_velocity
 from cocorosim_ros.physics.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS
 from cocorosim_ros.physics.hooks import bits, calls, hooks
@@ -116,12 +116,34 @@ def _share_of_hull(body: Body, share: Floats) -> None:
 
 
 @kernel
+def _add_actuators(row: Floats, actuator_wrench: Floats, total: Floats) -> None:
+    for actuator in range(actuator_wrench.shape[0]):
+        force = row[STATE_SIZE + actuator]
+        for axis in range(4):
+            total[axis] += actuator_wrench[actuator, axis] * force
+
+
+@kernel
+def _answer(row: Floats, total: Floats, parameters: Floats, rate: Floats) -> None:
+    """Write the rate of a state under the wrench `total` (4,)."""
+    sine, cosine = sine_cosine(row[YAW])
+    rate[X] = row[SURGE] * cosine - row[SWAY] * sine
+    rate[Y] = row[SURGE] * sine + row[SWAY] * cosine
+    rate[Z] = row[HEAVE]
+    rate[YAW] = row[YAW_RATE]
+    rate[SURGE] = total[0] / parameters[MASS] + row[SWAY] * row[YAW_RATE]
+    rate[SWAY] = total[1] / parameters[MASS] - row[SURGE] * row[YAW_RATE]
+    rate[HEAVE] = total[2] / parameters[MASS]
+    rate[YAW_RATE] = total[3] / parameters[YAW_INERTIA]
+
+
+@kernel
 def state_rate(row: Floats, time: float, body: Body, rate: Floats) -> None:
     """Write the time derivative of one robot's state `row` (row_size(actuators),) at `time` [s] into `rate`.
 
     Actuator forces are the columns behind STATE_SIZE; they hold while a step lasts: `rate` (STATE_SIZE,) has none.
     """
-    parameters, actuator_wrench = body.parameters, body.actuator_wrench
+    parameters = body.parameters
     total, relative = stack_array(4), stack_array(4)
     relative_velocity(row, time, body, relative)
     _add_basic_wrench(row, relative, parameters, body.active, total)
@@ -133,21 +155,21 @@ def state_rate(row: Floats, time: float, body: Body, rate: Floats) -> None:
         _catalogue_wrench(row, felt, time, body, more)
         for axis in range(4):
             total[axis] += more[axis]
-    for actuator in range(actuator_wrench.shape[0]):
-        force = row[STATE_SIZE + actuator]
-        for axis in range(4):
-            total[axis] += actuator_wrench[actuator, axis] * force
+    _add_actuators(row, body.actuator_wrench, total)
     if body.active & _INERTIA_BITS != 0:
         share = stack_array(4)
         _share_of_hull(body, share)
         for axis in range(4):
             total[axis] *= share[axis]
-    sine, cosine = sine_cosine(row[YAW])
-    rate[X] = row[SURGE] * cosine - row[SWAY] * sine
-    rate[Y] = row[SURGE] * sine + row[SWAY] * cosine
-    rate[Z] = row[HEAVE]
-    rate[YAW] = row[YAW_RATE]
-    rate[SURGE] = total[0] / parameters[MASS] + row[SWAY] * row[YAW_RATE]
-    rate[SWAY] = total[1] / parameters[MASS] - row[SURGE] * row[YAW_RATE]
-    rate[HEAVE] = total[2] / parameters[MASS]
-    rate[YAW_RATE] = total[3] / parameters[YAW_INERTIA]
+    _answer(row, total, parameters, rate)
+
+
+@kernel
+def basic_rate(row: Floats, parameters: Floats, active: int, actuator_wrench: Floats, rate: Floats) -> None:
+    """What `state_rate` writes for a robot with basic effects alone in still water; all arrays may be of fours."""
+    total, relative = stack_like(row, 4), stack_like(row, 4)
+    for axis in range(4):
+        relative[axis] = row[SURGE + axis]
+    _add_basic_wrench(row, relative, parameters, active, total)
+    _add_actuators(row, actuator_wrench, total)
+    _answer(row, total, parameters, rate)

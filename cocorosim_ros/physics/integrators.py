@@ -11,10 +11,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.compilation import compile_lines, kernel, stack_array
-from cocorosim_ros.physics.dynamics import state_rate
-from cocorosim_ros.physics.group import Group, member
-from cocorosim_ros.physics.vehicles import LAW_BITS
+from cocorosim_ros.compilation import compile_lines, kernel, stack_like
+from cocorosim_ros.physics.group import Fours, Group, rate_of
 from cocorosim_ros.signals.angles import sine_cosine
 from cocorosim_ros.signals.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
@@ -22,31 +20,28 @@ Floats = NDArray[np.float64]
 
 
 @kernel
-def _begin_trials(rows: Floats, group: Group, trial: Floats, total: Floats) -> None:
+def _begin_trials(rows: Floats, columns: int, trial: Floats, total: Floats) -> None:
     for robot in range(rows.shape[0]):
-        body = member(group, robot)
-        # Only a law of no catalogue looks at what actuators remember.
-        used = STATE_SIZE + body.actuator_wrench.shape[0] if body.active & LAW_BITS == 0 else rows.shape[1]
-        for column in range(used):
+        for column in range(columns):
             trial[robot, column] = rows[robot, column]
         for column in range(STATE_SIZE):
             total[robot, column] = 0.0
 
 
 @kernel
-def rk4(rows: Floats, time: float, step: float, group: Group, scratch: Floats) -> None:
+def rk4(rows: Floats, time: float, step: float, group: Group | Fours, scratch: Floats) -> None:
     """Advance the `rows` (robots, columns) of a group from `time` by `step` [s]: classical fourth-order Runge-Kutta.
 
     Stage by stage for all robots: the equations of one do not wait for those of another.
     """
-    trial, total, rate = scratch[0], scratch[1], stack_array(STATE_SIZE)
-    _begin_trials(rows, group, trial, total)
+    trial, total, rate = scratch[0], scratch[1], stack_like(rows, STATE_SIZE)
+    _begin_trials(rows, group.columns, trial, total)
     moment = time
     for stage in range(4):
         weight = 1.0 if stage == 0 or stage == 3 else 2.0  # noqa: PLR1714
         reach = step if stage == 2 else 0.5 * step
         for robot in range(rows.shape[0]):
-            state_rate(trial[robot], moment, member(group, robot), rate)
+            rate_of(group, robot, trial[robot], moment, rate)
             for column in range(STATE_SIZE):  # actuator forces hold
                 total[robot, column] += weight * rate[column]
                 trial[robot, column] = rows[robot, column] + reach * rate[column]
@@ -57,10 +52,10 @@ def rk4(rows: Floats, time: float, step: float, group: Group, scratch: Floats) -
 
 
 @kernel
-def semi_implicit_euler(rows: Floats, time: float, step: float, group: Group, scratch: Floats) -> None:
+def semi_implicit_euler(rows: Floats, time: float, step: float, group: Group | Fours, scratch: Floats) -> None:
     """Advance the `rows` (robots, columns) of a group by `step` [s]: world velocity first, then the pose with it."""
     for robot in range(rows.shape[0]):
-        state_rate(rows[robot], time, member(group, robot), scratch[0, robot])
+        rate_of(group, robot, rows[robot], time, scratch[0, robot])
     for robot in range(rows.shape[0]):
         _take_euler_step(rows[robot], scratch[0, robot], step)
 
@@ -85,8 +80,6 @@ def _take_euler_step(row: Floats, rate: Floats, step: float) -> None:
 
 INTEGRATORS = {"rk4": rk4, "semi_implicit_euler": semi_implicit_euler}
 INTEGRATOR_CODE = {name: code for code, name in enumerate(INTEGRATORS)}
-SIDE_BY_SIDE = 4  # robots of a group
-SCRATCH_ROWS = 2
 
 _ARGUMENTS = "rows, time, step, group, scratch"
 

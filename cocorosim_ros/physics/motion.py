@@ -9,14 +9,25 @@ from numpy.typing import NDArray
 
 from cocorosim_ros.compilation import allocating_kernel, kernel
 from cocorosim_ros.environment.tank import Tank
+from cocorosim_ros.four import LANES, in_fours
 from cocorosim_ros.physics.actuation import ACTUATION_BITS, actuate, admitted
 from cocorosim_ros.physics.contact import keep_in_tank
-from cocorosim_ros.physics.group import Group, is_simple, member, simplified
-from cocorosim_ros.physics.integrators import SCRATCH_ROWS, SIDE_BY_SIDE, take_step
+from cocorosim_ros.physics.group import Group, columns_in_use, is_simple, member
+from cocorosim_ros.physics.integrators import take_step
 from cocorosim_ros.physics.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.physics.obstacle_contact import keep_out_of_obstacles
+from cocorosim_ros.physics.packing import (
+    FOURS,
+    SCRATCH_ROWS,
+    SIDE_BY_SIDE,
+    Space,
+    fours_of,
+    in_lanes,
+    lanes_to_rows,
+    rows_to_lanes,
+)
 from cocorosim_ros.physics.surroundings import look_around
-from cocorosim_ros.physics.vehicles import Surroundings, Vehicles, body_of
+from cocorosim_ros.physics.vehicles import BASIC_COLUMNS, Surroundings, Vehicles, body_of
 from cocorosim_ros.signals.state import STATE_SIZE
 
 Floats = NDArray[np.float64]
@@ -62,8 +73,14 @@ def move(state: Floats, vehicles: Vehicles, tank: Tank, stepping: Stepping, flow
     The commands in `state` (see `apply_commands`) hold for the tick; `flow` is the velocity of the water.
     """
     surroundings = Surroundings(flow, tank.lower, tank.upper, look_around(state, vehicles))
-    scratch = np.empty((SCRATCH_ROWS, SIDE_BY_SIDE, state.shape[2]))
-    _move_all(state, vehicles, (tank, surroundings), stepping, time, scratch)
+    actuators = vehicles.actuator_wrench.shape[2]
+    space = Space(
+        np.empty((SCRATCH_ROWS, SIDE_BY_SIDE, state.shape[2])),
+        np.empty((1 + SCRATCH_ROWS, FOURS, STATE_SIZE + actuators, LANES)),
+        np.empty((FOURS, BASIC_COLUMNS, LANES)),
+        np.empty((FOURS, actuators, 4, LANES)),
+    )
+    _move_all(state, vehicles, (tank, surroundings), stepping, time, space)
 
 
 @kernel
@@ -80,30 +97,51 @@ def _move_all(
     place: tuple[Tank, Surroundings],
     stepping: Stepping,
     time: float,
-    scratch: Floats,
+    space: Space,
 ) -> None:
     tank, surroundings = place
     for run in range(state.shape[0]):
         for first in range(0, state.shape[1], SIDE_BY_SIDE):
             rows = state[run, first : min(first + SIDE_BY_SIDE, state.shape[1])]
-            _move_group(rows, Group(vehicles, surroundings, run, first, -1), tank, stepping, time, scratch)
+            columns = columns_in_use(vehicles, run, first, rows)
+            group = Group(vehicles, surroundings, run, first, columns)
+            if is_simple(group, rows.shape[0]):
+                _move_simple_group(rows, group, tank, stepping, time, space)
+            else:
+                _move_group(rows, group, tank, stepping, time, space.scratch)
+
+
+@kernel
+def _move_simple_group(rows: Floats, group: Group, tank: Tank, stepping: Stepping, time: float, space: Space) -> None:
+    """A tick of a group without anything beyond the basics, four robots at a time. All forces hold for the tick."""
+    fours, many = in_lanes(group, rows.shape[0], space), fours_of(rows.shape[0])
+    spaces = in_fours(space.rows)
+    rows_to_lanes(rows, group.columns, spaces[0])
+    for step in range(stepping.steps):
+        if step > 0:
+            rows_to_lanes(rows, STATE_SIZE, spaces[0])
+        now = time + step * stepping.step
+        take_step(stepping.integrator, spaces[0, :many], now, stepping.step, fours, spaces[1:])
+        lanes_to_rows(spaces[0], rows)
+        _keep_in_water(rows, tank, stepping.contact)
 
 
 @kernel
 def _move_group(rows: Floats, group: Group, tank: Tank, stepping: Stepping, time: float, scratch: Floats) -> None:
     """A tick of a group. Forces that change within it are taken anew every step, and at its end for who measures."""
-    simple = is_simple(group, rows.shape[0])
     for step in range(stepping.steps):
         now = time + step * stepping.step
         _actuate_all(rows, group, (now, stepping.step))
-        if simple:
-            take_step(stepping.integrator, rows, now, stepping.step, simplified(group), scratch)
-        else:
-            take_step(stepping.integrator, rows, now, stepping.step, group, scratch)
-        for robot in range(rows.shape[0]):
-            keep_out_of_obstacles(rows[robot], tank, stepping.contact)
-            keep_in_tank(rows[robot], tank, stepping.contact)
+        take_step(stepping.integrator, rows, now, stepping.step, group, scratch)
+        _keep_in_water(rows, tank, stepping.contact)
     _actuate_all(rows, group, (time + stepping.steps * stepping.step, 0.0))
+
+
+@kernel
+def _keep_in_water(rows: Floats, tank: Tank, contact: int) -> None:
+    for robot in range(rows.shape[0]):
+        keep_out_of_obstacles(rows[robot], tank, contact)
+        keep_in_tank(rows[robot], tank, contact)
 
 
 @kernel

@@ -78,6 +78,8 @@ PATCH_FORCE_COLUMNS = [
     PARAMETER_COLUMNS[name] for name in ("patch_force_x", "patch_force_y", "patch_force_z", "patch_moment")
 ]
 EFFECT_BIT: dict[str, int] = {name: 1 << position for position, name in enumerate(EFFECTS)}
+BASIC_COLUMNS = len(INERTIA_PARAMETERS) + len(GAINS) + sum(len(EFFECTS[name].parameters) for name in BASIC_EFFECTS)
+"""So many columns, the first ones, are all that the basic effects know."""
 BASIC_BITS: int = sum(EFFECT_BIT[name] for name in BASIC_EFFECTS)
 LAW_BITS: int = sum(EFFECT_BIT[name] for name in LAWS)
 

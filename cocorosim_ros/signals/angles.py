@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from cocorosim_ros.compilation import kernel
+from cocorosim_ros.four import chosen, everywhere, whole_below
 
 
 @kernel
@@ -34,9 +33,7 @@ def sine_cosine(angle: float) -> tuple[float, float]:
     products do not, and they take less than half of the time. Polynomials on |x| <= pi/4 and their coefficients after
     W. J. Cody and W. Waite, Software Manual for the Elementary Functions (1980), and fdlibm.
     """
-    if not abs(angle) <= _REDUCIBLE:
-        return math.sin(angle), math.cos(angle)
-    quarters = np.floor(angle * _QUARTERS_PER_RADIAN + 0.5)
+    quarters = whole_below(angle * _QUARTERS_PER_RADIAN + 0.5)
     x = ((angle - quarters * _QUARTER[0]) - quarters * _QUARTER[1]) - quarters * _QUARTER[2]
     z = x * x
     odd = 2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
@@ -46,7 +43,11 @@ def sine_cosine(angle: float) -> tuple[float, float]:
     sine = x + x * z * (-1.66666666666666324348e-01 + z * odd)
     cosine = 1.0 - (0.5 * z - z * z * (4.16666666666666019037e-02 + z * even))
     # No branch on the quarter: robots look anywhere, so that a processor would guess every other one wrong.
-    halves = np.floor(0.5 * quarters)
+    halves = whole_below(0.5 * quarters)
     odd = quarters - 2.0 * halves
-    sign = 1.0 - 2.0 * (halves - 2.0 * np.floor(0.5 * halves))
-    return sign * (cosine if odd > 0.0 else sine), sign * (-sine if odd > 0.0 else cosine)
+    sign = 1.0 - 2.0 * (halves - 2.0 * whole_below(0.5 * halves))
+    turned_sine, turned_cosine = sign * chosen(odd > 0.0, cosine, sine), sign * chosen(odd > 0.0, -sine, cosine)
+    near = abs(angle) <= _REDUCIBLE
+    if everywhere(near):
+        return turned_sine, turned_cosine
+    return chosen(near, turned_sine, math.sin(angle)), chosen(near, turned_cosine, math.cos(angle))

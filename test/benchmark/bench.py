@@ -155,7 +155,8 @@ def what_stands_between() -> None:
     size = bytes_per_robot(batches(swarm_of(11), 1, 1)[0])
     print(
         "\nBetween a tick and the arithmetic of its pairs stand the equations of motion (nine evaluations a tick),\n"
-        "cones, steering and boids: divisions, roots and arc tangents that wait for each other, one robot at a time.\n"
+        "four robots at a time; cones, steering and boids, one robot at a time: divisions, roots and arc tangents\n"
+        "that wait for each other.\n"
         f"A robot is {size / 1e3:.1f} kB with readings and inbox; the caches hold what a batch needs."
     )
 

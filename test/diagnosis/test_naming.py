@@ -116,3 +116,28 @@ def test_what_does_not_look_like_an_effect_is_no_rest_of_it(swim: Any) -> None:
     }
     diagnosis, _ = diagnosed(swim, hidden, 9, 300.0, disturbance=0.01)
     assert {part.id for part in diagnosis.effects} == set(hidden)
+
+
+def test_who_does_not_keep_its_promise_makes_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A slope at a kink promises more than anybody; the next ones are fitted too, the law as well, all but once."""
+    from types import SimpleNamespace
+
+    from cocorosim_ros.diagnosis import naming
+
+    def screened(name: str, nats: float, topic: str | None = None) -> Any:
+        entry = SimpleNamespace(id=name, topic=topic, group="")
+        return SimpleNamespace(candidate=SimpleNamespace(entry=entry), nats=nats)
+
+    fitted: list[str] = []
+
+    def begin(fit: Any, part: Any, scene: Any) -> Any:
+        fitted.append(part.candidate.entry.id)
+        return SimpleNamespace(gain=0.0 if part.candidate.entry.topic == "velocity" else part.nats)
+
+    monkeypatch.setattr(naming, "begin", begin)
+    kinked = [screened("sensor_latency", nats, "velocity") for nats in (327.0, 301.0, 237.0, 64.0)]
+    honest = [screened("pump_lag", 57.0), screened("clock_skew", 10.5, "pressure"), screened("tether", 0.5)]
+    law = screened("unknown:heave~pump_rate", 30.0)
+    begun = naming._begun(None, None, [*kinked, *honest], [law])  # type: ignore[arg-type]
+    assert fitted == ["sensor_latency"] * 4 + ["unknown:heave~pump_rate", "pump_lag", "clock_skew"]
+    assert len(begun) == len(fitted)

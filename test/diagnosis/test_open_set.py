@@ -113,6 +113,26 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     assert len(seen) > 150
 
 
+def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
+    """Behind its command by less than a pump's lag it is not believed; nor any law that pushes next to nothing."""
+    from cocorosim_ros.diagnosis.laws import law_entries
+    from cocorosim_ros.diagnosis.recalibration import base_fit
+    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.scenario.platform import load_platform
+
+    fit = base_fit(swim(load_platform("lily"), 60.0))
+    entries = {entry.id: entry for entry in law_entries(scene_of(fit.tracks, smoothed_tracks(fit)), ())}
+    of_pump = {name for name, entry in entries.items() if entry.of_pump}
+    assert {"unknown:heave~pump_rate", "unknown:heave~|w|^-1*w", "unknown:heave~w*z"} <= of_pump
+    assert not {"unknown:yaw~pump", "unknown:heave~u*u", "unknown:surge~pump_rate"} & of_pump
+    behind, ahead = entries["unknown:heave~pump_rate"].amplitudes[0].negligible
+    assert behind == -0.04 and 0.0 < ahead < 0.01
+    for entry in entries.values():
+        (amplitude,) = entry.amplitudes
+        # `large` is a tenth of the full force.
+        assert amplitude.negligible[1] == pytest.approx(0.02 * amplitude.large)
+
+
 def diagnosed(evidence: Any) -> Any:
     """The diagnosis of a swim."""
     from cocorosim_ros.diagnosis.diagnose import diagnose

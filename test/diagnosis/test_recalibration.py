@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis import recalibration
+from cocorosim_ros.diagnosis.fit import settled
 from cocorosim_ros.scenario.platform import load_platform
 
 Swim = Callable[..., Any]
@@ -23,19 +24,30 @@ def doubted(evidence: Any, share: float) -> Any:
     return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
 
 
+def noise_of(fit: Any) -> dict[str, list[float]]:
+    """Standard deviations by column, one for each group of tracks that share it."""
+    found: dict[str, list[float]] = {}
+    for unknown, q in zip(fit.noise, fit.q_noise, strict=True):
+        found.setdefault(unknown.column, []).append(float(np.exp(unknown.value(float(q)))))
+    return found
+
+
 @pytest.fixture(scope="module")
 def rough(swim: Swim) -> Any:
     """A minute in rough water with readings ten times worse than told."""
     return doubted(swim(load_platform("lily"), 60.0, disturbance=0.3), 0.1)
 
 
-def test_the_better_of_two_ways_is_taken(rough: Any) -> None:
-    """Readings that the first guess shuts out are heeded at the second start, and the base is no worse than by it."""
+def test_the_best_of_three_ways_is_taken(rough: Any) -> None:
+    """Readings that the first guess shuts out are heeded at the second start, and the base is no worse than by any."""
     first = recalibration.first_fit(rough)
     second = recalibration._at_random(first)
     shut = [[recalibration._is_shut(fit, unknown) for unknown in fit.noise] for fit in (first, second)]
     assert any(shut[0]) and sum(shut[1]) < sum(shut[0])
-    ways = [recalibration._settled(recalibration._opened(start)).objective for start in (first, second)]
+    ways = [
+        settled(recalibration._opened(start), recalibration.MOST_ROUNDS).objective
+        for start in (first, second, recalibration._without_inertial(first))
+    ]
     assert recalibration.base_fit(rough).objective == pytest.approx(max(ways))
 
 
@@ -48,9 +60,30 @@ def test_a_tracker_that_was_at_a_loss_once_is_good_elsewhere(swim: Swim) -> None
     lost = pose.value + [0.1, 0.1, 0.1, 0.0] * np.random.default_rng(3).standard_normal(pose.value.shape)
     worse = replace(log, streams={**log.streams, "pose": replace(pose, value=lost)})
     both = replace(good, recordings=(*good.recordings, replace(recording, robots=(worse,))))
-    fit = recalibration.base_fit(both)
-    found: dict[str, list[float]] = {}
-    for unknown, q in zip(fit.noise, fit.q_noise, strict=True):
-        found.setdefault(unknown.column, []).append(float(np.exp(unknown.value(float(q)))))
+    found = noise_of(recalibration.base_fit(both))
     assert found["reading.pose_xy"][0] == pytest.approx(0.002, rel=0.1) and found["reading.pose_xy"][1] > 0.03
     assert found["reading.compass"] == [pytest.approx(0.02, rel=0.1)]
+
+
+def test_a_gyroscope_that_errs_does_not_discredit_camera_and_compass(swim: Swim) -> None:
+    """Its offset turns the model away from both at every step; all the same it is its own noise that grows."""
+    evidence = swim(load_platform("lily"), 120.0, seed=3)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    imu = log.streams["imu"]
+    worse = replace(log, streams={**log.streams, "imu": replace(imu, value=imu.value + 0.3)})
+    found = noise_of(recalibration.base_fit(replace(evidence, recordings=(replace(recording, robots=(worse,)),))))
+    assert found["reading.pose_yaw"] == [pytest.approx(0.01, rel=0.3)]
+    assert found["reading.compass"] == [pytest.approx(0.02, rel=0.3)]
+    assert found["reading.gyro_z"][0] > 0.1
+
+
+def test_the_same_water_may_move_one_robot_more(swim: Swim) -> None:
+    """Of another inertia than told, say: the random forces of two robots are found for each, four times as strong."""
+    calm, wild = (swim(load_platform("lily"), 60.0, seed=4, disturbance=share) for share in (0.02, 0.08))
+    (recording,) = wild.recordings
+    other = replace(recording, robots=(replace(recording.robots[0], name="lily_02"),))
+    found = noise_of(recalibration.base_fit(replace(calm, recordings=(*calm.recordings, other))))
+    for column in ("random.force", "random.heave_force", "random.moment"):
+        quiet, loud = found[column]
+        assert loud / quiet == pytest.approx(4.0, rel=0.35)

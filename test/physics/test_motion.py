@@ -7,6 +7,7 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 Make = Callable[..., Any]
@@ -43,3 +44,26 @@ def test_time_is_whole_ticks(make_simulation: Make) -> None:
     for _ in range(7):
         simulation.advance()
     assert simulation.time_ns == 3_500_000_000
+
+
+@pytest.mark.parametrize("robots", [1, 4, 5, 13, 24])
+@pytest.mark.parametrize("patches", [False, True])
+def test_four_robots_in_one_vector_move_as_each_alone(
+    make_simulation: Make, crowd: Make, robots: int, patches: bool
+) -> None:
+    """Bit for bit, in the tank's corners too: an effect of the catalogue on one robot makes all others go alone."""
+    from cocorosim_ros.physics.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS
+
+    pair = [make_simulation(crowd(7, robots), bounds=((-1.0, -1.0, -2.0), (1.0, 1.0, 0.0))) for _ in range(2)]
+    for simulation in pair:
+        generator, vehicles = np.random.default_rng(3), simulation.world.vehicles
+        vehicles.parameters[..., PATCH_FORCE_COLUMNS] = generator.normal(0.0, 0.005, (7, robots, 4))
+        vehicles.active[...] |= EFFECT_BIT["patch_force"] if patches else 0
+        simulation.state[..., 3:8] = generator.normal(0.0, 1.0, (7, robots, 5))
+        simulation.state[::2, 0, 3] = 1e7  # rad, where another sine is asked
+    pair[1].world.vehicles.active[...] |= EFFECT_BIT["linear_drag"]  # of zero
+    for _ in range(9):
+        for simulation in pair:
+            simulation.command[...] = np.random.default_rng(simulation.tick).uniform(-1.2, 1.2, (7, robots, 3))
+            simulation.advance()
+        assert pair[0].state.tobytes() == pair[1].state.tobytes()

@@ -22,7 +22,7 @@ Floats = NDArray[np.float64]
 def quadratic_drag(row: Floats, relative: Floats, parameters: Floats, total: Floats) -> None:
     """Add the drag on a body that moves through the water at `relative` (4,) [m/s, rad/s; body]."""
     drag, yaw_drag = parameters[0], parameters[1]
-    speed = math.sqrt(relative[0] ** 2 + relative[1] ** 2 + relative[2] ** 2)
+    speed = math.sqrt(relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2])
     for axis in range(3):
         total[axis] -= drag * speed * relative[axis]
     total[3] -= yaw_drag * abs(relative[3]) * relative[3]

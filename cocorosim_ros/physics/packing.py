@@ -1,0 +1,73 @@
+"""A group of robots whose motion is simple, written four robots to a number, and back."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import kernel
+from cocorosim_ros.four import LANES, four, in_fours, lanes
+from cocorosim_ros.physics.group import Fours, Group
+from cocorosim_ros.physics.vehicles import BASIC_COLUMNS
+from cocorosim_ros.signals.state import STATE_SIZE
+
+Floats = NDArray[np.float64]
+SIDE_BY_SIDE = 12  # robots of a group
+FOURS = SIDE_BY_SIDE // LANES
+SCRATCH_ROWS = 2  # of an integrator
+
+
+class Space(NamedTuple):
+    """Where the numbers of a group are kept while it moves; the last axis of the later ones is that of four robots."""
+
+    scratch: Floats  # (SCRATCH_ROWS, SIDE_BY_SIDE, columns)
+    rows: Floats  # (1 + SCRATCH_ROWS, FOURS, STATE_SIZE + actuators, LANES)
+    parameters: Floats  # (FOURS, BASIC_COLUMNS, LANES)
+    actuator_wrench: Floats  # (FOURS, actuators, 4, LANES)
+
+
+@kernel
+def rows_to_lanes(rows: Floats, columns: int, fours: Floats) -> None:
+    """Write the first columns of `rows` (robots, columns) into `fours` (fours, columns).
+
+    The last robot fills the lanes that are left.
+    """
+    for place in range(fours_of(rows.shape[0])):
+        a, b, c, d = _robots_of(place, rows.shape[0])
+        for column in range(columns):
+            fours[place, column] = four(rows[a, column], rows[b, column], rows[c, column], rows[d, column])
+
+
+@kernel
+def lanes_to_rows(fours: Floats, rows: Floats) -> None:
+    """Write the states of `fours` (fours, columns) into `rows` (robots, columns)."""
+    for place in range(fours_of(rows.shape[0])):
+        a, b, c, d = _robots_of(place, rows.shape[0])
+        for column in range(STATE_SIZE):
+            rows[a, column], rows[b, column], rows[c, column], rows[d, column] = lanes(fours[place, column])
+
+
+@kernel
+def in_lanes(group: Group, count: int, space: Space) -> Fours:
+    """The first `count` of a simple group as fours, which are kept in `space`."""
+    vehicles, run, first, last = group.vehicles, group.run, group.first, group.first + count
+    parameters, wrench = in_fours(space.parameters), in_fours(space.actuator_wrench)
+    rows_to_lanes(vehicles.parameters[run, first:last], BASIC_COLUMNS, parameters)
+    for actuator in range(wrench.shape[1]):
+        rows_to_lanes(vehicles.actuator_wrench[run, first:last, actuator], wrench.shape[2], wrench[:, actuator])
+    return Fours(parameters, wrench, vehicles.active[run, first], group.columns)
+
+
+@kernel
+def fours_of(robots: int) -> int:
+    """How many fours so many robots fill, the last one perhaps in part."""
+    return (robots + LANES - 1) // LANES
+
+
+@kernel
+def _robots_of(place: int, count: int) -> tuple[int, int, int, int]:
+    """The robots in the lanes of a four, of `count` ones."""
+    first, last = LANES * place, count - 1
+    return first, min(first + 1, last), min(first + 2, last), min(first + 3, last)

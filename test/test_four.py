@@ -1,0 +1,85 @@
+"""Four numbers at once: every lane gets what a float would, to the last bit."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from cocorosim_ros.compilation import kernel, stack_like
+from cocorosim_ros.four import LANES, chosen, everywhere, four, in_fours, lanes, whole_below
+from cocorosim_ros.signals.angles import sine_cosine
+
+Floats = NDArray[np.float64]
+ODD = (0.0, -0.0, 1.0, -1.5, math.pi, 5e-324, -1e308, 1e-200, 7.25e5, 3e6, -2e17, math.inf, -math.inf, math.nan)
+
+
+@kernel
+def arithmetic(first: Any, second: Any, results: Any) -> None:
+    """All that a text for robots may do with two numbers."""
+    results[0], results[1] = first[0] + second[0], first[0] - second[0]
+    results[2], results[3] = first[0] * second[0], first[0] / second[0]
+    results[4], results[5], results[6] = -first[0], abs(first[0]), math.sqrt(abs(first[0]))
+    results[7], results[8] = 2.0 * first[0] - 1.0, whole_below(first[0])
+    results[9] = chosen(first[0] < second[0], first[0], second[0])
+    results[10] = chosen(first[0] >= 0.5, 1.0 + first[0], -second[0])
+    results[11], results[12] = sine_cosine(first[0])
+    work = stack_like(first, 1)
+    work[0] = 3.0
+    work[0] += first[0]
+    work[0] -= second[0]
+    work[0] *= second[0]
+    results[13] = work[0]
+
+
+RESULTS = 14
+
+
+@kernel
+def arithmetic_of_fours(first: Floats, second: Floats, results: Floats) -> None:
+    """The same for arrays (1, 4), (1, 4), (RESULTS, 4)."""
+    arithmetic(in_fours(first), in_fours(second), in_fours(results))
+
+
+def test_every_lane_gets_the_bits_of_a_float() -> None:
+    """For pairs of numbers of all kinds, among them zeros with a sign, subnormal, infinite and no numbers."""
+    generator = np.random.default_rng(1)
+    for _ in range(300):
+        first, second = (
+            np.where(generator.random(LANES) < 0.4, generator.choice(ODD, LANES), generator.normal(0.0, 3.0, LANES))
+            for _ in range(2)
+        )
+        together = np.full((RESULTS, LANES), -7.0)
+        arithmetic_of_fours(first[None], second[None], together)
+        for lane in range(LANES):
+            alone = np.full(RESULTS, -7.0)
+            arithmetic(first[lane : lane + 1].copy(), second[lane : lane + 1].copy(), alone)
+            numbers = ~np.isnan(alone)
+            assert (np.isnan(together[:, lane]) == ~numbers).all()
+            assert together[numbers, lane].tobytes() == alone[numbers].tobytes()
+
+
+@kernel
+def turned(numbers: Floats, limit: float, fours: Floats) -> bool:
+    """Write the numbers (4,) backwards into (1, 4); whether all are below a limit."""
+    made = in_fours(fours)
+    made[0] = four(numbers[3], numbers[2], numbers[1], numbers[0])
+    below: bool = everywhere(made[0] < limit)
+    first, second, third, fourth = lanes(made[0])
+    numbers[0], numbers[1], numbers[2], numbers[3] = first, second, third, fourth
+    return below
+
+
+@pytest.mark.parametrize(("greatest", "all_below"), [(4.0, True), (5.0, False), (math.nan, False)])
+def test_lanes_are_in_order_and_everywhere_means_all(greatest: float, all_below: bool) -> None:
+    """Whatever lane it is that fails."""
+    for place in range(LANES):
+        numbers, fours = np.array([1.0, 2.0, 3.0, 3.5]), np.zeros((1, LANES))
+        numbers[place] = greatest
+        backwards = numbers[::-1].copy()
+        assert turned(numbers, 5.0, fours) is all_below
+        assert np.array_equal(fours[0], backwards, equal_nan=True)
+        assert np.array_equal(numbers, backwards, equal_nan=True)
