@@ -36,16 +36,25 @@ MEMORY_SIZE = REQUEST_SIZE + 3
 _DECIDE = "observation, sensor_axis, settings, request"
 _SPEAK = "observation, settings, message"
 
+
+def _choices(call: str) -> list[str]:
+    """The lines that do `call` for the controller of `code` and ask no further: '{name}' in it becomes the name's."""
+    return [
+        f"{'el' if number > 0 else ''}if code == {CONTROLLER_CODE[name]}: {call.format(name=name)}"
+        for number, name in enumerate(CONTROLLERS)
+    ]
+
+
 decide_by_code = compile_lines(
     "decide_by_code",
     f"code, {_DECIDE}",
-    [f"if code == {CONTROLLER_CODE[name]}: decide_{name}({_DECIDE})" for name in CONTROLLERS],
+    _choices(f"decide_{{name}}({_DECIDE})"),
     {f"decide_{name}": controller.decide for name, controller in CONTROLLERS.items()},
 )
 speak_by_code = compile_lines(
     "speak_by_code",
     f"code, {_SPEAK}",
-    [f"if code == {CONTROLLER_CODE[name]}: speak_{name}({_SPEAK})" for name in CONTROLLERS],
+    _choices(f"speak_{{name}}({_SPEAK})"),
     {f"speak_{name}": controller.speak for name, controller in CONTROLLERS.items()},
 )
 

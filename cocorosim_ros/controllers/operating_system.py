@@ -76,9 +76,9 @@ def avoid_walls(observation: Observation, sensor_axis: Floats, system: Floats, r
         near = True
         forward -= infringement * sensor_axis[sensor, 0]
         left -= infringement * sensor_axis[sensor, 1]
-    if math.hypot(forward, left) > NO_DIRECTION:
-        request[HEADING] = wrap_angle(observation.compass + math.atan2(left, forward))
     if near:
+        if math.hypot(forward, left) > NO_DIRECTION:
+            request[HEADING] = wrap_angle(observation.compass + math.atan2(left, forward))
         request[SPEED] = system[AVOIDANCE_THRUST]
         request[TURN_GAIN] = system[AVOIDANCE_GAIN]
     return near

@@ -61,17 +61,22 @@ def _sphere_entry(origin: Floats, direction: Floats, sphere: Floats) -> float:
 
 
 @kernel
-def ray_range(tank: Tank, origin: Floats, direction: Floats) -> float:
+def ray_range(tank: Tank, origin: Floats, direction: Floats, reach: float) -> float:
     """Distance [m] from `origin` (3,) along the unit vector `direction` (3,) to the first solid or the surface.
 
-    Both in the world frame. Zero where the origin is not in the water.
+    Both in the world frame. Zero where the origin is not in the water. What is farther than `reach` [m] may be left
+    out: then it is +inf. A division takes longer than to see that it is not needed.
     """
-    distance = math.inf
+    distance, farthest = math.inf, reach + SAFE_DISTANCE
     for axis in range(3):
         if direction[axis] > 0.0:
-            distance = min(distance, (tank.upper[axis] - origin[axis]) / direction[axis])
+            clearance = tank.upper[axis] - origin[axis]
+            if clearance <= direction[axis] * farthest:
+                distance = min(distance, clearance / direction[axis])
         elif direction[axis] < 0.0:
-            distance = min(distance, (tank.lower[axis] - origin[axis]) / direction[axis])
+            clearance = tank.lower[axis] - origin[axis]
+            if clearance >= direction[axis] * farthest:
+                distance = min(distance, clearance / direction[axis])
     for index in range(tank.spheres.shape[0]):
         distance = min(distance, _sphere_entry(origin, direction, tank.spheres[index]))
     for index in range(tank.boxes.shape[0]):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.compilation import kernel
+from cocorosim_ros.compilation import kernel, stack_array
 from cocorosim_ros.environment.neighbours import Neighbours
 from cocorosim_ros.signals.radio import MESSAGE_LENGTH, MESSAGE_SIZE, Inbox
 from cocorosim_ros.signals.state import X, Y, Z
@@ -25,7 +25,7 @@ def deliver(state: Floats, said: Floats, radio_range: Floats, neighbours: Neighb
     `state` (runs, robots, columns) is the state at the moment of sending, `radio_range` (robots,) [m] the
     sender's reach, `neighbours` who may be within it. Messages stand in the order of the senders.
     """
-    runs, robots = said.shape[0], said.shape[1]
+    runs, robots, words = said.shape[0], said.shape[1], stack_array(MESSAGE_SIZE)
     for run in range(runs):
         for receiver in range(robots):
             count = 0
@@ -38,8 +38,11 @@ def deliver(state: Floats, said: Floats, radio_range: Floats, neighbours: Neighb
                 if squared > radio_range[sender] ** 2 or count == inbox.sender.shape[2]:
                     continue
                 inbox.sender[run, receiver, count] = sender
+                # All are read before one is written: so the compiler may carry several at once.
                 for column in range(MESSAGE_SIZE):
-                    inbox.message[run, receiver, count, column] = said[run, sender, column]
+                    words[column] = said[run, sender, column]
+                for column in range(MESSAGE_SIZE):
+                    inbox.message[run, receiver, count, column] = words[column]
                 inbox.age[run, receiver, count] = 1
                 count += 1
             inbox.heard[run, receiver] = count

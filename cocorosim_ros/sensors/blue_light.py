@@ -80,5 +80,5 @@ def obstacle_ranges(row: Floats, robot: int, instruments: Instruments, tank: Tan
             direction[0] = ray[0] * cosine - ray[1] * sine
             direction[1] = ray[0] * sine + ray[1] * cosine
             direction[2] = ray[2]
-            nearest = min(nearest, ray_range(tank, origin, direction))
+            nearest = min(nearest, ray_range(tank, origin, direction, instruments.obstacle_range[robot, sensor]))
         reading[sensor] = nearest if nearest <= instruments.obstacle_range[robot, sensor] else math.inf

@@ -7,16 +7,30 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.compilation import kernel, stack_array
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.signals.state import STATE_SIZE
 from cocorosim_ros.simulation.world import World
 
 
+@kernel
+def _sum_of_motion(state: NDArray[np.float64]) -> float:
+    """Of all numbers that are the motion of a robot; not finite if one of them is not."""
+    sums, total = stack_array(STATE_SIZE), 0.0
+    for run in range(state.shape[0]):
+        for robot in range(state.shape[1]):
+            for column in range(STATE_SIZE):  # side by side: a sum of one number after the other waits for itself
+                sums[column] += state[run, robot, column]
+    for column in range(STATE_SIZE):
+        total += sums[column]
+    return total
+
+
 def check_motion(state: NDArray[np.float64], world: World, tick: int) -> None:
     """Nothing while every state (runs, robots, row) is a number after `tick` ticks; else raises CocorosimError."""
-    moving = state[..., :STATE_SIZE]
-    if math.isfinite(float(moving.sum())):
+    if math.isfinite(_sum_of_motion(state)):
         return
+    moving = state[..., :STATE_SIZE]
     lost = np.argwhere(~np.isfinite(moving).all(axis=2))
     if len(lost) == 0:  # numbers that are finite, but too large to be added
         lost = np.argwhere(np.abs(moving).max(axis=2) == np.abs(moving).max())

@@ -20,6 +20,7 @@ from cocorosim_ros.sensors.inertial import angular_rate, specific_force
 from cocorosim_ros.sensors.instruments import Instruments
 from cocorosim_ros.sensors.pressure import absolute_pressure
 from cocorosim_ros.signals.readings import Readings
+from cocorosim_ros.signals.state import STATE_SIZE
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -44,7 +45,7 @@ def sense(
     """
     tank = afloat.tank
     surroundings = Surroundings(afloat.flow, tank.lower, tank.upper, look_around(state, afloat.vehicles))
-    _sense_all(state, time, (afloat, surroundings), instruments, (readings, nearest), np.empty(state.shape[2]))
+    _sense_all(state, time, (afloat, surroundings), instruments, (readings, nearest))
 
 
 @kernel
@@ -54,11 +55,10 @@ def _sense_all(
     place: tuple[Afloat, Surroundings],
     instruments: Instruments,
     result: tuple[Readings, Integers],
-    rate: Floats,
 ) -> None:
     afloat, surroundings = place
     readings, nearest = result
-    relative, neighbours = stack_array(4), afloat.neighbours
+    relative, rate, neighbours = stack_array(4), stack_array(STATE_SIZE), afloat.neighbours
     runs, robots = state.shape[0], state.shape[1]
     for run in range(runs):
         for robot in range(robots):

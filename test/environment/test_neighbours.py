@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
@@ -81,7 +82,7 @@ def test_open_water_never_hides_a_solid(make_tank: Make) -> None:
     draw, claims = np.random.default_rng(3), 0
     for place in draw.uniform([-2, -2, -2], [2, 2, 0], (500, 3)):
         rays = draw.normal(size=(20, 3))
-        nearest = min(ray_range(tank, place, ray / np.linalg.norm(ray)) for ray in rays)
+        nearest = min(ray_range(tank, place, ray / np.linalg.norm(ray), math.inf) for ray in rays)
         claimed = is_open_water(tank, place, 0.3)
         claims += claimed
         assert nearest > 0.3 or not claimed

@@ -20,7 +20,7 @@ def cast(tank: Any, origin: Any, direction: Any) -> float:
     """Range [m] along a ray."""
     from cocorosim_ros.environment.tank import ray_range
 
-    return float(ray_range(tank, np.array(origin, dtype=float), np.array(direction, dtype=float)))
+    return float(ray_range(tank, np.array(origin, dtype=float), np.array(direction, dtype=float), math.inf))
 
 
 @pytest.mark.parametrize(
