@@ -188,16 +188,6 @@ def four(typing_context: Any, first: Any, second: Any, third: Any, fourth: Any) 
 
 
 @intrinsic  # type: ignore[untyped-decorator]
-def lanes(typing_context: Any, number: Any) -> Any:
-    """The four floats, as a tuple."""
-
-    def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
-        return context.make_tuple(builder, found.return_type, _parts(builder, arguments[0]))
-
-    return types.UniTuple(types.float64, LANES)(number), generate
-
-
-@intrinsic  # type: ignore[untyped-decorator]
 def in_fours(typing_context: Any, array: Any) -> Any:
     """The same memory as fours: of a contiguous float64 array (..., 4) the array (...) of its rows.
 
@@ -221,3 +211,45 @@ def in_fours(typing_context: Any, array: Any) -> Any:
         return made._getvalue()
 
     return fours(array), generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def four_at(typing_context: Any, row: Any, first: Any) -> Any:
+    """`row[first : first + 4]` of a contiguous float64 row as one number of four; the index is not checked."""
+
+    def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
+        return builder.load(_place(context, builder, row, arguments), align=8)
+
+    return FOUR(row, types.intp), generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def put_four_at(typing_context: Any, row: Any, first: Any, number: Any) -> Any:
+    """`row[first : first + 4] = number`, the four floats of it; the index is not checked."""
+
+    def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
+        builder.store(arguments[2], _place(context, builder, row, arguments), align=8)
+        return context.get_dummy_value()
+
+    return types.void(row, types.intp, FOUR), generate
+
+
+def _place(context: Any, builder: Any, row: Any, arguments: Any) -> Any:
+    start = context.make_array(row)(context, builder, arguments[0]).data
+    return builder.bitcast(builder.gep(start, [arguments[1]]), _VECTOR.as_pointer())
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def transposed(typing_context: Any, first: Any, second: Any, third: Any, fourth: Any) -> Any:
+    """Of four fours the four that hold their first lanes, their second, third and fourth ones."""
+
+    def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
+        def shuffled(one: Any, other: Any, *picked: int) -> Any:
+            return builder.shuffle_vector(one, other, ir.Constant(ir.VectorType(_INDEX, LANES), picked))
+
+        even = [shuffled(*arguments[at : at + 2], 0, 4, 2, 6) for at in (0, 2)]
+        odd = [shuffled(*arguments[at : at + 2], 1, 5, 3, 7) for at in (0, 2)]
+        rows = [shuffled(*pair, *picked) for picked in ((0, 1, 4, 5), (2, 3, 6, 7)) for pair in (even, odd)]
+        return context.make_tuple(builder, found.return_type, rows)
+
+    return types.UniTuple(FOUR, LANES)(first, second, third, fourth), generate

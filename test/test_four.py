@@ -10,7 +10,17 @@ import pytest
 from numpy.typing import NDArray
 
 from cocorosim_ros.compilation import kernel, stack_like
-from cocorosim_ros.four import LANES, chosen, everywhere, four, in_fours, lanes, whole_below
+from cocorosim_ros.four import (
+    LANES,
+    chosen,
+    everywhere,
+    four,
+    four_at,
+    in_fours,
+    put_four_at,
+    transposed,
+    whole_below,
+)
 from cocorosim_ros.signals.angles import sine_cosine
 
 Floats = NDArray[np.float64]
@@ -63,23 +73,33 @@ def test_every_lane_gets_the_bits_of_a_float() -> None:
 
 
 @kernel
-def turned(numbers: Floats, limit: float, fours: Floats) -> bool:
-    """Write the numbers (4,) backwards into (1, 4); whether all are below a limit."""
-    made = in_fours(fours)
-    made[0] = four(numbers[3], numbers[2], numbers[1], numbers[0])
-    below: bool = everywhere(made[0] < limit)
-    first, second, third, fourth = lanes(made[0])
-    numbers[0], numbers[1], numbers[2], numbers[3] = first, second, third, fourth
-    return below
+def below(numbers: Floats, limit: float) -> bool:
+    """Whether all of (4,) are below a limit."""
+    all_below: bool = everywhere(four(numbers[0], numbers[1], numbers[2], numbers[3]) < limit)
+    return all_below
 
 
 @pytest.mark.parametrize(("greatest", "all_below"), [(4.0, True), (5.0, False), (math.nan, False)])
-def test_lanes_are_in_order_and_everywhere_means_all(greatest: float, all_below: bool) -> None:
+def test_everywhere_means_all(greatest: float, all_below: bool) -> None:
     """Whatever lane it is that fails."""
     for place in range(LANES):
-        numbers, fours = np.array([1.0, 2.0, 3.0, 3.5]), np.zeros((1, LANES))
+        numbers = np.array([1.0, 2.0, 3.0, 3.5])
         numbers[place] = greatest
-        backwards = numbers[::-1].copy()
-        assert turned(numbers, 5.0, fours) is all_below
-        assert np.array_equal(fours[0], backwards, equal_nan=True)
-        assert np.array_equal(numbers, backwards, equal_nan=True)
+        assert below(numbers, 5.0) is all_below
+
+
+@kernel
+def turn(table: Floats, turned: Floats) -> None:
+    """Write a table (4, 6) transposed: four columns as fours (4, 4), each of the other two lane by lane."""
+    fours = transposed(four_at(table[0], 1), four_at(table[1], 1), four_at(table[2], 1), four_at(table[3], 1))
+    for column in range(LANES):
+        put_four_at(turned[1 + column], 0, fours[column])
+    for column in (0, 5):
+        in_fours(turned)[column] = four(table[0, column], table[1, column], table[2, column], table[3, column])
+
+
+def test_rows_and_lanes_are_in_order() -> None:
+    """What is read, turned and written is the transposed table."""
+    table, turned = np.arange(24.0).reshape(4, 6), np.zeros((6, 4))
+    turn(table, turned)
+    assert np.array_equal(turned, table.T)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.compilation import kernel
-from cocorosim_ros.four import LANES, four, in_fours, lanes
+from cocorosim_ros.four import LANES, four, four_at, in_fours, put_four_at, transposed
 from cocorosim_ros.physics.group import Fours, Group
 from cocorosim_ros.physics.vehicles import BASIC_COLUMNS
 from cocorosim_ros.signals.state import STATE_SIZE
@@ -34,9 +34,14 @@ def rows_to_lanes(rows: Floats, columns: int, fours: Floats) -> None:
 
     The last robot fills the lanes that are left.
     """
+    whole = columns - columns % LANES
     for place in range(fours_of(rows.shape[0])):
         a, b, c, d = _robots_of(place, rows.shape[0])
-        for column in range(columns):
+        for at in range(0, whole, LANES):
+            block = transposed(four_at(rows[a], at), four_at(rows[b], at), four_at(rows[c], at), four_at(rows[d], at))
+            for lane in range(LANES):
+                fours[place, at + lane] = block[lane]
+        for column in range(whole, columns):
             fours[place, column] = four(rows[a, column], rows[b, column], rows[c, column], rows[d, column])
 
 
@@ -44,9 +49,11 @@ def rows_to_lanes(rows: Floats, columns: int, fours: Floats) -> None:
 def lanes_to_rows(fours: Floats, rows: Floats) -> None:
     """Write the states of `fours` (fours, columns) into `rows` (robots, columns)."""
     for place in range(fours_of(rows.shape[0])):
-        a, b, c, d = _robots_of(place, rows.shape[0])
-        for column in range(STATE_SIZE):
-            rows[a, column], rows[b, column], rows[c, column], rows[d, column] = lanes(fours[place, column])
+        robots = _robots_of(place, rows.shape[0])
+        for at in range(0, STATE_SIZE, LANES):
+            block = transposed(fours[place, at], fours[place, at + 1], fours[place, at + 2], fours[place, at + 3])
+            for lane in range(LANES):
+                put_four_at(rows[robots[lane]], at, block[lane])
 
 
 @kernel
