@@ -48,8 +48,9 @@ class Fit:
 
     @property
     def objective(self) -> float:
-        """Log-likelihood and log prior."""
-        return self.log_likelihood + _log_prior(self.laws, self.q) + _log_prior(self.noise, self.q_noise)
+        """Log-likelihood and log prior; minus infinity where the model ran away."""
+        whole = self.log_likelihood + _log_prior(self.laws, self.q) + _log_prior(self.noise, self.q_noise)
+        return whole if math.isfinite(whole) else -math.inf
 
     @property
     def filled(self) -> Floats:

@@ -24,6 +24,7 @@ from cocorosim_ros.diagnosis.columns import (
 )
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, make_fit, settled, with_noise
 from cocorosim_ros.diagnosis.kernels.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.leaps import leapt
 from cocorosim_ros.diagnosis.surroundings import introduce
 from cocorosim_ros.diagnosis.track import Track
 from cocorosim_ros.diagnosis.unknowns import Unknown
@@ -176,13 +177,16 @@ def base_fit(evidence: Evidence) -> Fit:
 
     Where the first guess of the noise shuts out readings, much is wrong, and the way from there may end anywhere: then
     a second way begins where hardly anything but chance moves the robot, and a third where its inertial sensors, which
-    the model leans on at every step, are doubted before those that see where it is.
+    the model leans on at every step, are doubted before those that see where it is. From the best of them it leaps on.
     """
     first = first_fit(evidence)
-    starts = [first]
-    if any(_is_shut(first, unknown) for unknown in first.noise):
-        starts += [_at_random(first), _without_inertial(first)]
-    return max((settled(_opened(start), MOST_ROUNDS) for start in starts), key=lambda fit: fit.objective)
+    if not any(_is_shut(first, unknown) for unknown in first.noise):
+        return settled(first, MOST_ROUNDS)
+    starts = [first, _at_random(first)]
+    if any(unknown.column in INERTIAL for unknown in first.noise):
+        starts.append(_without_inertial(first))
+    ways = [settled(_opened(start), MOST_ROUNDS) for start in starts]
+    return leapt(max(ways, key=lambda fit: fit.objective), MOST_ROUNDS)
 
 
 def _at_random(fit: Fit) -> Fit:

@@ -116,6 +116,36 @@ def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
     assert course.spread[150, 2] < course.spread[-1, 2] < Z_NOISE
 
 
+@pytest.fixture(scope="module")
+def carried_off(heaving: Any) -> Any:
+    """The track and row of one who is 10 cm elsewhere from half time on, as if someone had carried it."""
+    from cocorosim_ros.diagnosis.recalibration import make_tracks
+
+    (recording,) = heaving.recordings
+    (log,) = recording.robots
+    pose = log.streams["pose"]
+    moved = replace(pose, value=pose.value + 0.1 * (pose.time >= 15.0)[:, None])
+    alone = replace(log, streams={"pose": moved})
+    track = make_tracks(replace(heaving, recordings=(replace(recording, robots=(alone,)),)))[0]
+    return track, numbers(track)
+
+
+def test_a_robot_that_was_lost_is_found_again(carried_off: Any) -> None:
+    """Fifty standard deviations are not believed, but pull the model there; at the end it agrees with what is read."""
+    track, row = carried_off
+    believed = track.full(row).believed
+    assert believed[:140].all() and not believed[150:155].any()
+    assert believed[-50:].all()
+
+
+def test_what_is_not_believed_pulls_as_far_with_every_number(carried_off: Any) -> None:
+    """A slope along no change is nothing, to the bit, after doubted readings too."""
+    track, row = carried_off
+    slope = np.ones(len(track.readings.kind))
+    track.slope(row, track.full(row), 1.0, slope)
+    np.testing.assert_array_equal(slope, 0.0)
+
+
 def test_a_number_at_its_bound_does_not_hold_the_others_back() -> None:
     """Of two that pull at each other, the one pressing against its bound is left out: the other goes all its way."""
     from cocorosim_ros.diagnosis.fit import step_within

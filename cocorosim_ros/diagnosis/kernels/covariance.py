@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.kernels.layout import HFX, HGX, HORIZONTAL, VERTICA
 from cocorosim_ros.diagnosis.kernels.random_force import Fading
 
 Floats = NDArray[np.float64]
-GATE = 6.0  # standard deviations beyond which a reading is not believed
+GATE = 6.0  # standard deviations beyond which a reading pulls no harder, nor makes anything surer
 
 
 @kernel
@@ -83,7 +83,10 @@ def spread(covariance: Floats, ahead: Floats, back: Floats) -> None:
 
 @kernel
 def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: float) -> float:
-    """Variance of the innovation; writes the gain (HORIZONTAL,), shrinks the covariance. `gate`: its square allowed."""
+    """Variance of the innovation; writes the gain (HORIZONTAL,), shrinks the covariance unless the reading is doubted.
+
+    gate: the innovation squared.
+    """
     for i in range(HORIZONTAL):
         gain[i] = 0.0
     for j in range(HORIZONTAL):
@@ -93,7 +96,7 @@ def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: f
     for i in range(HORIZONTAL):
         variance += seen[i] * gain[i]
     doubted, share = gate > GATE * GATE * variance, stack_array(12)
-    for i in range(0 if doubted else HORIZONTAL):
+    for i in range(HORIZONTAL):
         share[i] = gain[i] / variance
     for i in range(0 if doubted else HORIZONTAL):
         _add_row(covariance, i * HORIZONTAL, gain, 0, -share[i])
@@ -151,5 +154,5 @@ def update_upright(covariance: Floats, seen: Floats, noise: float, gain: Floats,
             covariance[i * VERTICAL + j] -= gain[i] * gain[j] / variance
             covariance[j * VERTICAL + i] = covariance[i * VERTICAL + j]
     for i in range(VERTICAL):
-        gain[i] = 0.0 if doubted else gain[i] / variance
+        gain[i] /= variance
     return variance

@@ -3,10 +3,12 @@
 State: pose, velocity through `state_rate` of the simulator, and the random force of the water on surge and sway (in
 world axes), heave and yaw, each with the gust that drives it. The mean is carried by midpoint steps, the
 covariance to second order in the step, in two blocks (horizontal and vertical) that are taken as independent of each
-other. Readings between two steps are predicted by a Taylor series from the nearer one.
+other. Readings between two steps are predicted by a Taylor series from the nearer one. A reading beyond GATE pulls as
+one at the gate would (Huber's function): were it left out, a model in error would lose its robot for good, at a moment
+that hangs on its numbers, and the likelihood would jump.
 
 Source: Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225; Jazwinski, Stochastic Processes and Filtering
-Theory (1970), section 8.3.
+Theory (1970), section 8.3; Masreliez and Martin, IEEE Trans. Automatic Control 22 (1977) 361.
 """
 
 from __future__ import annotations
@@ -283,10 +285,12 @@ def _slope(
                 relative_velocity(row, time, body, water)
             when = readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index]
             shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
-            innovation = deviation(kind, readings.value[index], shown)
+            # What is not believed pulls as far as it may, whatever the model.
+            innovation, slope[origin] = past.innovation[origin], 0.0
+            if past.believed[origin]:
+                innovation = deviation(kind, readings.value[index], shown)
+                slope[origin] = deviation(kind, innovation, past.innovation[origin]) / step
             _correct(motion, body, kind, past.gain[origin], innovation)
-            change = deviation(kind, innovation, past.innovation[origin])
-            slope[origin] = change / step if past.believed[origin] else 0.0
 
 
 @allocating_kernel
