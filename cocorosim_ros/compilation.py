@@ -96,16 +96,23 @@ def stack_array(typing_context: Any, size: Any) -> Any:
 
 
 @intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def unset_stack_array(typing_context: Any, size: Any) -> Any:
+    """`stack_array(size)` without the zeros, which take their time: for what is written before it is read."""
+    array_type = types.Array(types.float64, 1, "C")
+    return array_type(size), _stack_space(array_type, size, cleared=False)
+
+
+@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
 def stack_like(typing_context: Any, array: Any, size: Any) -> Any:
     """`stack_array(size)` of the numbers that `array` has: floats or fours (see cocorosim_ros.four)."""
     array_type = types.Array(array.dtype, 1, "C", aligned=array.aligned)
     return array_type(array, size), _stack_space(array_type, size)
 
 
-def _stack_space(array_type: Any, size: Any) -> Callable[..., Any]:
+def _stack_space(array_type: Any, size: Any, cleared: bool = True) -> Callable[..., Any]:
     """What generates the working space of `stack_array`."""
     if not isinstance(size, types.IntegerLiteral):
-        raise numba.errors.TypingError("stack_array and stack_like need a number that is written out")
+        raise numba.errors.TypingError("stack_array and its like need a number that is written out")
     count = size.literal_value
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -113,7 +120,8 @@ def _stack_space(array_type: Any, size: Any) -> Callable[..., Any]:
         length = context.get_constant(types.intp, count)
         stride = context.get_constant(types.intp, context.get_abi_sizeof(word))
         space = cgutils.alloca_once(builder, word, size=count)
-        cgutils.memset(builder, space, context.get_constant(types.intp, count * context.get_abi_sizeof(word)), 0)
+        if cleared:
+            cgutils.memset(builder, space, context.get_constant(types.intp, count * context.get_abi_sizeof(word)), 0)
         array = context.make_array(array_type)(context, builder)
         populate_array(
             array,

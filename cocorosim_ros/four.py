@@ -188,6 +188,16 @@ def four(typing_context: Any, first: Any, second: Any, third: Any, fourth: Any) 
 
 
 @intrinsic  # type: ignore[untyped-decorator]
+def lanes(typing_context: Any, number: Any) -> Any:
+    """The four floats, as a tuple."""
+
+    def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
+        return context.make_tuple(builder, found.return_type, _parts(builder, arguments[0]))
+
+    return types.UniTuple(types.float64, LANES)(number), generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
 def in_fours(typing_context: Any, array: Any) -> Any:
     """The same memory as fours: of a contiguous float64 array (..., 4) the array (...) of its rows.
 

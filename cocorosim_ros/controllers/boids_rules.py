@@ -23,9 +23,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.compilation import kernel, stack_array
-from cocorosim_ros.controllers.medians import LANES, ROOM, insert_row, middle_row
+from cocorosim_ros.compilation import kernel, stack_array, unset_stack_array
+from cocorosim_ros.controllers.medians import ROOM, coordinate_median
 from cocorosim_ros.controllers.request import DIVE, DIVE_AT_SPEED, DIVE_MODE, HEADING, SPEED, TURN_GAIN
+from cocorosim_ros.four import LANES, four, in_fours
 from cocorosim_ros.signals.angles import sine_cosine, wrap_angle
 from cocorosim_ros.signals.observation import Observation
 from cocorosim_ros.signals.radio import HEARING_LIMIT, MESSAGE_LENGTH
@@ -83,13 +84,14 @@ def median_heard_velocity(messages: Floats, number: int, velocity: Floats) -> in
 
     `messages` (capacity, MESSAGE_SIZE), of which `number` were heard; what is no velocity does not count.
     """
-    columns, count = stack_array(ROOM).reshape(HEARING_LIMIT, LANES), 0
+    rows, count = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES), 0
+    fours = in_fours(rows)
     for index in range(number):
         said = messages[index]
+        fours[count] = four(said[1], said[2], said[3], 0.0)
         if said[MESSAGE_LENGTH] == 3.0 and math.isfinite(said[1] + said[2] + said[3]):
-            insert_row(columns, count, said[1:])
             count += 1
-    middle_row(columns, count, velocity)
+    coordinate_median(rows, count, velocity)
     return count
 
 

@@ -14,7 +14,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.compilation import kernel, stack_array
+from cocorosim_ros.compilation import kernel, stack_array, unset_stack_array
 from cocorosim_ros.controllers.boids_rules import (
     COHESION_LENGTH,
     COHESION_WEIGHT,
@@ -29,7 +29,8 @@ from cocorosim_ros.controllers.boids_rules import (
     weight_total,
 )
 from cocorosim_ros.controllers.controller import Controller
-from cocorosim_ros.controllers.medians import LANES, ROOM, coordinate_median
+from cocorosim_ros.controllers.medians import ROOM, coordinate_median
+from cocorosim_ros.four import LANES
 from cocorosim_ros.signals.observation import Observation
 from cocorosim_ros.signals.radio import HEARING_LIMIT
 
@@ -69,8 +70,8 @@ def decide(observation: Observation, sensor_axis: Floats, settings: Floats, requ
         return
     count = 0
     wish, velocity = stack_array(3), stack_array(3)
-    places = stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
-    velocities = stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
+    places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
+    velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
     for index in range(observation.neighbour_count):
         if is_in_view(observation.neighbour_offset[index], settings):
             for axis in range(3):

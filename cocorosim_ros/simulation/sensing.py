@@ -27,12 +27,13 @@ Integers = NDArray[np.int64]
 
 
 class Afloat(NamedTuple):
-    """All that a measurement depends on beside the state and the instruments."""
+    """All that a measurement depends on beside the state and the numbers of the instruments."""
 
     vehicles: Vehicles
     tank: Tank
     flow: Floats  # velocity of the water, see environment.flow
     neighbours: Neighbours
+    cones: Floats  # of the blue-light sensors, see sensors.cones
 
 
 @allocating_kernel
@@ -76,5 +77,5 @@ def _sense_all(
                 readings.velocity[run, robot, axis] = relative[axis] if known else math.nan
             nearby = neighbours.who[run, robot, : neighbours.near[run, robot]]
             seen = readings.neighbour_range[run, robot]
-            neighbour_ranges(state[run], robot, nearby, instruments, seen, nearest[run, robot])
+            neighbour_ranges(state[run], robot, nearby, afloat.cones, seen, nearest[run, robot])
             obstacle_ranges(row, robot, instruments, afloat.tank, readings.obstacle_range[run, robot])

@@ -9,6 +9,7 @@ from cocorosim_ros.controllers.conduct import blank_memory
 from cocorosim_ros.environment.neighbours import Neighbours, NeighbourSearch
 from cocorosim_ros.physics.motion import apply_commands, move
 from cocorosim_ros.sensors.chemical import measure_concentration
+from cocorosim_ros.sensors.cones import cones_of
 from cocorosim_ros.sensors.corruption import corrupted_channels
 from cocorosim_ros.sensors.effects import add_errors
 from cocorosim_ros.sensors.exact_neighbours import EXACT_RANGE, exact_neighbours
@@ -60,6 +61,7 @@ class Simulation:
         self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
         self.memory = blank_memory(runs, robots)
         self._search = NeighbourSearch(runs, robots, world.tank, world.reach)
+        self._cones = cones_of(world.instruments)
         self._neighbours: Neighbours | None = None  # of the present state, once somebody has looked
         self.command: Floats = np.zeros((runs, robots, self.actuators))
         self.said: Floats = np.zeros((runs, robots, MESSAGE_SIZE))
@@ -83,7 +85,7 @@ class Simulation:
         """Measure with all instruments; the arrays are those of the next call too."""
         world = self.world
         self._neighbours = self._search.find(self.state)
-        afloat = Afloat(self.water.vehicles, world.tank, world.water.flow, self._neighbours)
+        afloat = Afloat(self.water.vehicles, world.tank, world.water.flow, self._neighbours, self._cones)
         sense(self.state, self.time_ns * 1e-9, afloat, world.instruments, self.readings, self.nearest)
         if self._wants.illuminance.any():
             measure_light(self.state, world.lamps, self._wants.illuminance, self.readings.illuminance)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 7, 8, 64])
+@pytest.mark.parametrize("count", [*range(1, 15), 64])
 def test_coordinate_median_is_numpys(count: int) -> None:
     """Of random rows with equal numbers among them; the numbers of each coordinate are sorted on their own."""
     from cocorosim_ros.controllers.medians import LANES, coordinate_median
@@ -37,3 +39,15 @@ def test_velocities_alone_count() -> None:
     velocity = np.zeros(3)
     assert median_heard_velocity(messages, 5, velocity) == 3
     assert velocity.tolist() == [2.0, 4.0, 8.0]
+
+
+@pytest.mark.parametrize("count", range(1, 13))
+def test_what_is_compared_sorts_everything(count: int) -> None:
+    """Rows of zeros and ones in every order end up ascending, and so do then all rows (Knuth's theorem Z)."""
+    from cocorosim_ros.controllers.medians import comparisons
+
+    for row in itertools.product((0, 1), repeat=count):
+        found = list(row)
+        for one, other in comparisons(count):
+            found[one], found[other] = sorted((found[one], found[other]))
+        assert found == sorted(row)
