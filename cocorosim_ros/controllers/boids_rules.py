@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from cocorosim_ros.compilation import kernel, stack_array, unset_stack_array
 from cocorosim_ros.controllers.medians import ROOM, coordinate_median
 from cocorosim_ros.controllers.request import DIVE, DIVE_AT_SPEED, DIVE_MODE, HEADING, SPEED, TURN_GAIN
-from cocorosim_ros.four import LANES, four, in_fours
+from cocorosim_ros.four import LANES, chosen, four_at, in_fours
 from cocorosim_ros.signals.angles import sine_cosine, wrap_angle
 from cocorosim_ros.signals.observation import Observation
 from cocorosim_ros.signals.radio import HEARING_LIMIT, MESSAGE_LENGTH
@@ -61,18 +61,15 @@ def add_range_rules(observation: Observation, sensor_axis: Floats, settings: Flo
     axis. Cohesion is the sum of these offsets, separation the sum of (threshold - range) away from those nearer
     than the threshold.
     """
-    seen = 0
+    seen, looks_back = 0, settings[OBSERVE_BACKWARDS] != 0.0
     for sensor in range(sensor_axis.shape[0]):
         distance = observation.neighbour_range[sensor]
-        backwards = sensor_axis[sensor, 0] < -0.5
-        if not math.isfinite(distance) or (backwards and settings[OBSERVE_BACKWARDS] == 0.0):
-            continue
-        seen += 1
-        pull = 0.0
-        if distance < settings[NEIGHBOUR_TRUST]:
-            pull += settings[COHESION_WEIGHT] * distance
-        if distance < settings[SEPARATION_THRESHOLD]:
-            pull -= settings[SEPARATION_WEIGHT] * (settings[SEPARATION_THRESHOLD] - distance)
+        # No branch on who is seen, of which a processor would guess every other one wrong: nobody pulls with zero.
+        counts = math.isfinite(distance) & (looks_back | (sensor_axis[sensor, 0] >= -0.5))
+        apart = settings[SEPARATION_WEIGHT] * (settings[SEPARATION_THRESHOLD] - distance)
+        pull = chosen(counts & (distance < settings[NEIGHBOUR_TRUST]), settings[COHESION_WEIGHT] * distance, 0.0)
+        pull -= chosen(counts & (distance < settings[SEPARATION_THRESHOLD]), apart, 0.0)
+        seen += int(counts)
         for axis in range(3):
             wish[axis] += pull / settings[COHESION_LENGTH] * sensor_axis[sensor, axis]
     return seen
@@ -88,7 +85,7 @@ def median_heard_velocity(messages: Floats, number: int, velocity: Floats) -> in
     fours = in_fours(rows)
     for index in range(number):
         said = messages[index]
-        fours[count] = four(said[1], said[2], said[3], 0.0)
+        fours[count] = four_at(said, 1)
         if said[MESSAGE_LENGTH] == 3.0 and math.isfinite(said[1] + said[2] + said[3]):
             count += 1
     coordinate_median(rows, count, velocity)

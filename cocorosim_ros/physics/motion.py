@@ -27,7 +27,7 @@ from cocorosim_ros.physics.packing import (
     rows_to_lanes,
 )
 from cocorosim_ros.physics.surroundings import look_around
-from cocorosim_ros.physics.vehicles import BASIC_COLUMNS, Surroundings, Vehicles, body_of
+from cocorosim_ros.physics.vehicles import BASIC_COLUMNS, Surroundings, Vehicles, as_runs, body_of
 from cocorosim_ros.signals.state import STATE_SIZE
 
 Floats = NDArray[np.float64]
@@ -100,11 +100,15 @@ def _move_all(
     space: Space,
 ) -> None:
     tank, surroundings = place
-    for run in range(state.shape[0]):
-        for first in range(0, state.shape[1], SIDE_BY_SIDE):
-            rows = state[run, first : min(first + SIDE_BY_SIDE, state.shape[1])]
-            columns = columns_in_use(vehicles, run, first, rows)
-            group = Group(vehicles, surroundings, run, first, columns)
+    runs, robots = state.shape[0], state.shape[1]
+    if surroundings.neighbours.shape[1] == 0:
+        # Nobody looks at others, so that robots of different runs can fill a group as if they were of one run.
+        runs, robots = 1, runs * robots
+    swarms, members = state.reshape(runs, robots, state.shape[2]), as_runs(vehicles, runs, robots)
+    for run in range(runs):
+        for first in range(0, robots, SIDE_BY_SIDE):
+            rows = swarms[run, first : min(first + SIDE_BY_SIDE, robots)]
+            group = Group(members, surroundings, run, first, columns_in_use(members, run, first, rows))
             if is_simple(group, rows.shape[0]):
                 _move_simple_group(rows, group, tank, stepping, time, space)
             else:

@@ -111,3 +111,16 @@ def body_of(vehicles: Vehicles, surroundings: Surroundings, run: int, robot: int
         surroundings.neighbours[run if looking else 0],
         robot if looking else -1,
     )
+
+
+@kernel
+def as_runs(vehicles: Vehicles, runs: int, robots: int) -> Vehicles:
+    """The same robots as so many runs of so many; the arrays, which have to be contiguous, are views."""
+    actuators = vehicles.actuator_wrench.shape[2]
+    return Vehicles(
+        vehicles.parameters.reshape(runs, robots, vehicles.parameters.shape[2]),
+        vehicles.active.reshape(runs, robots),
+        vehicles.actuator_wrench.reshape(runs, robots, actuators, vehicles.actuator_wrench.shape[3]),
+        vehicles.actuator_limit.reshape(runs, robots, actuators, vehicles.actuator_limit.shape[3]),
+        vehicles.is_pump.reshape(runs, robots, actuators),
+    )

@@ -1,8 +1,9 @@
 """EFFECTS: the list of our physics beside inertia and actuators. The order is the order of summation.
 
-BASIC_EFFECTS are what every simulation of a robot has. CATALOGUE_EFFECTS, each off unless a platform asks for it, are
-what real robots have beyond that, by the identifiers of the catalogue (but for the eddy, which a diagnosis reports as a
-law outside it); LAWS are places for laws that no catalogue has.
+BASIC_EFFECTS are what every simulation of a robot has; their texts are compiled for four robots at once too, and keep
+to what `cocorosim_ros.four` allows. CATALOGUE_EFFECTS, each off unless a platform asks for it, are what real robots
+have beyond that, by the identifiers of the catalogue (but for the eddy, which a diagnosis reports as a law outside it);
+LAWS are places for laws that no catalogue has.
 """
 
 from __future__ import annotations
