@@ -85,6 +85,7 @@ class HeldOut:
     noise_floor: float
     unit: str
     intervals: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # 95 %, of nominal, recalibrated, ...
+    seconds: float | None = None  # that a free run lasts; streams have none
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,8 @@
 """Free runs through the last part of each recording, by models fitted to the first part alone.
 
-Every run starts where the smoother saw the robot, with no random force, and heeds no reading for WINDOW seconds. The
-floor is what the random force of the water and the error of the readings alone would make of it.
+Every run starts where the smoother saw the robot, with no random force, and heeds no reading for as long as a vehicle
+of its agility can be foretold. The floor is what the random force of the water and the error of the readings alone
+would make of it.
 """
 
 from __future__ import annotations
@@ -18,11 +19,12 @@ from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, with_noise
 from cocorosim_ros.diagnosis.held_out_streams import held_out_streams
 from cocorosim_ros.diagnosis.track import Smoothed, Track
-from cocorosim_ros.signals.state import YAW, X, Y, Z
+from cocorosim_ros.signals.state import YAW, YAW_RATE, X, Y, Z
 
 Floats = NDArray[np.float64]
 SEEN = 0.6  # of each recording is fitted
-WINDOW = 20.0  # s
+WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
+MOST_TURNED = 30.0  # rad in a window, at the usual turn rate: after five turns a heading is anybody's guess
 CHANNELS = {"position": "m", "heading": "rad", "depth": "m"}
 MODELS = ("nominal", "recalibrated", "augmented")
 FEWEST_POINTS = 10  # of a window
@@ -44,14 +46,22 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
     best = final.filled
     windows: list[Window] = []
     courses = [track.smoothed(row) for track, row in zip(base.tracks, best, strict=True)]
+    seconds = window_length(courses)
     for number, (track, course) in enumerate(zip(base.tracks, courses, strict=True)):
         rows = {"nominal": nominal_rows[number], **{name: fit.filled[number] for name, fit in fits.items()}}
-        windows += _windows(track, course, rows)
+        windows += _windows(track, course, rows, seconds)
     if not windows:
         return {}, ()
     models = {"nominal": nominal_rows, **{name: fit.filled for name, fit in fits.items()}}
-    streams = held_out_streams(base.tracks, courses, models, (SEEN, WINDOW))
-    return {**_table(windows, base.tracks), **streams}, tuple(part.run for part in windows)
+    streams = held_out_streams(base.tracks, courses, models, (SEEN, seconds))
+    return {**_table(windows, base.tracks, seconds), **streams}, tuple(part.run for part in windows)
+
+
+def window_length(courses: Sequence[Smoothed]) -> float:
+    """The longest of WINDOWS [s] in which these robots turn by no more than MOST_TURNED."""
+    turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
+    rate = float(np.sqrt(np.mean(turned**2)))
+    return next((seconds for seconds in WINDOWS if seconds * rate <= MOST_TURNED), WINDOWS[-1])
 
 
 def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
@@ -60,9 +70,9 @@ def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
     return improved(with_noise(improved(start, 2), 1, WATER_NOISE), 3)
 
 
-def _windows(track: Track, course: Smoothed, rows: dict[str, Floats]) -> list[Window]:
+def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
     first = round(SEEN * track.readings.points)
-    length = min(round(WINDOW / track.readings.step), (track.readings.points - first - 1) // 2)
+    length = min(round(seconds / track.readings.step), (track.readings.points - first - 1) // 2)
     if length < FEWEST_POINTS:
         return []
     found = []
@@ -94,7 +104,7 @@ def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int)
     return _squared(free, pushed)
 
 
-def _table(windows: Sequence[Window], tracks: Sequence[Track]) -> dict[str, HeldOut]:
+def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -> dict[str, HeldOut]:
     shown = {
         "position": any(track.sees("pose_x") for track in tracks),
         "heading": any(track.sees("pose_yaw", "compass") for track in tracks),
@@ -112,5 +122,5 @@ def _table(windows: Sequence[Window], tracks: Sequence[Track]) -> dict[str, Held
         draws = drawn(rng, len(windows))
         intervals = {name: interval_of_root(values, draws) for name, values in means.items()}
         values = {name: float(np.sqrt(part.mean())) for name, part in means.items()}
-        table[channel] = HeldOut(**values, unit=unit, intervals=intervals)
+        table[channel] = HeldOut(**values, unit=unit, intervals=intervals, seconds=seconds)
     return table

@@ -79,6 +79,7 @@ def _held_out(found: HeldOut) -> dict[str, Any]:
         "augmented": _finite(found.augmented),
         "noise_floor": _finite(found.noise_floor),
         "unit": found.unit,
+        **({} if found.seconds is None else {"seconds": found.seconds}),
     }
 
 

@@ -153,6 +153,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
         "fit": [
             {"channel": CHANNELS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
         ],
+        "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
         "parameters": [_parameter(each) for each in parameters],
         "shifts": shifts(parameters),

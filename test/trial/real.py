@@ -53,7 +53,8 @@ def held_out(pair: tuple[Group, Group], out: Path) -> list[str]:
     for channel, scores in tables[0].items():
         inside = " | ".join(_number(scores.get(key)) for key in ("nominal", "recalibrated", "augmented", "noise_floor"))
         before, after = (tables[k].get(channel, {}).get("nominal") for k in (1, 2))
-        name = f"{pair[0].name} | {channel} [{scores.get('unit', '')}]"
+        lasts = f" after up to {scores['seconds']:g} s" if "seconds" in scores else ""
+        name = f"{pair[0].name} | {channel} [{scores.get('unit', '')}]{lasts}"
         lines.append(f"| {name} | {inside} | {_number(before)} | {_number(after)} |")
     return lines
 
