@@ -28,6 +28,7 @@ from cocorosim_ros.diagnosis.leaps import leapt
 from cocorosim_ros.diagnosis.surroundings import introduce
 from cocorosim_ros.diagnosis.track import Track
 from cocorosim_ros.diagnosis.unknowns import Unknown
+from cocorosim_ros.diagnosis.vehicle_size import ARM, full_forces
 from cocorosim_ros.evidence.log import Evidence, RobotLog
 from cocorosim_ros.scenario.ranges import Ranges
 
@@ -99,11 +100,10 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
         row[PHYSICS] = track.platform_row
         for known, value in track.known.items():
             row[COLUMN[known]] = value
-        force = track.force_scale
-        across = max(force[0], force[1], 1e-6)
-        row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * across)
-        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * max(force[2] * 0.1, across))
-        row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(force[3], 0.02 * across))
+        full = full_forces(track)
+        row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * full.across)
+        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * max(0.1 * full.heave, full.across))
+        row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(full.yaw, ARM * full.across))
         row[COLUMN["random.correlation"]] = math.log(FIRST_CORRELATION)
         row[COLUMN["random.smoothness"]] = math.log(FIRST_SMOOTHNESS)
         for name, kinds in KINDS_OF_STREAM.items():

@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.fit import Fit
 from cocorosim_ros.diagnosis.surroundings import FAR
 from cocorosim_ros.diagnosis.track import Smoothed, Track
 from cocorosim_ros.diagnosis.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.vehicle_size import full_forces
 
 Floats = NDArray[np.float64]
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
@@ -97,12 +98,13 @@ def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
     """Root mean squares of the regressors, and full forces by equation."""
     rms = np.sqrt(np.mean(seen**2, axis=0))
     force = np.maximum(track.force_scale, 1e-9)
-    across = float(max(force[0], force[1]))
+    full = full_forces(track)
     return {
         **dict(zip(("x", "y", "z", "yaw", "u", "v", "w", "r"), np.maximum(rms[:8], 1e-6).tolist(), strict=True)),
-        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)), "thrust": 0.5 * across,
-        "yaw_command": 0.3 * float(force[3]), "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
+        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)),
+        "thrust": 0.5 * float(max(force[0], force[1])), "yaw_command": 0.3 * float(force[3]),
+        "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
         "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
         "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
-        "surge_force": across, "heave_force": float(max(0.1 * force[2], across)), "yaw_force": float(force[3]),
+        "surge_force": full.across, "heave_force": max(0.1 * full.heave, full.across), "yaw_force": full.yaw,
     }  # fmt: skip

@@ -4,19 +4,36 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.track import Track
 from cocorosim_ros.physics.vehicles import MASS, PARAMETER_COLUMNS, YAW_INERTIA
 
 # The Lily that the sizes of the catalogue belong to: N, N m, kg, kg m^2, m/s, rad/s.
 LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48}
+ACROSS = 0.1  # of the full force in heave
+ARM = 0.02  # m, of the full force across
+
+
+class FullForces(NamedTuple):
+    """What is strong for a vehicle across [N], in heave [N] and yaw [N m]: its actuators at their limits."""
+
+    across: float
+    heave: float
+    yaw: float
+
+
+def full_forces(track: Track) -> FullForces:
+    """Where no actuator acts, what the others let expect: a vehicle that cannot turn itself is turned all the same."""
+    surge, sway, heave, yaw = track.force_scale.tolist()
+    across = max(surge, sway) or ACROSS * heave or LILY["force"]
+    return FullForces(across, heave, yaw or ARM * across)
 
 
 def sizes(track: Track) -> Mapping[str, float]:
     """By unit of an amplitude: the factor that makes what is large for a Lily large for this vehicle."""
     row = track.platform_row
-    force = float(max(track.force_scale[0], track.force_scale[1])) or 0.1 * float(track.force_scale[2])
-    moment = float(track.force_scale[3]) or 0.02 * force
+    force, _, moment = full_forces(track)
     drag, yaw_drag = float(row[PARAMETER_COLUMNS["drag"]]), float(row[PARAMETER_COLUMNS["yaw_drag"]])
     size = {
         "force": force,

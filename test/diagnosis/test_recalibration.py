@@ -87,3 +87,19 @@ def test_the_same_water_may_move_one_robot_more(swim: Swim) -> None:
     for column in ("random.force", "random.heave_force", "random.moment"):
         quiet, loud = found[column]
         assert loud / quiet == pytest.approx(4.0, rel=0.35)
+
+
+def test_a_vehicle_without_yaw_control_is_turned_by_water(swim: Swim) -> None:
+    """Its heading wanders by far more than its compass errs: a random moment, not a compass at a loss."""
+    lily = load_platform("lily")
+    pump = tuple(part for part in lily.actuators if part.name == "pump")
+    evidence = swim(lily, 60.0, seed=5)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    only_pump = replace(log, command=np.ascontiguousarray(log.command[:, 2:]))
+    adrift = replace(
+        evidence, platform=replace(lily, actuators=pump), recordings=(replace(recording, robots=(only_pump,)),)
+    )
+    found = noise_of(recalibration.base_fit(adrift))
+    assert found["reading.compass"] == [pytest.approx(0.02, rel=0.3)]
+    assert found["reading.pose_yaw"] == [pytest.approx(0.01, rel=0.3)]
