@@ -193,6 +193,18 @@ def test_what_was_not_observed_is_not_drawn(example: Example) -> None:
     assert not any("error of position" in label for label in labels)
 
 
+@pytest.mark.parametrize(("recordings", "second"), [(5, "lily_01 in bags/2"), (7, "lily_01, 2 of its 5 recordings")])
+def test_recordings_of_one_robot_are_told_apart(example: Example, recordings: int, second: str) -> None:
+    """Its pictures carry the names of the recordings, or a number where some had no use; no robot is made up."""
+    residuals = example("mismatch").residual_before * 5
+    found = replace(example("mismatch"), residual_before=residuals, residual_after=())
+    names = tuple(f"bags/{number}" for number in range(1, recordings + 1))
+    text = render_report(found, Origin(load_platform("lily"), names, ("lily_01",), 600.0))
+    titles = re.findall("<h3>(lily_01.*?)</h3>", text)
+    assert titles[1] == second and len(set(titles)) == 3
+    assert "about 2 more recordings too" in text and "more robots" not in text
+
+
 def test_stretches_are_of_as_many_robots_as_possible(example: Example) -> None:
     """Five stretches of the first robot do not crowd out the other two."""
     run = example("mismatch").free_runs[0]
