@@ -29,6 +29,7 @@ from cocorosim_ros.reporting.regressors import EQUATIONS, law_of, residual_of
 from cocorosim_ros.reporting.residual_figures import Pair, against_regressor, by_conditions, over_time, pairs_of
 from cocorosim_ros.reporting.words import (
     CHANNELS,
+    NOISES,
     READING_WORDS,
     TIERS,
     VERDICTS,
@@ -178,7 +179,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
         "parameters": [_parameter(each) for each in parameters],
         "shifts": shifts(parameters),
-        "noise": [(name, estimate_words(each)) for name, each in diagnosis.noise.items()],
+        "noise": [(NOISES.get(name, name), estimate_words(each)) for name, each in diagnosis.noise.items()],
     }
 
 
