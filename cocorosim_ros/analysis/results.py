@@ -105,10 +105,15 @@ def load_all(folders: Sequence[Path]) -> list[Results]:
     return found
 
 
-def load_results(folder: Path) -> Results:
-    """The results of an experiment, finished or not. Raises CocorosimError if the folder holds none."""
+def check_folder(folder: Path) -> None:
+    """Nothing, if the folder holds an experiment. Raises CocorosimError otherwise."""
     if not (folder / DESIGN).is_file():
         raise CocorosimError(f"{folder} holds no experiment; give a folder that 'cocorosim experiment --out' has made.")
+
+
+def load_results(folder: Path) -> Results:
+    """The results of an experiment, finished or not. Raises CocorosimError if the folder holds none."""
+    check_folder(folder)
     results = Results(read_note(folder), read_folder(folder))
     _check_metrics(results.about["metrics"], folder)
     if results.table.num_rows == 0:

@@ -11,11 +11,20 @@ from typing import Any
 
 import click
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TaskID,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
 
 from cocorosim_ros.errors import CocorosimError
 
 INTERRUPTED = 130
+_SPEED_OVER = 3600.0  # s; rich's own 30 s hold no two chunks of a long design, and without two it knows no time left
 Going = Callable[[], bool]
 Calculate = Callable[[list[Any], Going], Generator[Any, None, None]]
 # Workers and OpenBLAS would fight for the same processors.
@@ -67,8 +76,22 @@ def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:
         return INTERRUPTED
     table = store.complete()
     console.print(f"{store.results}: {table.num_rows} rows, {time.monotonic() - began:.1f} s")
+    _say_what_ran_away(table, design, console)
     console.print(f"cocorosim report {options['out']}   shows them")
     return 0
+
+
+def _say_what_ran_away(table: Any, design: Any, console: Console) -> None:
+    from cocorosim_ros.commands.terminal import say
+
+    made = list(zip(*(table[column].to_pylist() for column in ("group", "numerics", "ticks")), strict=True))
+    for cell in design.cells:
+        ticks = [ticks for group, numerics, ticks in made if (group, numerics) == (cell.group, cell.numerics)]
+        away = sum(count < cell.scenario.ticks for count in ticks)
+        if away:
+            told = f"{away} of {len(ticks)} runs of the group '{cell.group}', {cell.numerics} numerics, ran away"
+            why = "forces or currents are too strong for the integrator's step. Their rows have no values"
+            say(console, f"{told}: {why}; a shorter step in that group's change would keep them.", "yellow")
 
 
 def _add_missing(store: Any, design: Any, calculate: Calculate, console: Console) -> int:
@@ -80,8 +103,8 @@ def _add_missing(store: Any, design: Any, calculate: Calculate, console: Console
     missing = sum(chunk.count for chunk in left)
     if missing < design.runs:
         console.print(f"{design.runs - missing} of {design.runs} runs are there already")
-    with Interruption() as interruption, _bar(console) as bar:
-        task = bar.add_task(design.name, total=design.runs, completed=design.runs - missing)
+    bar, task = new_bar(console, design.name, design.runs, design.runs - missing)
+    with Interruption() as interruption, bar:
         with closing(calculate(left, lambda: not interruption.happened)) as tables:
             for rows in tables:
                 store.add(rows)
@@ -111,8 +134,11 @@ def _calculated_here(left: list[Any], asked: int | None, going: Going) -> Genera
     return execution.run_in_processes(left, workers, going)
 
 
-def _bar(console: Console) -> Progress:
-    return Progress(
+def new_bar(
+    console: Console, name: str, runs: int, done: int, clock: Callable[[], float] | None = None
+) -> tuple[Progress, TaskID]:
+    """A bar with the time left, `done` of so many `runs` behind it, and its task; `clock` [s] is the system's own."""
+    bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
@@ -122,7 +148,12 @@ def _bar(console: Console) -> Progress:
         console=console,
         transient=not console.is_terminal,
         disable=not console.is_terminal,
+        speed_estimate_period=_SPEED_OVER,
+        get_time=clock,
     )
+    task = bar.add_task(name, total=runs, completed=done)
+    bar.advance(task, 0)  # the speed counts from here, not from the first chunk that is finished
+    return bar, task
 
 
 def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:

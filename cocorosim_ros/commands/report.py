@@ -19,8 +19,9 @@ from cocorosim_ros.output_file import check_file
 def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, force: bool) -> None:
     """Write one self-contained HTML page about RESULTS, folders that `cocorosim experiment` has made."""
     from cocorosim_ros.analysis.report import render_report
-    from cocorosim_ros.analysis.results import load_all
+    from cocorosim_ros.analysis.results import check_folder, load_all
 
+    check_folder(results[0])  # before the page, which lies there: it would be said to lie in no folder
     page = out or results[0] / "report.html"
     for path in (page, summary):
         check_file(path, force=force)

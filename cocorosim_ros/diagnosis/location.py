@@ -20,6 +20,8 @@ from cocorosim_ros.physics.effects import LAWS
 Floats = NDArray[np.float64]
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
 MOST = 6
+CONCENTRATED = 0.7  # of the evidence, for a regime to be told
+EVERYWHERE = 0.9  # of the moments: a regime that holds them is none
 
 
 def locate(
@@ -66,7 +68,7 @@ def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
         strongest = int(np.abs(part.z).argmax())
         amplitude = entry.amplitudes[strongest % len(entry.amplitudes)]
         size, unit = float(abs(part.q[strongest])) * part.candidate.large(amplitude), amplitude.unit
-    words = _where(fit, part, time, gained, courses)
+    words = _where(part, time, gained, courses)
     return Located(
         part.candidate.robots, equation, regressor, words, (first, last), size, unit, float(np.abs(part.z).max())
     )
@@ -98,7 +100,7 @@ def _window(time: Floats, gained: Floats) -> tuple[float, float]:
     return float(bins[first]), float(bins[min(last + 1, 30)])
 
 
-def _where(fit: Fit, part: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
+def _where(part: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
     """In words: in which regime the gain is at home more than time is."""
     course = courses[part.candidate.everybody[0]]
     index = np.clip(np.searchsorted(course.time, time), 0, len(course.time) - 1)
@@ -119,6 +121,10 @@ def _where(fit: Fit, part: Screened, time: Floats, gained: Floats, courses: Sequ
     total = float(gained.sum())
     if total <= 0.0:
         return "throughout"
-    shares = {words: float(gained[chosen].sum()) / total for words, chosen in regimes.items()}
-    words, share = max(shares.items(), key=lambda entry: entry[1])
-    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > 0.7 else "throughout"
+    shares = {
+        words: float(gained[chosen].sum()) / total
+        for words, chosen in regimes.items()
+        if chosen.mean() < EVERYWHERE  # as where a vehicle has one depth alone
+    }
+    words, share = max(shares.items(), key=lambda entry: entry[1], default=("", 0.0))
+    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > CONCENTRATED else "throughout"

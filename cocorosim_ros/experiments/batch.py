@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.metrics import METRICS
 from cocorosim_ros.metrics.kernel import measure_tick
 from cocorosim_ros.metrics.memory import new_memory
@@ -36,8 +38,40 @@ def runs_that_fit(scenario: Scenario) -> int:
     return max(1, int(most))
 
 
+class RanAwayError(CocorosimError):
+    """The motion of a robot in one of these runs ran away."""
+
+    def __init__(self, sentence: str, ticks: int) -> None:
+        """`ticks`: how many the runs had made until then."""
+        super().__init__(sentence)
+        self.ticks = ticks
+
+
+def run_each(scenario: Scenario, first: int, count: int) -> tuple[Summary, NDArray[np.int64]]:
+    """Summaries of the runs `first` to `first + count - 1`, and how many ticks (runs,) each has made.
+
+    One whose motion runs away has NaN for every number and makes fewer ticks than the scenario has; the others are
+    what they would be without it.
+    """
+    try:
+        return run_batch(scenario, first, count), np.full(count, scenario.ticks)
+    except RanAwayError as error:
+        if count == 1:
+            nothing = np.full((1, len(METRICS)), np.nan)
+            return Summary(nothing, nothing, nothing, np.zeros((1, len(METRICS)), np.int64)), np.array([error.ticks])
+    half = count // 2
+    return _joined(run_each(scenario, first, half), run_each(scenario, first + half, count - half))
+
+
+def _joined(
+    before: tuple[Summary, NDArray[np.int64]], after: tuple[Summary, NDArray[np.int64]]
+) -> tuple[Summary, NDArray[np.int64]]:
+    parts = (np.concatenate([getattr(before[0], part.name), getattr(after[0], part.name)]) for part in fields(Summary))
+    return Summary(*parts), np.concatenate([before[1], after[1]])
+
+
 def run_batch(scenario: Scenario, first: int, count: int) -> Summary:
-    """Summaries of the runs `first` to `first + count - 1` of a scenario."""
+    """Summaries of the runs `first` to `first + count - 1` of a scenario. Raises RanAwayError if one runs away."""
     starts = np.stack([start_poses(scenario, run) for run in range(first, first + count)])
     simulation = Simulation(build_world(scenario, count, first), starts)
     values = np.empty((scenario.ticks, count, len(METRICS)))
@@ -46,8 +80,15 @@ def run_batch(scenario: Scenario, first: int, count: int) -> Summary:
         simulation.sense()
         simulation.decide()
         observer.measure(simulation.state, values[tick])
-        simulation.advance()
+        _advance(simulation, tick)
     return summarise(values)
+
+
+def _advance(simulation: Simulation, tick: int) -> None:
+    try:
+        simulation.advance()
+    except CocorosimError as error:
+        raise RanAwayError(str(error), tick) from error
 
 
 class _Observer:

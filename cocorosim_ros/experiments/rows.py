@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import pyarrow as pa
 
-from cocorosim_ros.experiments.batch import run_batch, runs_that_fit
+from cocorosim_ros.experiments.batch import run_each, runs_that_fit
 from cocorosim_ros.experiments.code_version import version
 from cocorosim_ros.experiments.design import Design
 from cocorosim_ros.metrics import METRICS
@@ -63,17 +63,20 @@ def stretches(numbers: Sequence[int], most: int) -> Iterator[tuple[int, int]]:
 
 
 def run_chunk(chunk: Chunk) -> pa.Table:
-    """The rows of a chunk; the wall time of a batch is shared evenly by its runs."""
+    """The rows of a chunk; the wall time of a batch is shared evenly by its runs.
+
+    The row of a run that ran away has no values, and the ticks that it made.
+    """
     began = time.perf_counter()
     scenario = parse_scenario(chunk.scenario, f"group '{chunk.group}' in numerics '{chunk.numerics}'")
-    summary = run_batch(scenario, chunk.first, chunk.count)
+    summary, ticks = run_each(scenario, chunk.first, chunk.count)
     parts = dict(zip(STATISTICS, (summary.value, summary.mean, summary.median), strict=True))
     columns = {
         "numerics": [chunk.numerics] * chunk.count,
         "group": [chunk.group] * chunk.count,
         "replicate": np.arange(chunk.first, chunk.first + chunk.count),
         "seed": np.full(chunk.count, scenario.seed),
-        "ticks": np.full(chunk.count, scenario.ticks),
+        "ticks": ticks,
         **{
             f"{name}{statistic}": values[:, column]
             for column, name in enumerate(METRICS)

@@ -52,6 +52,16 @@ def test_a_place_for_the_page_is_looked_for_first(cocorosim: Run, tmp_path: Path
     assert not (tmp_path / "runs").exists()
 
 
+@pytest.mark.parametrize("made", [False, True])
+def test_a_report_of_no_experiment(cocorosim: Run, tmp_path: Path, made: bool) -> None:
+    """It is the folder of results that is wrong, not the place of the page in it."""
+    folder = tmp_path / "results"
+    if made:
+        folder.mkdir()
+    ended = cocorosim("report", folder)
+    assert ended.status == 2 and f"{folder} holds no experiment" in ended.err
+
+
 def test_a_folder_that_is_not_mine(cocorosim: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A place where nothing may be written is said before anything is run."""
     monkeypatch.setattr("os.access", lambda *_: False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from cocorosim_ros.errors import CocorosimError
@@ -32,8 +33,6 @@ def scenario() -> Any:
 
 def simulation(first_run: int = 0, runs: int = 1) -> Any:
     """So many runs of them."""
-    import numpy as np
-
     from cocorosim_ros.scenario.seeding import start_poses
     from cocorosim_ros.simulation.assembly import build_world
     from cocorosim_ros.simulation.simulation import Simulation
@@ -71,3 +70,5 @@ def test_a_batch_has_no_row_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Simulation, "decide", lambda self: self.state.__setitem__((0, 0, X), math.nan))
     with pytest.raises(CocorosimError, match=r"'lily_01' ran away at 0\.5 s"):
         batch.run_batch(scenario(), 0, 1)
+    summary, ticks = batch.run_each(scenario(), 0, 1)
+    assert np.isnan([summary.value, summary.mean, summary.median]).all() and list(ticks) == [0]
