@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from cocorosim_ros.scenario.platform import Platform
 
 ShowProgress = Callable[[str, float], None]
+_MOST_REMARKS = 8
 
 
 @click.command("diagnose", short_help="where a recording and the model disagree, and why")
@@ -51,6 +52,7 @@ def command(bags: tuple[Path, ...], platform_name: str, out: Path, known: str | 
         write_folder(out, texts)
     say(console, diagnosis.sentence, "bold")
     show_table(console, terminal_tables(diagnosis))
+    _show_remarks(console, diagnosis)
     say(console, f"{out}: {', '.join(reversed(texts))}")
 
 
@@ -70,6 +72,17 @@ def _diagnose(evidence: Evidence, show: ShowProgress) -> Diagnosis:
     from cocorosim_ros.diagnosis.diagnose import diagnose
 
     return diagnose(evidence, show)
+
+
+def _show_remarks(console: Console, diagnosis: Diagnosis) -> None:
+    """What was odd about the recordings; what there is no room for stands in the report."""
+    from cocorosim_ros.evidence.cleaning import is_noteworthy
+
+    odd = [remark for remark in diagnosis.remarks if is_noteworthy(remark)]
+    for remark in odd[:_MOST_REMARKS]:
+        say(console, remark, "yellow")
+    if odd[_MOST_REMARKS:]:
+        say(console, f"{len(odd) - _MOST_REMARKS} more remarks are in report.html.", "yellow")
 
 
 def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:

@@ -64,8 +64,8 @@ def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> s
     if not streams:
         found = ", ".join(f"{len(stream.time)} of {topic}" for topic, stream in robot.streams.items()) or "none"
         return (
-            f"{place} has too few readings ({found}) of pose, compass, pressure, imu or velocity; {FEWEST} of one of "
-            "them are the least that shows how it moves."
+            f"{place} has too few readings in {recording.duration:.1f} s ({found}) of pose, compass, pressure, imu or "
+            f"velocity; {FEWEST} of one of them are the least that shows how it moves."
         )
     common = common_time(robot)
     if common < SHORTEST:
@@ -81,7 +81,7 @@ def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> s
         )
     if not any(_moves(topic, stream) for topic, stream in streams.items()):
         shown = ", ".join(sorted(streams))
-        return f"{place} never moves: {shown} show nothing beyond their noise; check that these are its readings."
+        return f"{place} never moves: there is nothing but noise in {shown}; check that these are its readings."
     return ""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -13,6 +14,7 @@ from cocorosim_ros.messages.stamps import NANOSECONDS
 
 GAP_INTERVALS, GAP_SECONDS = 5.0, 1.0  # a gap is longer than so many usual intervals and than this
 JITTER = 0.2  # of the usual interval, from which it is said
+_EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
 
 
 @dataclass(frozen=True)
@@ -105,3 +107,8 @@ def timing_sentence(name: str, time: Floats) -> str:
         times = "1 gap" if len(gaps) == 1 else f"{len(gaps)} gaps, the longest"
         parts.append(f"{times} from {longest[0]:.1f} to {longest[1]:.1f} s")
     return f"{name}: {', '.join(parts)}."
+
+
+def is_noteworthy(remark: str) -> bool:
+    """Whether a remark says more than how often a topic was recorded, evenly and without gaps."""
+    return _EVEN.search(remark) is None

@@ -10,7 +10,7 @@ from cocorosim_ros.evidence.bursts import as_taken
 from cocorosim_ros.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.evidence.clocks import clock_skews, on_one_clock, skew_sentence
 from cocorosim_ros.evidence.identities import with_true_identities
-from cocorosim_ros.evidence.log import STREAMS, Evidence, Recording
+from cocorosim_ros.evidence.log import STREAMS, Evidence, Recording, told_apart
 from cocorosim_ros.evidence.robot_logs import robot_log, seconds
 from cocorosim_ros.evidence.topic_rows import COMMAND, read_topic_rows
 from cocorosim_ros.messages.stamps import NANOSECONDS
@@ -23,9 +23,9 @@ def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
 
     Raises CocorosimError where a file cannot be used: it is no recording, holds no topic of any robot, or commands
     only actuators that the platform does not have. Where a usable file merely says too little, nothing is raised:
-    see `reasons_to_abstain`.
+    see `reasons_to_abstain`. Of several recordings every remark names its own.
     """
-    return Evidence(platform, tuple(gather_recording(Path(bag), platform) for bag in bags))
+    return Evidence(platform, told_apart([gather_recording(Path(bag), platform) for bag in bags]))
 
 
 def gather_recording(path: Path, platform: Platform) -> Recording:
@@ -63,6 +63,11 @@ def gather_recording(path: Path, platform: Platform) -> Recording:
 
 
 def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:
+    if bag.summary.damage:
+        return CocorosimError(
+            f"{path} holds no reading and no command of any robot, because {bag.summary.damage.rstrip('.')}; record "
+            "again or give another recording."
+        )
     found = ", ".join(topic.topic for topic in bag.summary.topics if topic.count) or "none"
     return CocorosimError(
         f"{path} has no message of a robot's {', '.join([*STREAMS, COMMAND])}, and its topics are: {found}; "

@@ -9,7 +9,7 @@ from cocorosim_ros.evidence.abstention import reasons_to_abstain, without_unusab
 from cocorosim_ros.evidence.consistency import speed_sentence
 from cocorosim_ros.evidence.frames.suspect import suspect_frames
 from cocorosim_ros.evidence.frames.suspicion import FrameSuspicion, corrected
-from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog
+from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog, told_apart
 from cocorosim_ros.scenario.platform import Platform
 
 
@@ -52,7 +52,7 @@ def take_in(evidence: Evidence) -> Intake:
         if len(places) > 1:
             found += _put_right(recordings, places, name, evidence.platform)
     recordings = [_with_speeds(recording, evidence.platform) for recording in recordings]
-    return Intake(replace(evidence, recordings=tuple(recordings)), _together(found), ())
+    return Intake(replace(evidence, recordings=told_apart(recordings)), _together(found), ())
 
 
 def _with_speeds(recording: Recording, platform: Platform) -> Recording:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,3 +71,16 @@ class Evidence:
 
     platform: Platform
     recordings: tuple[Recording, ...]
+
+
+def told_apart(recordings: Sequence[Recording]) -> tuple[Recording, ...]:
+    """The recordings; where there are several, every remark begins with the one that it is about."""
+    if len(recordings) < 2:
+        return tuple(recordings)
+    return tuple(replace(each, remarks=tuple(_with_origin(each, remark) for remark in each.remarks))
+                 for each in recordings)  # fmt: skip
+
+
+def _with_origin(recording: Recording, remark: str) -> str:
+    place = f"{recording.origin}: "
+    return remark if remark.startswith(place) else place + remark

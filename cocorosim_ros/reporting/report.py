@@ -29,6 +29,7 @@ from cocorosim_ros.reporting.regressors import EQUATIONS, law_of, residual_of
 from cocorosim_ros.reporting.residual_figures import Pair, against_regressor, by_conditions, over_time, pairs_of
 from cocorosim_ros.reporting.words import (
     CHANNELS,
+    NOISES,
     READING_WORDS,
     TIERS,
     VERDICTS,
@@ -56,7 +57,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         version=__version__,
         verdict=VERDICTS[diagnosis.verdict],
         manoeuvre=_clause(diagnosis.next_manoeuvre),
-        **_where(diagnosis),
+        **_where(diagnosis, origin),
         **_what(diagnosis),
         **_fit(diagnosis),
         **_blind(diagnosis),
@@ -68,16 +69,37 @@ def _clause(sentence: str | None) -> str:
     return sentence[:1].lower() + sentence[1:].rstrip(".") if sentence else ""
 
 
-def _where(diagnosis: Diagnosis) -> Context:
+def _where(diagnosis: Diagnosis, origin: Origin) -> Context:
     pairs = pairs_of(diagnosis)
+    shown = list(zip(pairs, _titles([pair.before.robot for pair in pairs], origin), strict=True))[:MOST_ROBOTS]
     return {
         "located": [_located(each) for each in diagnosis.mismatch],
-        "robots": [_pictures(pair, diagnosis) for pair in pairs[:MOST_ROBOTS]],
-        "more_robots": len(pairs[MOST_ROBOTS:]),
+        "robots": [_pictures(pair, diagnosis) | {"title": title} for pair, title in shown],
+        "more": _more([pair.before.robot for pair in pairs]),
         "readings": [(reading_figure(each), each) for each in diagnosis.readings[:MOST_READINGS]],
         "readings_first": bool(diagnosis.mismatch) and diagnosis.mismatch[0].equation not in EQUATIONS,
         "reading_words": READING_WORDS,
     }
+
+
+def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
+    """What tells the courses of these robots apart; a robot of several recordings comes in their order."""
+    titles = []
+    for place, robot in enumerate(robots):
+        number, count = robots[:place].count(robot), robots.count(robot)
+        in_all = count == len(origin.recordings)
+        which = f" in {origin.recordings[number]}" if in_all else f", {number + 1} of its {count} recordings"
+        titles.append(robot + which if count > 1 else robot)
+    return titles
+
+
+def _more(robots: Sequence[str]) -> str:
+    """Of whom there are no pictures; empty if there are of all."""
+    others = set(robots[MOST_ROBOTS:]) - set(robots[:MOST_ROBOTS])
+    if others:
+        return f"{len(others)} more robot{'s' if len(others) > 1 else ''}"
+    hidden = len(robots[MOST_ROBOTS:])
+    return f"{hidden} more recording{'s' if hidden > 1 else ''}" if hidden else ""
 
 
 def _located(found: Located) -> Context:
@@ -157,7 +179,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
         "parameters": [_parameter(each) for each in parameters],
         "shifts": shifts(parameters),
-        "noise": [(name, estimate_words(each)) for name, each in diagnosis.noise.items()],
+        "noise": [(NOISES.get(name, name), estimate_words(each)) for name, each in diagnosis.noise.items()],
     }
 
 

@@ -38,6 +38,22 @@ READING_WORDS = {
     "yaw": "the heading", "t": "time", "x": "place", "u": "speed ahead", "w": "speed of rising", "r": "rate of turning",
 }  # fmt: skip
 
+NOISES = {
+    "random.force": "random force, horizontal",
+    "random.heave_force": "random force, vertical",
+    "random.moment": "random yaw moment",
+    "random.correlation": "memory of the random forces",
+    "random.smoothness": "smoothness of the random forces (0 rough, 1 smooth)",
+    "reading.pose_xy": "a reading of pose, x and y",
+    "reading.pose_z": "a reading of pose, z",
+    "reading.pose_yaw": "a reading of pose, yaw",
+    "reading.compass": "a reading of the compass",
+    "reading.pressure": "a reading of the pressure",
+    "reading.gyro_z": "a reading of the gyroscope",
+    "reading.accel": "a reading of the accelerometer",
+    "reading.velocity": "a reading of the velocity",
+}
+
 CHECKS = {
     "linear_drag": "Drag at low speed: fouling, fins, a tether in the water, a smoother or rougher hull than assumed.",
     "anisotropic_drag": "A hull whose side or top resists more than its bow: compare pushes sideways and ahead.",

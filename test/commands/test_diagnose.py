@@ -102,6 +102,22 @@ def test_known_effects_come_from_another_model(
     assert (platform.drag, platform.effects) == (1.7778, {"thruster_asymmetry": {"difference": 0.05}})
 
 
+def test_what_was_odd_about_the_recording_is_said(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """Remarks on faults and gaps reach the terminal, a few of them; even rates are for the report."""
+    odd = (
+        "a/pose: 3 messages hold no number; they were left out.",
+        "a/imu: 9 readings at 2 Hz, 1 gap from 1.0 to 3.0 s.",
+    )
+    remarks = (*odd, "a/pose: 40 readings at 2 Hz.", "a/compass: 2 readings.", *["b/imu: time runs backwards."] * 9)
+    diagnose(lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), (), None, {}, remarks=remarks))
+    done = cocorosim("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out")
+    assert all(remark in done.out for remark in odd)
+    assert "a/pose: 40 readings" not in done.out and "a/compass" not in done.out
+    assert done.out.count("backwards") == 6 and "3 more remarks are in report.html." in done.out
+
+
 @pytest.mark.parametrize("broken", ["bag", "platform", "known", "out"])
 def test_unusable_input_is_one_sentence(
     cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path, broken: str

@@ -305,6 +305,24 @@ def test_a_truncated_file(record: Record, circle: Any, lily_platform: Platform, 
     assert is_said(recording.remarks, "was not closed", str(file))
 
 
+def test_remarks_of_several_recordings(record: Record, circle: Any, lily_platform: Platform) -> None:
+    """Each names its recording, once; those of a single recording need not."""
+    first, second = record(circle, "first"), record(circle, "second")
+    (alone,) = gather_evidence([first], lily_platform).recordings
+    assert alone.remarks and not any(str(first) in remark for remark in alone.remarks)
+    intake = take_in(gather_evidence([first, second], lily_platform))
+    for path, recording in zip((first, second), intake.evidence.recordings, strict=True):
+        assert recording.remarks == tuple(f"{path}: {remark}" for remark in alone.remarks)
+
+
+def test_a_file_cut_off_before_its_first_reading(record: Record, circle: Any, lily_platform: Platform) -> None:
+    """The sentence says that it was cut off, not that it wants converting."""
+    (file,) = record(circle).glob("*.mcap")
+    file.write_bytes(file.read_bytes()[:200])
+    with pytest.raises(CocorosimError, match=r"no reading and no command .* was not closed.*[^.]; record again"):
+        gather_recording(file, lily_platform)
+
+
 def test_time_of_reading(record: Record, circle: Any, topic: Any, lily_platform: Platform) -> None:
     """Ten minutes of three robots, 50 Hz IMU: some 150 000 messages in at most 5 s of a busy machine (1 s idle)."""
     kinds = {"pose": ("geometry_msgs/msg/PoseStamped", 10), "imu": ("sensor_msgs/msg/Imu", 50)}

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Located, ResidualReading
+from cocorosim_ros.diagnosis.noise_levels import UNITS
 from cocorosim_ros.reporting.model_file import Origin
 from cocorosim_ros.reporting.report import render_report
 from cocorosim_ros.scenario.platform import load_platform
@@ -191,6 +192,26 @@ def test_what_was_not_observed_is_not_drawn(example: Example) -> None:
     labels = re.findall(r"<text[^>]*>([^<]*)</text>", text)
     assert any("error of depth" in label for label in labels)
     assert not any("error of position" in label for label in labels)
+
+
+@pytest.mark.parametrize(("recordings", "second"), [(5, "lily_01 in bags/2"), (7, "lily_01, 2 of its 5 recordings")])
+def test_recordings_of_one_robot_are_told_apart(example: Example, recordings: int, second: str) -> None:
+    """Its pictures carry the names of the recordings, or a number where some had no use; no robot is made up."""
+    residuals = example("mismatch").residual_before * 5
+    found = replace(example("mismatch"), residual_before=residuals, residual_after=())
+    names = tuple(f"bags/{number}" for number in range(1, recordings + 1))
+    text = render_report(found, Origin(load_platform("lily"), names, ("lily_01",), 600.0))
+    titles = re.findall("<h3>(lily_01.*?)</h3>", text)
+    assert titles[1] == second and len(set(titles)) == 3
+    assert "about 2 more recordings too" in text and "more robots" not in text
+
+
+def test_noise_is_called_by_words(example: Example) -> None:
+    """Every number of noise that a fit knows has a name for readers."""
+    noise = {name: Estimate(1e-3, 9e-4, 1.1e-3, unit) for name, unit in UNITS.items()}
+    _, content = page(replace(example("mismatch"), noise=noise))
+    assert "random force, horizontal" in content.text and "a reading of pose, x and y" in content.text
+    assert "random." not in content.text and "reading." not in content.text
 
 
 def test_stretches_are_of_as_many_robots_as_possible(example: Example) -> None:
