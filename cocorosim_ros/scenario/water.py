@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from cocorosim_ros.scenario.scenario import Scenario
 
 _WHOLE = 1e-9
+_MICROMETRES = 1e6  # in a metre
 MOST_PATCHES = 50_000_000
 
 
@@ -33,6 +35,15 @@ def patch_counts(size: tuple[float, float, float], patch: float) -> tuple[int, i
     """How many patches [m] the tank [m] has along x, y and depth, to the nearest whole number."""
     x, y, z = (round(side / patch) for side in size)
     return x, y, z
+
+
+def patch_that_divides(size: tuple[float, float, float], patch: float) -> float:
+    """The length [m], near `patch`, that divides every side of a tank [m] of whole micrometres."""
+    common = max(1, math.gcd(*(round(side * _MICROMETRES) for side in size)))
+    wanted = min(common, max(1, round(common / (patch * _MICROMETRES))))
+    near = (parts for off in range(common) for parts in (wanted - off, wanted + off))
+    parts = next(parts for parts in near if parts >= 1 and common % parts == 0)
+    return common / parts / _MICROMETRES
 
 
 def check_water(scenario: Scenario, entry: Entry) -> None:
@@ -56,10 +67,10 @@ def check_water(scenario: Scenario, entry: Entry) -> None:
     counts = patch_counts(scenario.tank.size, forces.patch)
     for axis, side, count in zip(("x", "y", "depth"), scenario.tank.size, counts, strict=True):
         if count < 1 or abs(side / forces.patch - count) > _WHOLE * side / forces.patch:
-            fitting = side / max(1, count)
+            fitting = patch_that_divides(scenario.tank.size, forces.patch)
             raise place.problem(
                 f"has patches of {forces.patch:g} m, which do not divide the tank's {axis} of {side:g} m; choose a "
-                f"patch that does, e.g. {fitting:.6g} m."
+                f"patch that divides all sides, e.g. {fitting:.10g} m."
             )
     patches = counts[0] * counts[1] * counts[2]
     if patches > MOST_PATCHES:

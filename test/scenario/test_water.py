@@ -132,6 +132,15 @@ def test_a_mistake_is_one_sentence(tmp_path: Path, water: str, words: str) -> No
     assert "wet.yaml line 1" in str(caught.value) and "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("patch", ["0.3 m", "0.07 m", "9 m", "0.7 m"])
+def test_the_patch_that_is_told_is_taken(tmp_path: Path, patch: str) -> None:
+    """It divides all sides, not only the one that was found, and has all its digits."""
+    with pytest.raises(CocorosimError) as caught:
+        with_water(tmp_path, FORCES % f"patch: {patch}")
+    told = str(caught.value).rpartition("e.g. ")[2].rstrip(".")
+    assert with_water(tmp_path, FORCES % f"patch: {told}").water.force_currents.patch == float(told.removesuffix(" m"))
+
+
 def _holes(data: Any) -> Any:
     data["u"][0, 0, 0, 0] = np.nan
     return data
