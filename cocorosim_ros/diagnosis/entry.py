@@ -16,8 +16,8 @@ class Scene(NamedTuple):
 
     periods: at which the random force that the model needs swings most, by equation [s]. changes: moments at which
     that of heave steps most [s]. scales: typical sizes of the
-    regressors of laws, and of the forces by equation. driven: whether thrusters moved the robots more than the water
-    did at random.
+    regressors of laws, of the forces by equation, and the mass [kg]. driven: whether thrusters moved the robots more
+    than the water did at random.
     """
 
     lower: tuple[float, float, float]

@@ -20,8 +20,8 @@ Floats = NDArray[np.float64]
 Z95 = float(norm.ppf(0.975))
 SURE = 0.05  # chance of a clear number among all recalibrated ones where nothing has moved
 CONFIRMED = THRESHOLD + 4.0  # nats
-NUMERICAL = 3e-4
-"""Of a value, how far midpoint steps h of 0.1 s may be off: (h l)^2 / 6 for a rate l of 0.44 / s, as Lily's yaw has.
+NUMERICAL = 1e-3
+"""Of a value, how far midpoint steps h of 0.1 s may be off: (h l)^2 / 6 for a rate l of 0.77 / s, at which Lilys turn.
 
 Where no water pushes, readings alone would tell numbers better than the filter can reckon.
 """

@@ -18,6 +18,7 @@ from cocorosim_ros.physics.effects import LAWS
 from cocorosim_ros.physics.laws import EQUATIONS
 
 LARGE_SHARE = 0.1  # of the full force of an equation
+TURNING = 0.01  # of the mass: the filter's steps follow turning axes no better
 LEAST_SHARE = 0.002  # of the full force: below, it may be what the filter's steps leave
 
 
@@ -123,9 +124,7 @@ def law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:
 def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
     force = SYMBOLS[equation]
     size = typical(scene, equation, law)
-    least = size * LEAST_SHARE / LARGE_SHARE
-    behind = PUMP_TICK if (equation, law.regressor) == ("heave", "pump_rate") else 0.0  # a pump's lag by another name
-    negligible = (-max(least, behind), least)
+    negligible = _negligible(scene, equation, law)
     amplitude = Amplitude(f"{place}.coefficient", "coefficient", _unit(equation, law), size, negligible=negligible)
     return Entry(
         f"unknown:{equation}~{law.regressor}",
@@ -138,6 +137,16 @@ def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
         of_pump=equation == "heave" and _follows_pump(law),
         law=place,
     )
+
+
+def _negligible(scene: Scene, equation: str, law: Law) -> tuple[float, float]:
+    """Coefficients that are not believed: a pump's lag by another name, and what turning axes leave of a mass."""
+    least = LEAST_SHARE / LARGE_SHARE * typical(scene, equation, law)
+    if (equation, law.regressor) == ("heave", "pump_rate"):
+        return -PUMP_TICK, least
+    if (equation, law.regressor) in (("surge", "v*r"), ("sway", "u*r")):
+        least = max(least, TURNING * scene.scales["mass"])
+    return -least, least
 
 
 def _follows_pump(law: Law) -> bool:

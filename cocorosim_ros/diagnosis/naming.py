@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.columns import WATER_NOISE
 from cocorosim_ros.diagnosis.contest import Begun, Refined, begin, log_evidence, refine
-from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS, Scene
+from cocorosim_ros.diagnosis.entry import SENSOR_CHANNELS, Amplitude, Scene
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, settled, with_noise
 from cocorosim_ros.diagnosis.held_out import HeldOutGain, held_out_gain
 from cocorosim_ros.diagnosis.open_set import open_set
@@ -31,6 +31,7 @@ HOPELESS = 0.1  # of the leader's nats below which refining a candidate does not
 PROMISING = 0.5  # of the leader's nats with noise held, and
 CLOSE = 20.0  # nats behind it: who has less of both is put off
 SETTLING = 4  # turns of noise and laws after each addition, lest the next one's merit be an unfinished fit
+LEAST_SHARE = 0.01  # of what is large: below, it may be what the filter's steps leave, whatever exact readings say
 KEPT = 0.01  # of the screening's nats that a fit of the candidate has to find
 LEADERS = 4
 MOST_REFINED = 8
@@ -197,10 +198,13 @@ def _is_tiny(part: Refined) -> bool:
     values = [law.value(float(q)) for law, q in zip(part.fit.laws[mine], part.fit.q[mine], strict=True)]
     entry = part.candidate.entry
     amplitudes = [entry.amplitudes[index % len(entry.amplitudes)] for index in range(_amplitude_count(part))]
-    return all(
-        each.negligible[0] < value - each.neutral < each.negligible[1]
-        for value, each in zip(values, amplitudes, strict=False)
-    )
+    return all(_is_negligible(part.candidate, each, value) for value, each in zip(values, amplitudes, strict=False))
+
+
+def _is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:
+    least = LEAST_SHARE * candidate.large(amplitude)
+    low, high = amplitude.negligible
+    return min(low, -least) < value - amplitude.neutral < max(high, least)
 
 
 def _amplitude_count(part: Refined) -> int:

@@ -60,7 +60,11 @@ WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
 }
 SHARED_NOISE = ("random.correlation", "random.smoothness")
-LEAST_READING_NOISE = 1e-9
+# What the filter's steps are off by at least, however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
+LEAST_READING_NOISE = {
+    "reading.pose_xy": 1e-4, "reading.pose_z": 1e-4, "reading.pose_yaw": 1e-3, "reading.compass": 1e-3,
+    "reading.pressure": 1.0, "reading.gyro_z": 1e-3, "reading.accel": 1e-3, "reading.velocity": 1e-4,
+}  # fmt: skip
 INERTIAL = ("reading.gyro_z", "reading.accel")
 # By how much the logarithms move for the further starts.
 DOUBT = math.log(20.0)
@@ -112,8 +116,9 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
             noise = track.log.streams[name].noise
             for column, kind in enumerate(kinds):
                 if np.isfinite(noise[column]):
-                    level = max(float(noise[column]), LEAST_READING_NOISE)
-                    row[COLUMN[f"reading.{READING_NOISE_OF_KIND[kind]}"]] = math.log(level)
+                    of_reading = f"reading.{READING_NOISE_OF_KIND[kind]}"
+                    level = max(float(noise[column]), LEAST_READING_NOISE[of_reading])
+                    row[COLUMN[of_reading]] = math.log(level)
     return rows
 
 
@@ -161,7 +166,8 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
                 continue
             for alike in [(number,) for number in numbers] if column.startswith("reading.pose") else [numbers]:
                 base = float(rows[alike[0], COLUMN[column]])
-                found.append(Unknown(column, alike, base, prior=0.7, bounds=(-3.0, 5.0)))
+                least = max(-3.0, math.log(LEAST_READING_NOISE[column]) - base)
+                found.append(Unknown(column, alike, base, prior=0.7, bounds=(least, 5.0)))
     return found
 
 

@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.surroundings import FAR
 from cocorosim_ros.diagnosis.track import Smoothed, Track
 from cocorosim_ros.diagnosis.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.vehicle_size import full_forces
+from cocorosim_ros.physics.vehicles import MASS
 
 Floats = NDArray[np.float64]
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
@@ -95,7 +96,7 @@ def _changes(time: Floats, force: Floats) -> list[float]:
 
 
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
-    """Root mean squares of the regressors, and full forces by equation."""
+    """Root mean squares of the regressors, full forces by equation, the mass."""
     rms = np.sqrt(np.mean(seen**2, axis=0))
     force = np.maximum(track.force_scale, 1e-9)
     full = full_forces(track)
@@ -107,4 +108,5 @@ def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
         "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
         "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
         "surge_force": full.across, "heave_force": max(0.1 * full.heave, full.across), "yaw_force": full.yaw,
+        "mass": float(track.platform_row[MASS]),
     }  # fmt: skip

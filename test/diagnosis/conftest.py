@@ -31,10 +31,15 @@ def rich_commands(rng: np.random.Generator, seconds: float) -> Any:
 
 @pytest.fixture(scope="session")
 def swim() -> Callable[..., Any]:
-    """Function of (platform, seconds, seed, disturbance as a share of full thrust): evidence of one Lily."""
+    """Function of (platform, seconds, seed, disturbance as a share of full thrust ...): evidence of one Lily.
+
+    blur: times the usual noise of the readings.
+    """
     from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog, Stream
 
-    def make(platform: Any, seconds: float, seed: int = 0, disturbance: float = 0.005, base: Any = None) -> Any:
+    def make(
+        platform: Any, seconds: float, seed: int = 0, disturbance: float = 0.005, base: Any = None, blur: float = 1.0
+    ) -> Any:
         rng = np.random.default_rng([SEED, seed])
         commands = rich_commands(rng, seconds)
         path = trajectory(platform, commands, rng, disturbance)
@@ -49,7 +54,7 @@ def swim() -> Callable[..., Any]:
                 "imu": np.column_stack([rows[:, 7], np.full((len(rows), 3), np.nan)]),
             }[name]
             noise = np.full(truth.shape[1], np.nan)
-            noise[: len(NOISE[name])] = NOISE[name]
+            noise[: len(NOISE[name])] = blur * np.array(NOISE[name])
             value = truth + np.where(np.isnan(noise), 0.0, noise) * rng.standard_normal(truth.shape)
             streams[name] = Stream(time, value, noise)
         log = RobotLog("lily_01", np.arange(len(commands)) * TICK, commands, streams)

@@ -114,7 +114,10 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
 
 
 def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
-    """Behind its command by less than a pump's lag it is not believed; nor any law that pushes next to nothing."""
+    """Behind its command by less than a pump's lag it is not believed; nor any law that pushes next to nothing.
+
+    Nor one that says a hundredth of the mass where axes turn: the filter's steps follow these no better.
+    """
     from cocorosim_ros.diagnosis.laws import law_entries
     from cocorosim_ros.diagnosis.recalibration import base_fit
     from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
@@ -130,7 +133,8 @@ def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
     for entry in entries.values():
         (amplitude,) = entry.amplitudes
         # `large` is a tenth of the full force.
-        assert amplitude.negligible[1] == pytest.approx(0.02 * amplitude.large)
+        turning = 0.0044 if entry.id in ("unknown:sway~u*r", "unknown:surge~v*r") else 0.0
+        assert amplitude.negligible[1] == pytest.approx(max(0.02 * amplitude.large, turning))
 
 
 def diagnosed(evidence: Any) -> Any:
