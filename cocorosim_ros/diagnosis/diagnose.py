@@ -11,7 +11,7 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.catalogue import IDS
 from cocorosim_ros.diagnosis.detectability import is_blind, not_shown, screened_effects
 from cocorosim_ros.diagnosis.estimates import found_effects, recalibrated
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fit import Fit, finite
 from cocorosim_ros.diagnosis.framing import mixed_up
 from cocorosim_ros.diagnosis.free_runs import held_out_free_runs
@@ -127,10 +127,6 @@ def _shifted(base: Fit) -> bool:
     return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.laws)))
 
 
-def _holds(estimate: Estimate, value: float) -> bool:
-    return estimate.low <= value <= estimate.high
-
-
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:
     """The number that moved most, of those whose interval leaves out the nominal, where only all together are clear."""
 
@@ -139,5 +135,5 @@ def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:
         return abs(part.estimate.value - part.nominal) / width if width > 0.0 else 0.0
 
     names = {name for name, _ in RECALIBRATED.values()}
-    own = [part for part in every if part.parameter in names and not _holds(part.estimate, part.nominal)]
+    own = [part for part in every if part.parameter in names and not part.estimate.holds(part.nominal)]
     return (max(own, key=moved),) if own else ()

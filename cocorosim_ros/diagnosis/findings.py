@@ -23,6 +23,10 @@ class Estimate:
     high: float
     unit: str
 
+    def holds(self, value: float) -> bool:
+        """Whether a value lies in the interval."""
+        return self.low <= value <= self.high
+
 
 @dataclass(frozen=True)
 class Recalibrated:

@@ -185,11 +185,12 @@ def _laws_step(fit: Fit) -> Fit | None:
     known = information(fit)
     step = step_within(known.matrix, known.score, fit.laws, fit.q)
     return _first_better(
-        fit, (replace(fit, q=_clipped(fit.laws, fit.q + step / 2.0**halving)) for halving in range(HALVINGS))
+        fit, (replace(fit, q=clipped(fit.laws, fit.q + step / 2.0**halving)) for halving in range(HALVINGS))
     )
 
 
-def _clipped(unknowns: Sequence[Unknown], q: Floats) -> Floats:
+def clipped(unknowns: Sequence[Unknown], q: Floats) -> Floats:
+    """q (n,) of the unknowns, each within its bounds."""
     return np.array([part.clipped(number) for part, number in zip(unknowns, q, strict=True)])
 
 
@@ -226,7 +227,7 @@ def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     def damped(damping: float) -> Fit:
         step = step_within(matrix + damping * np.diag(np.diag(matrix)), score, unknowns, fit.q_noise[chosen])
         q = fit.q_noise.copy()
-        q[chosen] = _clipped(unknowns, q[chosen] + np.clip(step, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP))
+        q[chosen] = clipped(unknowns, q[chosen] + np.clip(step, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP))
         return replace(fit, q_noise=q)
 
     return _first_better(fit, map(damped, DAMPINGS))

@@ -19,7 +19,7 @@ from cocorosim_ros.physics.laws import EQUATIONS
 
 LARGE_SHARE = 0.1  # of the full force of an equation
 TURNING = 0.01  # of the mass: the filter's steps follow turning axes no better
-LEAST_SHARE = 0.002  # of the full force: below, it may be what the filter's steps leave
+LEAST_FORCE = 0.002  # of the full force: below, it may be what the filter's steps leave
 
 
 def _powers(name: str) -> tuple[Law, ...]:
@@ -124,7 +124,7 @@ def law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:
 def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
     force = SYMBOLS[equation]
     size = typical(scene, equation, law)
-    negligible = _negligible(scene, equation, law)
+    negligible = _negligible(size, scene, equation, law)
     amplitude = Amplitude(f"{place}.coefficient", "coefficient", _unit(equation, law), size, negligible=negligible)
     return Entry(
         f"unknown:{equation}~{law.regressor}",
@@ -139,9 +139,12 @@ def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
     )
 
 
-def _negligible(scene: Scene, equation: str, law: Law) -> tuple[float, float]:
-    """Coefficients that are not believed: a pump's lag by another name, and what turning axes leave of a mass."""
-    least = LEAST_SHARE / LARGE_SHARE * typical(scene, equation, law)
+def _negligible(size: float, scene: Scene, equation: str, law: Law) -> tuple[float, float]:
+    """Coefficients that are not believed: a pump's lag by another name, and what turning axes leave of a mass.
+
+    size: the coefficient that is `typical`.
+    """
+    least = LEAST_FORCE / LARGE_SHARE * size
     if (equation, law.regressor) == ("heave", "pump_rate"):
         return -PUMP_TICK, least
     if (equation, law.regressor) in (("surge", "v*r"), ("sway", "u*r")):

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.columns import READING_NOISE, WATER_NOISE
-from cocorosim_ros.diagnosis.fit import Fit, evaluated, settled
+from cocorosim_ros.diagnosis.fit import Fit, clipped, evaluated, settled
 
 LEAPS = (-2.0, -1.0, 1.0, 2.0)  # of a logarithm
 WORTH = 1.0  # nats
@@ -47,8 +47,7 @@ def _best_leap(fit: Fit, moved: NDArray[np.bool_]) -> Fit:
     """The best of the leaps of these, or the fit itself."""
     best = fit
     for leap in LEAPS:
-        q = np.array([part.clipped(number) for part, number in zip(fit.noise, fit.q_noise + leap * moved, strict=True)])
-        trial = evaluated(replace(fit, q_noise=q))
+        trial = evaluated(replace(fit, q_noise=clipped(fit.noise, fit.q_noise + leap * moved)))
         if trial.objective > best.objective + WORTH:
             best = trial
     return best

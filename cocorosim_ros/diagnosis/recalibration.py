@@ -106,7 +106,7 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
             row[COLUMN[known]] = value
         full = full_forces(track)
         row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * full.across)
-        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * max(0.1 * full.heave, full.across))
+        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * full.random_heave)
         row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(full.yaw, ARM * full.across))
         row[COLUMN["random.correlation"]] = math.log(FIRST_CORRELATION)
         row[COLUMN["random.smoothness"]] = math.log(FIRST_SMOOTHNESS)
@@ -199,12 +199,15 @@ def _at_random(fit: Fit) -> Fit:
     """The fit with strong and quick random forces, and coarse readings: each is then heeded a little."""
     coarse = [COARSE if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
     moves = np.array([AT_RANDOM.get(part.column, other) for part, other in zip(fit.noise, coarse, strict=True)])
-    return evaluated(replace(fit, q_noise=fit.q_noise + moves))
+    return _with_moved_noise(fit, moves)
 
 
 def _without_inertial(fit: Fit) -> Fit:
     """The fit with inertial readings so coarse that they hardly count."""
-    moves = np.array([DOUBT if part.column in INERTIAL else 0.0 for part in fit.noise])
+    return _with_moved_noise(fit, np.array([DOUBT if part.column in INERTIAL else 0.0 for part in fit.noise]))
+
+
+def _with_moved_noise(fit: Fit, moves: Floats) -> Fit:
     return evaluated(replace(fit, q_noise=fit.q_noise + moves))
 
 
@@ -217,7 +220,7 @@ def _opened(fit: Fit) -> Fit:
         shut = [_is_shut(fit, unknown) for unknown in fit.noise]
         if not any(shut):
             return fit
-        fit = evaluated(replace(fit, q_noise=fit.q_noise + math.log(2.0) * np.array(shut)))
+        fit = _with_moved_noise(fit, math.log(2.0) * np.array(shut))
     return fit
 
 

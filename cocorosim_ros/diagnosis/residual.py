@@ -107,6 +107,6 @@ def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
         "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
         "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
         "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
-        "surge_force": full.across, "heave_force": max(0.1 * full.heave, full.across), "yaw_force": full.yaw,
+        "surge_force": full.across, "heave_force": full.random_heave, "yaw_force": full.yaw,
         "mass": float(track.platform_row[MASS]),
     }  # fmt: skip

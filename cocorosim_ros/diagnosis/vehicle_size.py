@@ -22,6 +22,11 @@ class FullForces(NamedTuple):
     heave: float
     yaw: float
 
+    @property
+    def random_heave(self) -> float:
+        """What would be strong in heave if the water did it [N]: a tenth of what a pump can, or the force across."""
+        return max(ACROSS * self.heave, self.across)
+
 
 def full_forces(track: Track) -> FullForces:
     """Where no actuator acts, what the others let expect: a vehicle that cannot turn itself is turned all the same."""

@@ -8,7 +8,6 @@ from dataclasses import fields
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.metrics import METRICS
 from cocorosim_ros.metrics.kernel import measure_tick
 from cocorosim_ros.metrics.memory import new_memory
@@ -18,6 +17,7 @@ from cocorosim_ros.scenario.seeding import start_poses
 from cocorosim_ros.scenario.water import patch_counts
 from cocorosim_ros.signals.state import YAW, X, Z
 from cocorosim_ros.simulation.assembly import build_world
+from cocorosim_ros.simulation.divergence import RanAwayError
 from cocorosim_ros.simulation.simulation import Simulation
 
 _BYTES_PER_CHUNK = 300e6
@@ -36,15 +36,6 @@ def runs_that_fit(scenario: Scenario) -> int:
         patches = math.prod(patch_counts(scenario.tank.size, scenario.water.force_currents.patch))
         most = min(most, _BYTES_OF_WATER / (3 * 8 * patches))
     return max(1, int(most))
-
-
-class RanAwayError(CocorosimError):
-    """The motion of a robot in one of these runs ran away."""
-
-    def __init__(self, sentence: str, ticks: int) -> None:
-        """`ticks`: how many the runs had made until then."""
-        super().__init__(sentence)
-        self.ticks = ticks
 
 
 def run_each(scenario: Scenario, first: int, count: int) -> tuple[Summary, NDArray[np.int64]]:
@@ -80,15 +71,8 @@ def run_batch(scenario: Scenario, first: int, count: int) -> Summary:
         simulation.sense()
         simulation.decide()
         observer.measure(simulation.state, values[tick])
-        _advance(simulation, tick)
-    return summarise(values)
-
-
-def _advance(simulation: Simulation, tick: int) -> None:
-    try:
         simulation.advance()
-    except CocorosimError as error:
-        raise RanAwayError(str(error), tick) from error
+    return summarise(values)
 
 
 class _Observer:

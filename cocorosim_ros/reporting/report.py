@@ -216,7 +216,7 @@ def _parameter(found: Recalibrated) -> Context:
         "nominal": in_unit_of(found.nominal, found.estimate),
         "value": value,
         "interval": interval,
-        "moved": math.isfinite(low + high) and not low <= found.nominal <= high,
+        "moved": math.isfinite(low + high) and not found.estimate.holds(found.nominal),
         "robots": ", ".join(found.robots),
     }
 

@@ -13,6 +13,15 @@ from cocorosim_ros.signals.state import STATE_SIZE
 from cocorosim_ros.simulation.world import World
 
 
+class RanAwayError(CocorosimError):
+    """The motion of a robot ran away."""
+
+    def __init__(self, sentence: str, ticks: int) -> None:
+        """`ticks`: how many the run had made until then."""
+        super().__init__(sentence)
+        self.ticks = ticks
+
+
 @kernel
 def _sum_of_motion(state: NDArray[np.float64]) -> float:
     """Of all numbers that are the motion of a robot; not finite if one of them is not."""
@@ -27,7 +36,7 @@ def _sum_of_motion(state: NDArray[np.float64]) -> float:
 
 
 def check_motion(state: NDArray[np.float64], world: World, tick: int) -> None:
-    """Nothing while every state (runs, robots, row) is a number after `tick` ticks; else raises CocorosimError."""
+    """Nothing while every state (runs, robots, row) is a number after `tick` ticks; else raises RanAwayError."""
     if math.isfinite(_sum_of_motion(state)):
         return
     moving = state[..., :STATE_SIZE]
@@ -36,8 +45,9 @@ def check_motion(state: NDArray[np.float64], world: World, tick: int) -> None:
         lost = np.argwhere(np.abs(moving).max(axis=2) == np.abs(moving).max())
     run, robot = lost[0]
     step = world.stepping.step
-    raise CocorosimError(
+    raise RanAwayError(
         f"The motion of '{world.names[robot]}' ran away at {tick * world.tick_ns * 1e-9:g} s of simulated time (run "
         f"{world.first_run + run}): forces or currents are too strong for the integrator's step of {step:g} s. "
-        "Choose a shorter step ('step' of 'integrator'), or weaker forces."
+        "Choose a shorter step ('step' of 'integrator'), or weaker forces.",
+        tick - 1,
     )

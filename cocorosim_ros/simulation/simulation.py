@@ -115,7 +115,7 @@ class Simulation:
     def advance(self) -> None:
         """Deliver what was said, move everybody under `command`, then the water, count the tick.
 
-        Raises CocorosimError if the motion of a robot has run away.
+        Raises RanAwayError if the motion of a robot has run away.
         """
         if not self.world.instant_radio:
             neighbours = self._neighbours if self._neighbours is not None else self._search.find(self.state)
