@@ -21,7 +21,8 @@ def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, f
     from cocorosim_ros.analysis.report import render_report
     from cocorosim_ros.analysis.results import check_folder, load_all
 
-    check_folder(results[0])  # before the page, which lies there: it would be said to lie in no folder
+    if out is None:  # the page lies with the results then, and would be said to lie in no folder
+        check_folder(results[0])
     page = out or results[0] / "report.html"
     for path in (page, summary):
         check_file(path, force=force)
