@@ -384,6 +384,7 @@ ENTRIES: tuple[Entry, ...] = (
             group=_LATE,
             topic=topic,
             manoeuvre="steps",
+            of_pump=topic == "pressure",
         )
         for topic in TOPICS_THAT_LAG
     ),
@@ -397,6 +398,7 @@ ENTRIES: tuple[Entry, ...] = (
             group=_LATE,
             topic=topic,
             manoeuvre="repeat_at_end",
+            of_pump=topic == "pressure",
         )
         for topic in TOPICS_THAT_LAG
     ),

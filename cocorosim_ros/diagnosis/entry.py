@@ -91,5 +91,5 @@ class Entry:
     needs_neighbours: bool = False
     basis: Basis | None = None  # how its slope at any shape is a sum of those at a few
     prior_nats: float = 0.0  # against it from the outset, for entries of which there are many
-    of_pump: bool = False  # of how the pump answers its command, or how the dive speed is resisted
+    of_pump: bool = False  # of how the pump answers its command, how the dive speed is resisted, or when depth is read
     law: str | None = None  # the place of the simulator that it takes, for laws outside the catalogue

@@ -1,9 +1,10 @@
 """Evidence for a pump's own behaviour counts only where the pump was moved by more than the water could ask for.
 
 Whoever holds a depth moves the pump a little in answer to what the water does, and may see it sooner or better than
-the sensors that were recorded. Such a command tells of the water, and then an innocent pump looks weak or late:
-likelihoods given the commands hold only for commands that follow from what was recorded (Ljung, System Identification,
-1999, section 13.4). A pulse, a ramp or a new depth moves the pump by far more than the water does.
+the sensors that were recorded. Such a command tells of the water, and then an innocent pump looks weak or late, and an
+innocent pressure sensor late: likelihoods given the commands hold only for commands that follow from what was recorded
+(Ljung, System Identification, 1999, section 13.4). A pulse, a ramp or a new depth moves the pump by far more than the
+water does.
 """
 
 from __future__ import annotations

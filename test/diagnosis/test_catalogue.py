@@ -76,3 +76,9 @@ def test_a_density_layer_is_looked_for_where_it_was_crossed(lowest: float, highe
     depths = layer.shapes[0].grid(scene)
     assert bool(depths) is looked_for
     assert all(lowest + 0.1 < -depth < highest - 0.1 for depth in depths)
+
+
+def test_what_a_pump_tells_of_is_weighed_by_how_far_it_was_moved() -> None:
+    """Whoever holds a depth answers the water sooner than it is recorded: an innocent pressure sensor looks late."""
+    found = {(entry.id, entry.topic) for entry in ENTRIES if entry.of_pump}
+    assert found == {("pump_lag", None), ("sensor_latency", "pressure"), ("clock_skew", "pressure")}
