@@ -56,6 +56,11 @@ class Candidate:
             for part, base in zip(self.entry.amplitudes, bases, strict=True)
         ]
 
+    def searched(self) -> list[Floats]:
+        """Amplitudes, in q, at which a fit of it may begin as well: all robots' at the same of the entry's values."""
+        (part, *others), owners = self.entry.amplitudes, 1 if self.entry.water else len(self.tracks)
+        return [] if others or self.known else [np.full(owners, value) for value in part.searched]
+
     def large(self, part: Amplitude) -> float:
         """What is large of an amplitude for this vehicle; that of a law is so already."""
         return part.large if self.entry.law is not None else part.large * self.sizes.get(part.unit, 1.0)

@@ -13,6 +13,7 @@ PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebo
 THRUST_TICK = 0.02  # s: the same of thrusters, which move the robot more sharply
 PLAY = 0.002  # of a full command: below, a linkage has no play
 CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
+LATE = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)  # of what is large: delays of up to 0.6 s
 LONG = 600.0  # s, of a recording: a skew that makes less than a tick of it on average is none
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
 
@@ -380,7 +381,18 @@ ENTRIES: tuple[Entry, ...] = (
             f"{topic} that comes late",
             "reading(t) = what was at t - latency",
             topic,
-            (Amplitude(f"sensor_latency.{topic}", "latency", "s", 0.15, 0.05, 0.0, negligible=_within(CLOCK_TICK)),),
+            (
+                Amplitude(
+                    f"sensor_latency.{topic}",
+                    "latency",
+                    "s",
+                    0.15,
+                    0.05,
+                    0.0,
+                    negligible=_within(CLOCK_TICK),
+                    searched=LATE,
+                ),
+            ),
             group=_LATE,
             topic=topic,
             manoeuvre="steps",

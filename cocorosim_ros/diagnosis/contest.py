@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.diagnosis.entry import Scene
 from cocorosim_ros.diagnosis.fit import Fit, evaluated, improved, information, with_noise
 from cocorosim_ros.diagnosis.screening import Screened
+from cocorosim_ros.diagnosis.starts import best_start
 from cocorosim_ros.diagnosis.unknowns import prior_precision
 
 Floats = NDArray[np.float64]
@@ -70,10 +71,12 @@ def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
     rows = candidate.write(fit.rows, screened.values)
     new = [*candidate.amplitudes(), *candidate.shape_unknowns(screened.values, scene)]
     shapes = len(new) - len(screened.q)
-    start = np.concatenate([fit.q, screened.q, np.zeros(shapes)])
-    trial = evaluated(replace(fit, rows=rows, laws=(*fit.laws, *new), q=start))
-    cautious = evaluated(replace(trial, q=np.concatenate([fit.q, 0.3 * screened.q, np.zeros(shapes)])))
-    trial = improved(trial if trial.objective > cautious.objective else cautious, 3)
+    whole = replace(fit, rows=rows, laws=(*fit.laws, *new))
+
+    def at(amplitudes: Floats) -> Fit:
+        return evaluated(replace(whole, q=np.concatenate([fit.q, amplitudes, np.zeros(shapes)])))
+
+    trial = improved(best_start(at, screened.q, candidate), 3)
     return Begun(candidate, trial, len(fit.laws), len(new), trial.objective - fit.objective)
 
 
