@@ -197,7 +197,14 @@ ENTRIES: tuple[Entry, ...] = (
         "surge",
         (
             Amplitude(
-                "thruster_lag.time_constant", "time_constant", "s", 0.3, 0.05, 0.0, negligible=_within(THRUST_TICK)
+                "thruster_lag.time_constant",
+                "time_constant",
+                "s",
+                0.3,
+                0.05,
+                0.0,
+                negligible=_within(THRUST_TICK),
+                searched=LATE,
             ),
         ),
         group=_LATE,
