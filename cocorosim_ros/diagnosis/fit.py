@@ -278,11 +278,15 @@ def _noise_of_track(track: Track, part: Pass, rows: Sequence[Floats | None]) -> 
 
 
 def settled(fit: Fit, rounds: int) -> Fit:
-    """The fit after at most so many turns of noise and laws, until they leave each other alone."""
+    """The fit after at most so many turns of noise and laws, until they leave each other alone.
+
+    They do where nothing is left to gain after the first step of a turn.
+    """
     for _ in range(rounds):
-        before = fit.objective
-        fit = improved(with_noise(fit, 2), 3)
-        if fit.objective - before < SETTLED:
+        stepped = with_noise(fit, 1)
+        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > LEAST_GAIN else stepped
+        fit = improved(noisy, 3)
+        if fit.objective - stepped.objective < SETTLED:
             break
     return fit
 
