@@ -44,7 +44,7 @@ def read_command_rows(topic: str, messages: Sequence[bytes], actuators: tuple[st
     """What each actuator was asked for, by the order of `actuators`.
 
     As in the simulator an actuator is off where it is not named or its command is no number, and a command beyond 1
-    is cut to it; remarks say how often. Raises CocorosimError if no message names any of the actuators.
+    is cut to it; remarks say how often. Raises CocorosimError if the names are those of another platform.
     """
     stamps = np.zeros(len(messages), dtype=np.int64)
     values = np.full((len(messages), len(actuators)), np.nan)
@@ -62,22 +62,27 @@ def read_command_rows(topic: str, messages: Sequence[bytes], actuators: tuple[st
 
 
 def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -> list[str]:
-    """Sentences on names that only one side has. Raises CocorosimError if they have none in common."""
+    """Sentences on names that only one side has.
+
+    Raises CocorosimError if they have none in common, or if each has names that the other lacks: what one of them
+    commanded would be missing from the model, and physics would be blamed for it.
+    """
     names = list(dict.fromkeys(found))
-    shared = [name for name in names if name in actuators]
-    if names and not shared:
+    strange = [name for name in names if name not in actuators]
+    silent = [name for name in actuators if name not in names]
+    if names and len(strange) == len(names):
         raise CocorosimError(
             f"{topic} commands the actuators {', '.join(names)}, and the platform has none of these but "
             f"{', '.join(actuators)}; give the platform of this robot, or rename its actuators."
         )
-    remarks = []
-    strange = [name for name in names if name not in actuators]
+    if strange and silent:
+        raise CocorosimError(
+            f"{topic} commands {', '.join(strange)}, which the platform does not have, and never {', '.join(silent)}, "
+            "which it has; rename what is the same, or give a platform without what this robot does not have."
+        )
     if strange:
-        remarks.append(f"{topic}: the platform has no actuator {', '.join(strange)}; these commands are not used.")
-    silent = [name for name in actuators if name not in names]
-    if names and silent:
-        remarks.append(f"{topic}: {', '.join(silent)} is never commanded and is taken to be off.")
-    return remarks
+        return [f"{topic}: the platform has no actuator {', '.join(strange)}; these commands are not used."]
+    return [f"{topic}: {', '.join(silent)} is never commanded and is taken to be off."] if names and silent else []
 
 
 def _usable(topic: str, values: Floats, readable: NDArray[np.bool_], remarks: list[str]) -> Floats:

@@ -209,11 +209,11 @@ def test_headings_in_degrees_go_on_counting(record: Record, circle: Any, topic: 
 
 
 def test_commands_that_are_not_usable(record: Record, circle: Any, lily_platform: Platform, is_said: Any) -> None:
-    """NaN is off, more than all is all, strange actuators are not used, silent ones are off; all of it is said."""
+    """NaN is off, more than all is all, silent actuators are off; all of it is said."""
     command = circle[COMMAND]
     numbers = command.numbers.copy()
     numbers[5, 1], numbers[6, 0] = np.nan, 3.0
-    circle[COMMAND] = command.changed(numbers=numbers, names=("right", "left", "rudder"))
+    circle[COMMAND] = command.changed(numbers=numbers[:, :2], names=("right", "left"))
     recording = gather_recording(record(circle), lily_platform)
     found = recording.robots[0].command
     np.testing.assert_array_equal(found[:5], numbers[:5, [1, 0, 0]] * [1, 1, 0])
@@ -221,8 +221,28 @@ def test_commands_that_are_not_usable(record: Record, circle: Any, lily_platform
     assert found[6].tolist() == [numbers[6, 1], 1.0, 0.0]
     assert is_said(recording.remarks, "1 messages have a command that is no number")
     assert is_said(recording.remarks, "1 messages command more than the maximum (up to 3")
-    assert is_said(recording.remarks, "no actuator rudder")
     assert is_said(recording.remarks, "buoyancy is never commanded")
+
+
+def test_an_actuator_beside_those_of_the_platform(
+    record: Record, circle: Any, lily_platform: Platform, is_said: Any
+) -> None:
+    """What the model does not have is not used, and said."""
+    command = circle[COMMAND]
+    numbers = np.column_stack([command.numbers, np.ones(len(command.numbers))])
+    circle[COMMAND] = command.changed(numbers=numbers, names=("left", "right", "buoyancy", "lamp"))
+    recording = gather_recording(record(circle), lily_platform)
+    assert is_said(recording.remarks, "no actuator lamp")
+    np.testing.assert_array_equal(recording.robots[0].command, command.numbers)
+
+
+def test_an_actuator_by_another_name(record: Record, circle: Any, lily_platform: Platform) -> None:
+    """Its commands would be missing from the model: nothing is diagnosed before the names agree."""
+    circle[COMMAND] = circle[COMMAND].changed(names=("left", "rigth", "buoyancy"))
+    with pytest.raises(
+        CocorosimError, match=r"commands rigth, which the platform does not have, and never right.*rename"
+    ):
+        gather_recording(record(circle), lily_platform)
 
 
 def test_actuators_of_another_platform(record: Record, circle: Any, lily_platform: Platform) -> None:
