@@ -111,7 +111,7 @@ def _next_manoeuvre(diagnosis: Diagnosis, platform: Platform) -> dict[str, str]:
     from cocorosim_ros.diagnosis.manoeuvre_scenario import can_be_driven, scenario_of
     from cocorosim_ros.diagnosis.manoeuvres import advised
 
-    names = advised(diagnosis.verdict, diagnosis.effects, diagnosis.not_shown)
+    names = advised(diagnosis.effects, diagnosis.not_shown)
     if diagnosis.next_manoeuvre is None or not names or not can_be_driven(platform):
         return {}
     return {"next_manoeuvre.yaml": scenario_of(names[0], platform, "model.yaml")}

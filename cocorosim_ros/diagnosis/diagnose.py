@@ -67,7 +67,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         located,
         effects,
         unseen,
-        advise(verdict, effects, unseen),
+        advise(effects, unseen),
         table,
         every,
         screened_effects(naming.screened),
@@ -107,7 +107,7 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         (),
         (),
         everything,
-        advise("insufficient", (), everything),
+        advise((), everything),
         {},
         remarks=remarks,
     )

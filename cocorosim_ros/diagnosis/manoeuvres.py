@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from cocorosim_ros.diagnosis.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.findings import FoundEffect, Verdict
+from cocorosim_ros.diagnosis.findings import FoundEffect
 
 MANOEUVRES: dict[str, str] = {
     "coast_down": "drive at three speeds and let it coast to rest after each",
@@ -32,18 +32,16 @@ def manoeuvre_of(effect: str) -> str | None:
     return next((entry.manoeuvre for entry in ENTRIES if entry.id == effect and entry.manoeuvre), None)
 
 
-def advised(verdict: Verdict, effects: Sequence[FoundEffect], unseen: Sequence[str]) -> tuple[str, ...]:
-    """Names of up to three manoeuvres that separate the rivals of what was found, or show what was not seen."""
+def advised(effects: Sequence[FoundEffect], unseen: Sequence[str]) -> tuple[str, ...]:
+    """Names of up to three manoeuvres: they separate the rivals of what was found, or else show what was not seen."""
     open_effects = [rival.id for effect in effects for rival in effect.ambiguous_with] + [
         effect.id for effect in effects if effect.ambiguous_with
     ]
-    if not open_effects and verdict in ("insufficient", "consistent", "recalibrate"):
-        open_effects = list(unseen)
-    names = [name for name in (manoeuvre_of(effect) for effect in open_effects) if name is not None]
+    names = [name for name in (manoeuvre_of(effect) for effect in open_effects or unseen) if name is not None]
     return tuple(sorted(dict.fromkeys(names), key=lambda name: -names.count(name))[:3])
 
 
-def advise(verdict: Verdict, effects: Sequence[FoundEffect], unseen: Sequence[str]) -> str | None:
+def advise(effects: Sequence[FoundEffect], unseen: Sequence[str]) -> str | None:
     """The same in words; None if nothing is open."""
-    words = "; ".join(MANOEUVRES[name] for name in advised(verdict, effects, unseen))
+    words = "; ".join(MANOEUVRES[name] for name in advised(effects, unseen))
     return f"{words[0].upper()}{words[1:]}." if words else None
