@@ -83,7 +83,10 @@ def expected(
         yaw = row[YAW] + after * row[YAW_RATE] + half * rate[YAW_RATE]
         if kind == POSE_YAW:
             return yaw
-        return yaw + sensor[OFFSET] + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
+        straight = yaw + sensor[OFFSET]
+        if sensor[SINE] == 0.0 and sensor[COSINE] == 0.0:  # as nearly always
+            return straight
+        return straight + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
     if kind == GYRO:
         return row[YAW_RATE] + after * rate[YAW_RATE] + 0.5 * apart * leap[YAW_RATE] + sensor[BIAS_GYRO]
     if kind == ACCEL_X:
