@@ -51,12 +51,13 @@ FIRST_DISTURBANCE = 0.01  # of full thrust
 FIRST_CORRELATION = 2.5  # s
 FIRST_SMOOTHNESS = 0.4
 LEAST_SMOOTHNESS = 0.04  # one rate is a hundred times the other
+MOST_CORRELATION = 60.0  # s: what lasts longer is no chance but a force, which an effect has to explain
 # Of the logarithms: standard deviation and bounds, both from where the fit begins.
 WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.force": (3.0, (-7.0, 7.0)),
     "random.heave_force": (3.0, (-7.0, 7.0)),
     "random.moment": (3.0, (-7.0, 7.0)),
-    "random.correlation": (0.7, (-7.0, 7.0)),
+    "random.correlation": (0.7, (-7.0, math.log(MOST_CORRELATION / FIRST_CORRELATION))),
     "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
 }
 SHARED_NOISE = ("random.correlation", "random.smoothness")

@@ -12,6 +12,7 @@ import pytest
 from cocorosim_ros.diagnosis import recalibration
 from cocorosim_ros.diagnosis.fit import settled
 from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.scenario.quantity import Quantity
 
 Swim = Callable[..., Any]
 
@@ -103,3 +104,16 @@ def test_a_vehicle_without_yaw_control_is_turned_by_water(swim: Swim) -> None:
     found = noise_of(recalibration.base_fit(adrift))
     assert found["reading.compass"] == [pytest.approx(0.02, rel=0.3)]
     assert found["reading.pose_yaw"] == [pytest.approx(0.01, rel=0.3)]
+
+
+def test_a_force_that_stays_is_not_taken_for_chance(swim: Swim) -> None:
+    """In water that does not push, no random force lasts for minutes to hide a torque and a trim."""
+    lily = load_platform("lily")
+    hidden = {
+        "torque_bias": {"torque": Quantity(3e-6, "N m", "torque")},
+        "buoyancy_trim": {"force": Quantity(1e-3, "N", "force")},
+    }
+    secret = replace(lily, effect_quantities=hidden)
+    evidence = swim(secret, 300.0, seed=6, disturbance=0.0, base=lily)
+    found = noise_of(recalibration.base_fit(evidence))
+    assert found["random.correlation"][0] < 61.0  # s
