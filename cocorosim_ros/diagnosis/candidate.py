@@ -29,7 +29,7 @@ class Candidate:
     robots: tuple[str, ...]
     tracks: tuple[tuple[int, ...], ...]  # by robot
     sizes: Mapping[str, float] = field(default_factory=dict)  # of the vehicle beside a Lily, by unit
-    known: tuple[float, ...] | None = None  # amplitudes that the base model has already; shapes then stay as they are
+    known: tuple[tuple[float, ...], ...] = ()  # by owner: amplitudes that the base has already; shapes then stay
 
     @property
     def key(self) -> tuple[str, str | None, tuple[str, ...]]:
@@ -49,11 +49,11 @@ class Candidate:
     def amplitudes(self) -> list[Unknown]:
         """The amplitudes as unknowns: shared where they are of the water, else one for each robot."""
         owners = (self.everybody,) if self.entry.water else self.tracks
-        bases = self.known or tuple(part.neutral for part in self.entry.amplitudes)
+        bases = self.known or (tuple(part.neutral for part in self.entry.amplitudes),) * len(owners)
         return [
             _amplitude(part, tracks, base, self.large(part))
-            for tracks in owners
-            for part, base in zip(self.entry.amplitudes, bases, strict=True)
+            for tracks, own in zip(owners, bases, strict=True)
+            for part, base in zip(self.entry.amplitudes, own, strict=True)
         ]
 
     def searched(self) -> list[Floats]:
@@ -128,15 +128,16 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
         groups = [concerned] if entry.water or len(concerned) == 1 else [concerned, *((name,) for name in concerned)]
         for group in groups:
             places = tuple(numbers[name] for name in group)
-            found.append(Candidate(entry, group, places, scaling, _known(entry, rows[places[0][0]])))
+            owners = places[:1] if entry.water else places
+            found.append(Candidate(entry, group, places, scaling, _known(entry, rows[[own[0] for own in owners]])))
     return found
 
 
-def _known(entry: Entry, row: Floats) -> tuple[float, ...] | None:
-    """The amplitudes of an entry in the base model, if any is not neutral."""
-    values = tuple(float(row[COLUMN[part.column]]) for part in entry.amplitudes)
-    there = any(value != part.neutral for value, part in zip(values, entry.amplitudes, strict=True))
-    return values if there else None
+def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
+    """The amplitudes of an entry in the base model's rows, one of each owner, if any is not neutral."""
+    values = rows[:, [COLUMN[part.column] for part in entry.amplitudes]]
+    there = (values != [part.neutral for part in entry.amplitudes]).any()
+    return tuple(tuple(own) for own in values.tolist()) if there else ()
 
 
 def _has_topic(entry: Entry, tracks: Sequence[Track]) -> bool:

@@ -96,7 +96,7 @@ def _found(fit: Fit, part: Accused, robots: tuple[str, ...], number: int, spread
         entry.id, entry.name, entry.equation, robots, tier, parameters, part.nats, rivals, entry.topic,
         held_out_nats=part.held_out.total,
         settings=_settings(fit, part),
-        simulated_as=EDDY if entry.law == EDDY else "",
+        simulated_as=entry.law if entry.law and (entry.law == EDDY or part.candidate.known) else "",
     )  # fmt: skip
 
 

@@ -7,14 +7,13 @@ catalogue clearly, since there are many of them.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue import PUMP_TICK
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.law_forms import Factor, Law, amount, given, product, signed_square, single, square
 from cocorosim_ros.diagnosis.phases import phased, phases
-from cocorosim_ros.physics.effects import LAWS
 from cocorosim_ros.physics.laws import EQUATIONS
 
 LARGE_SHARE = 0.1  # of the full force of an equation
@@ -104,11 +103,8 @@ SYMBOLS = dict(zip(EQUATIONS, ("X", "Y", "Z", "N", "F_x", "F_y", "F_z"), strict=
 SWINGING = ("world_x", "world_y", "surge", "sway", "heave", "yaw")
 
 
-def law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:
-    """All laws in the first free place of the simulator; none if all are taken by laws already found."""
-    free = [place for place in LAWS if place not in taken]
-    if not free:
-        return []
+def law_entries(scene: Scene, place: str) -> list[Entry]:
+    """All laws of motion, each as the simulator's effect at this place of LAWS."""
     plain = [
         (equation, law)
         for equation, laws in LAWS_OF.items()
@@ -116,8 +112,8 @@ def law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:
         if scene.scales[law.first.name] > 0.0 and scene.scales[law.second.name] > 0.0
     ]
     return [
-        *(_entry(free[0], equation, law, scene) for equation, law in plain),
-        *(_swinging(free[0], equation, scene) for equation in SWINGING),
+        *(_entry(place, equation, law, scene) for equation, law in plain),
+        *(_swinging(place, equation, scene) for equation in SWINGING),
     ]
 
 

@@ -86,7 +86,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         tested = _ranked(screen, entries)
         water = any(part.candidate.entry.water and part.nats > WORTH_REFINING for part in tested)
         found_laws = [part.candidate.entry for part in accused]
-        laws = expand(open_set(scene, found_laws, water=water), fit.tracks, base.rows)
+        laws = expand(open_set(scene, found_laws, base.rows, water=water), fit.tracks, base.rows)
         tested_laws = _ranked(screen, [part for part in laws if not taken & _keys(part)])
         if round_number == 0:
             first, first_laws = tested, tested_laws

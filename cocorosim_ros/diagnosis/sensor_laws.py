@@ -6,11 +6,9 @@ distorted compass by the sine and cosine of the heading.
 
 from __future__ import annotations
 
-from collections.abc import Collection
-
 from cocorosim_ros.diagnosis.entry import Amplitude, Entry, Scene
 from cocorosim_ros.diagnosis.law_forms import Factor, Law, amount, given, product, single, square
-from cocorosim_ros.sensors.law import READINGS_OF_LAWS, SENSOR_LAWS
+from cocorosim_ros.sensors.law import READINGS_OF_LAWS
 
 
 def _plain(*names: str) -> tuple[Law, ...]:
@@ -62,17 +60,14 @@ _SHOWN: dict[str, tuple[str, float, str]] = {
 }
 
 
-def sensor_law_entries(scene: Scene, taken: Collection[str]) -> list[Entry]:
-    """All laws of readings in the first free place of the model; none if all are taken by laws already found.
+def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:
+    """All laws of readings, each at this place of SENSOR_LAWS.
 
     None of poses where nothing but the water moved the robots: a place that is read too short then only makes the water
     look calmer, and laws of poses by place take that for a merit.
     """
-    free = [place for place in SENSOR_LAWS if place not in taken]
-    if not free:
-        return []
     return [
-        _entry(free[0], reading, law, scene)
+        _entry(place, reading, law, scene)
         for reading, laws in SENSOR_LAWS_OF.items()
         for law in laws
         if law.size(scene) > 0.0 and (scene.driven or not reading.startswith("pose"))

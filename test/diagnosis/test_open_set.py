@@ -93,7 +93,7 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     rows = base_rows(tracks)
     fit = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
     scene = scene_of(fit.tracks, smoothed_tracks(fit))
-    found = expand(open_set(scene, [], water=True), fit.tracks, fit.rows)
+    found = expand(open_set(scene, [], fit.rows, water=True), fit.tracks, fit.rows)
     assert len(found) > 200
     seen = set()
     for candidate in found:
@@ -113,6 +113,38 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     assert len(seen) > 150
 
 
+def test_laws_that_the_base_has_keep_their_places(swim: Any) -> None:
+    """Their coefficients may turn out to be others; everything else is looked for in the next place, or not at all."""
+    from cocorosim_ros.diagnosis.candidate import expand
+    from cocorosim_ros.diagnosis.columns import COLUMN
+    from cocorosim_ros.diagnosis.open_set import open_set
+    from cocorosim_ros.diagnosis.recalibration import first_fit
+    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.reporting.effect_keys import law_numbers
+    from cocorosim_ros.scenario.platform import load_platform
+
+    fit = first_fit(swim(load_platform("lily"), 20.0))
+    scene = scene_of(fit.tracks, smoothed_tracks(fit))
+    rows = fit.rows.copy()
+
+    def hold(place: str, law: str, coefficient: float) -> dict[str, Any]:
+        """What is looked for once the base has the law in a place: candidates by name."""
+        for name, value in {"coefficient": coefficient, **law_numbers(law)}.items():
+            rows[:, COLUMN[f"{place}.{name}"]] = value
+        found = expand(open_set(scene, [], rows, water=False), fit.tracks, rows)
+        assert len({candidate.entry.name for candidate in found}) == len(found)
+        return {candidate.entry.id: candidate for candidate in found if candidate.entry.topic is None}
+
+    found = hold("law_1", "unknown:heave~u*u", -0.1)
+    known = found.pop("unknown:heave~u*u")
+    assert (known.entry.law, known.known, list(known.settings(scene))) == ("law_1", ((-0.1,),), [{}])
+    assert known.amplitudes()[0].value(0.0) == -0.1
+    assert {candidate.entry.law for candidate in found.values()} == {"law_2"}
+    assert not any(candidate.known for candidate in found.values())
+    hold("law_2", "unknown:yaw~x", 1e-6)
+    assert set(hold("law_3", "unknown:yaw~y", 1e-6)) == {"unknown:heave~u*u", "unknown:yaw~x", "unknown:yaw~y"}
+
+
 def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
     """Behind its command by less than a pump's lag it is not believed; nor any law that pushes next to nothing.
 
@@ -124,7 +156,7 @@ def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
     from cocorosim_ros.scenario.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), 60.0))
-    entries = {entry.id: entry for entry in law_entries(scene_of(fit.tracks, smoothed_tracks(fit)), ())}
+    entries = {entry.id: entry for entry in law_entries(scene_of(fit.tracks, smoothed_tracks(fit)), "law_1")}
     of_pump = {name for name, entry in entries.items() if entry.of_pump}
     assert {"unknown:heave~pump_rate", "unknown:heave~|w|^-1*w", "unknown:heave~w*z"} <= of_pump
     assert not {"unknown:yaw~pump", "unknown:heave~u*u", "unknown:surge~pump_rate"} & of_pump
@@ -210,9 +242,9 @@ def test_where_only_water_moves_a_robot_no_law_of_its_place_is_asked(swim: Any) 
     fit = base_fit(swim(load_platform("lily"), SECONDS, seed=8))
     driven = scene_of(fit.tracks, smoothed_tracks(fit))
     assert driven.driven
-    of_pose = [entry for entry in sensor_law_entries(driven, ()) if entry.topic == "pose"]
+    of_pose = [entry for entry in sensor_law_entries(driven, "sensor_law_1") if entry.topic == "pose"]
     assert of_pose
-    adrift = sensor_law_entries(driven._replace(driven=False), ())
+    adrift = sensor_law_entries(driven._replace(driven=False), "sensor_law_1")
     assert adrift and not [entry for entry in adrift if entry.topic == "pose"]
     for track in fit.tracks:
         track.log.command[:] = 0.0

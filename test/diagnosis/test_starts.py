@@ -54,7 +54,7 @@ def test_nothing_is_searched_for_amplitudes_that_the_base_model_has() -> None:
         calls.append(q)
         return SimpleNamespace(q=q, objective=0.0)
 
-    best_start(at, np.array([0.1]), Candidate(LATENCY, ("a",), ((0,),), known=(0.2,)))
+    best_start(at, np.array([0.1]), Candidate(LATENCY, ("a",), ((0,),), known=((0.2,),)))
     assert len(calls) == 2
 
 

@@ -204,6 +204,15 @@ def test_laws_outside_the_catalogue_take_free_places(example: Example, tmp_path:
     assert set(more.effects) == {"law_1", "law_2", "law_3"}
 
 
+def test_a_law_that_the_platform_had_gets_another_coefficient(example: Example, tmp_path: Path) -> None:
+    """In its place, with its codes: it is not there a second time."""
+    known = written(tmp_path, replace(example("mismatch"), effects=(law("unknown:world_x~x"),)), origin())
+    again = replace(law("unknown:world_x~x"), simulated_as="law_1")
+    stronger = replace(again, parameters={"coefficient": replace(again.parameters["coefficient"], value=-5e-4)})
+    model = written(tmp_path, replace(example("mismatch"), effects=(stronger,)), origin(known), "more.yaml")
+    assert model.effects == {"law_1": known.effects["law_1"] | {"coefficient": -5e-4}}
+
+
 def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: Path) -> None:
     """A compass in error with the thrusters' amounts; its codes are those that its fit had."""
     settings = {"reading": 4.0, "regressor_1": 10.0, "power_1": 1.0, "signed_1": 0.0}
