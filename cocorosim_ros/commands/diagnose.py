@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -58,14 +57,13 @@ def command(bags: tuple[Path, ...], platform_name: str, out: Path, known: str | 
 
 def _base(name: str, known: str | None) -> Platform:
     """The platform, with the effects of another one taken as known."""
+    from cocorosim_ros.scenario.known_effects import knowing
     from cocorosim_ros.scenario.platform import load_platform
 
     platform = load_platform(name)
     if known is None:
         return platform
-    effects = {**platform.effect_quantities, **load_platform(known).effect_quantities}
-    robots = {robot: replace(own, effect_quantities=effects) for robot, own in platform.robots.items()}
-    return replace(platform, effect_quantities=effects, robots=robots)
+    return knowing(platform, load_platform(known))
 
 
 def _diagnose(evidence: Evidence, show: ShowProgress) -> Diagnosis:

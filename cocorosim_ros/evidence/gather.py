@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from pathlib import Path
+
+import numpy as np
 
 from cocorosim_ros.errors import CocorosimError
 from cocorosim_ros.evidence.bursts import as_taken
 from cocorosim_ros.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.evidence.clocks import clock_skews, on_one_clock, skew_sentence
 from cocorosim_ros.evidence.identities import with_true_identities
-from cocorosim_ros.evidence.log import STREAMS, Evidence, Recording, told_apart
+from cocorosim_ros.evidence.log import STREAMS, Evidence, Recording, Stream, told_apart
 from cocorosim_ros.evidence.robot_logs import robot_log, seconds
 from cocorosim_ros.evidence.topic_rows import COMMAND, read_topic_rows
 from cocorosim_ros.messages.stamps import NANOSECONDS
@@ -21,11 +24,32 @@ from cocorosim_ros.scenario.platform import Platform
 def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
     """What these recordings say of robots of this platform.
 
-    Raises CocorosimError where a file cannot be used: it is no recording, holds no topic of any robot, or commands
-    only actuators that the platform does not have. Where a usable file merely says too little, nothing is raised:
-    see `reasons_to_abstain`. Of several recordings every remark names its own.
+    Raises CocorosimError where a file cannot be used: it is no recording, holds no topic of any robot, commands
+    actuators that the platform does not have, or says the same as another one. Where a usable file merely says too
+    little, nothing is raised: see `reasons_to_abstain`. Of several recordings every remark names its own.
     """
-    return Evidence(platform, told_apart([gather_recording(Path(bag), platform) for bag in bags]))
+    recordings = [gather_recording(Path(bag), platform) for bag in bags]
+    for one, other in itertools.combinations(recordings, 2):
+        if _is_same(one, other):
+            raise CocorosimError(
+                f"{other.origin} says the same as {one.origin}, reading by reading; give every recording once, for "
+                "what is given twice would count twice as evidence."
+            )
+    return Evidence(platform, told_apart(recordings))
+
+
+def _is_same(one: Recording, other: Recording) -> bool:
+    """Whether two recordings hold the same robots with the same commands and readings."""
+    return [robot.name for robot in one.robots] == [robot.name for robot in other.robots] and all(
+        np.array_equal(mine.command, his.command)
+        and mine.streams.keys() == his.streams.keys()
+        and all(_is_same_stream(mine.streams[topic], his.streams[topic]) for topic in mine.streams)
+        for mine, his in zip(one.robots, other.robots, strict=True)
+    )
+
+
+def _is_same_stream(one: Stream, other: Stream) -> bool:
+    return np.array_equal(one.time, other.time) and np.array_equal(one.value, other.value, equal_nan=True)
 
 
 def gather_recording(path: Path, platform: Platform) -> Recording:

@@ -59,8 +59,16 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     platform = origin.platform
     tree = sourced_tree(Path(platform.origin))
     tree |= {"name": platform.name, "description": f"{platform.description}; {origin.source}"}
-    tree["effects"] = _known_effects(platform.effect_quantities, tree.get("effects", {}))
     robots: dict[str, Tree] = {name: dict(part) for name, part in tree.pop("robots", {}).items()}
+    for name, own in platform.robots.items():
+        if own.effect_quantities != platform.effect_quantities:
+            written = robots.get(name, {}).get("effects", {})
+            robots.setdefault(name, {})["effects"] = _known_effects(own.effect_quantities, written)
+        if own.frame_corrections != platform.frame_corrections:
+            robots.setdefault(name, {})["frame_corrections"] = dict(own.frame_corrections)
+    tree["effects"] = _known_effects(platform.effect_quantities, tree.get("effects", {}))
+    if platform.frame_corrections:
+        tree["frame_corrections"] = dict(platform.frame_corrections)
     _put_parameters(diagnosis.all_recalibrated or diagnosis.recalibrated, origin, tree, robots)
     _put_effects(diagnosis.effects, origin, tree, robots)
     return tree | {"robots": robots} if robots else tree

@@ -93,8 +93,9 @@ def test_known_effects_come_from_another_model(
 ) -> None:
     """--known adds the effects of a model to the platform, and leaves the platform's numbers alone."""
     seen = diagnose(found)
-    bag = run_of_20_seconds.bag
-    assert cocorosim("diagnose", bag, bag, "--platform", "lily", "--out", tmp_path / "first").status == 0
+    bag, other = run_of_20_seconds.bag, tmp_path / "other"
+    assert cocorosim("run", "five_lilys", "--in-process", "--duration", "12 s", "--seed", 7, "--out", other).status == 0
+    assert cocorosim("diagnose", bag, other, "--platform", "lily", "--out", tmp_path / "first").status == 0
     known = tmp_path / "first" / "model.yaml"
     assert cocorosim("diagnose", bag, "--platform", "lily", "--known", known, "--out", tmp_path / "x").status == 0
     assert len(seen[0].recordings) == 2

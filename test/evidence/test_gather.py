@@ -43,11 +43,26 @@ def test_streams_of_a_clean_recording(record: Record, circle: Any, lily_platform
     assert robot.gaps == ()
 
 
+def beside(circle: Any) -> Any:
+    """The same run a hand's breadth further, so that it is another recording."""
+    return circle | {POSE: circle[POSE].changed(numbers=circle[POSE].numbers + np.eye(5)[0] * 0.1)}
+
+
 def test_several_bags(record: Record, circle: Any, lily_platform: Platform) -> None:
     """One recording per bag, in the order given."""
-    evidence = gather_evidence([record(circle, "a"), record(circle, "b")], lily_platform)
+    evidence = gather_evidence([record(circle, "a"), record(beside(circle), "b")], lily_platform)
     assert [Path(recording.origin).name for recording in evidence.recordings] == ["a", "b"]
     assert evidence.platform is lily_platform
+
+
+def test_a_recording_counts_once(record: Record, circle: Any, lily_platform: Platform) -> None:
+    """Given twice, or as a copy under another name, it would be evidence twice."""
+    first, copy = record(circle, "first"), record(circle, "copy")
+    for twice in ([first, first], [first, record(beside(circle), "other"), copy]):
+        with pytest.raises(
+            CocorosimError, match=r"says the same as .*first, reading by reading; give every recording once"
+        ):
+            gather_evidence(twice, lily_platform)
 
 
 def test_order_and_duplicates(record: Record, circle: Any, lily_platform: Platform, is_said: Any) -> None:
@@ -327,7 +342,7 @@ def test_a_truncated_file(record: Record, circle: Any, lily_platform: Platform, 
 
 def test_remarks_of_several_recordings(record: Record, circle: Any, lily_platform: Platform) -> None:
     """Each names its recording, once; those of a single recording need not."""
-    first, second = record(circle, "first"), record(circle, "second")
+    first, second = record(circle, "first"), record(beside(circle), "second")
     (alone,) = gather_evidence([first], lily_platform).recordings
     assert alone.remarks and not any(str(first) in remark for remark in alone.remarks)
     intake = take_in(gather_evidence([first, second], lily_platform))

@@ -16,6 +16,7 @@ from cocorosim_ros.physics.regressors import REGRESSORS
 from cocorosim_ros.reporting.effect_keys import law_numbers
 from cocorosim_ros.reporting.model_file import Origin, model_yaml
 from cocorosim_ros.scenario.platform import Platform, load_platform
+from cocorosim_ros.scenario.quantity import Quantity
 from cocorosim_ros.scenario.yaml_file import parse_yaml
 
 Example = Callable[[str], Diagnosis]
@@ -260,3 +261,14 @@ def test_what_refers_to_the_recording_knows_its_length(example: Example, tmp_pat
     )
     model = written(tmp_path, replace(example("mismatch"), effects=(sag,)), origin())
     assert model.effects["battery_sag"] == {"fraction_lost": 0.1, "duration": 600.0}
+
+
+def test_what_was_known_of_one_robot_stays_with_it(example: Example, tmp_path: Path) -> None:
+    """Also where another platform's file said so, and not the one that was diagnosed."""
+    own = replace(load_platform("lily"), effect_quantities={"buoyancy_trim": {"force": Quantity(2e-3, "N", "force")}})
+    platform = replace(load_platform("lily"), robots={"lily_02": own}, frame_corrections={"pose": "y mirrored"})
+    found = replace(example("mismatch"), effects=(asymmetry(0.05, "lily_01"),), recalibrated=(), all_recalibrated=())
+    model = written(tmp_path, found, origin(platform, ("lily_01", "lily_02")))
+    assert model.of_robot("lily_02").effects == {"buoyancy_trim": {"force": 2e-3}}
+    assert model.of_robot("lily_01").effects == {"thruster_asymmetry": {"difference": 0.05}}
+    assert (model.effects, model.frame_corrections) == ({}, {"pose": "y mirrored"})
