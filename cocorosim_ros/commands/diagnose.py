@@ -107,12 +107,10 @@ def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
 def _next_manoeuvre(diagnosis: Diagnosis, platform: Platform) -> dict[str, str]:
     """The first of the advised manoeuvres as a scenario, where there is one that the platform can be driven through."""
     from cocorosim_ros.diagnosis.manoeuvre_scenario import can_be_driven, scenario_of
-    from cocorosim_ros.diagnosis.manoeuvres import advised
 
-    names = advised(diagnosis.effects, diagnosis.not_shown)
-    if diagnosis.next_manoeuvre is None or not names or not can_be_driven(platform):
+    if not diagnosis.manoeuvres or not can_be_driven(platform):
         return {}
-    return {"next_manoeuvre.yaml": scenario_of(names[0], platform, "model.yaml")}
+    return {"next_manoeuvre.yaml": scenario_of(diagnosis.manoeuvres[0], platform, "model.yaml")}
 
 
 @contextmanager

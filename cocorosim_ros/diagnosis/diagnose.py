@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.fit import Fit, finite
 from cocorosim_ros.diagnosis.framing import mixed_up
 from cocorosim_ros.diagnosis.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.location import locate
-from cocorosim_ros.diagnosis.manoeuvres import advise
+from cocorosim_ros.diagnosis.manoeuvres import advised, in_words
 from cocorosim_ros.diagnosis.naming import THRESHOLD, Naming, name_effects, without_weakest
 from cocorosim_ros.diagnosis.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.recalibration import RECALIBRATED, base_fit, nominal_fit
@@ -59,6 +59,9 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = moved or (_strongest(every) if _shifted(base) else ())
     unseen = tuple(name for name in not_shown(naming.screened) if name not in {part.id for part in effects})
     verdict = _verdict(effects, moved, unseen)
+    # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
+    tried = {part.candidate.entry.id for part in naming.screened}
+    manoeuvres = advised(effects, [name for name in unseen if name in tried])
     final_courses = smoothed_tracks(naming.fit)
     return Diagnosis(
         verdict,
@@ -67,7 +70,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         located,
         effects,
         unseen,
-        advise(effects, unseen),
+        in_words(manoeuvres),
         table,
         every,
         screened_effects(naming.screened),
@@ -77,6 +80,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
         needed_nats=THRESHOLD,
+        manoeuvres=manoeuvres,
         noise=noise_levels(naming.fit),
     )
 
@@ -100,6 +104,7 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     """What is said where no model can be fitted at all."""
     remarks = tuple(remark for recording in evidence.recordings for remark in recording.remarks)
     everything = ("frame_mixup", *IDS)
+    manoeuvres = advised((), everything)
     return Diagnosis(
         "insufficient",
         " ".join(reasons),
@@ -107,9 +112,10 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         (),
         (),
         everything,
-        advise((), everything),
+        in_words(manoeuvres),
         {},
         remarks=remarks,
+        manoeuvres=manoeuvres,
     )
 
 

@@ -169,3 +169,4 @@ class Diagnosis:
     remarks: tuple[str, ...] = ()
     needed_nats: float = float("nan")  # evidence from which an effect is accused
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
+    manoeuvres: tuple[str, ...] = ()  # those that `next_manoeuvre` puts into words, by name

@@ -37,11 +37,11 @@ def advised(effects: Sequence[FoundEffect], unseen: Sequence[str]) -> tuple[str,
     open_effects = [rival.id for effect in effects for rival in effect.ambiguous_with] + [
         effect.id for effect in effects if effect.ambiguous_with
     ]
-    names = [name for name in (manoeuvre_of(effect) for effect in open_effects or unseen) if name is not None]
+    names = [name for name in (manoeuvre_of(effect) for effect in dict.fromkeys(open_effects or unseen)) if name]
     return tuple(sorted(dict.fromkeys(names), key=lambda name: -names.count(name))[:3])
 
 
-def advise(effects: Sequence[FoundEffect], unseen: Sequence[str]) -> str | None:
-    """The same in words; None if nothing is open."""
-    words = "; ".join(MANOEUVRES[name] for name in advised(effects, unseen))
+def in_words(manoeuvres: Sequence[str]) -> str | None:
+    """Manoeuvres, given by name, as a sentence; None if there are none."""
+    words = "; ".join(MANOEUVRES[name] for name in manoeuvres)
     return f"{words[0].upper()}{words[1:]}." if words else None

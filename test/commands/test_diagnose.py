@@ -78,7 +78,10 @@ def test_what_to_drive_next_is_a_scenario(
     cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
 ) -> None:
     """Where something was not shown, the folder holds a scenario with its model; a later diagnosis takes it away."""
-    diagnose(lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), ("tether",), "Drive.", {}))
+    names = ("four_headings",)
+    diagnose(
+        lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), ("tether",), "Drive.", {}, manoeuvres=names)
+    )
     arguments = ("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out")
     assert cocorosim(*arguments).status == 0
     scenario = load_scenario(tmp_path / "out" / "next_manoeuvre.yaml")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
-from cocorosim_ros.diagnosis.manoeuvres import MANOEUVRES, advise, advised, manoeuvre_of
+from cocorosim_ros.diagnosis.manoeuvres import MANOEUVRES, advised, in_words, manoeuvre_of
 
 
 def effect(name: str, *rivals: str) -> Any:
@@ -23,5 +23,28 @@ def test_what_was_not_seen_is_shown_whatever_was_found() -> None:
     """A mismatch without rivals leaves as much out of sight as no mismatch does."""
     for found in ([], [effect("thruster_lag")]):
         assert advised(found, ["wall_effect"]) == ("along_wall",)
-        assert advise(found, ["wall_effect"]) == MANOEUVRES["along_wall"].capitalize() + "."
-    assert advise([effect("thruster_lag")], []) is None
+    assert advised([effect("thruster_lag")], []) == ()
+
+
+def test_manoeuvres_in_words() -> None:
+    """One sentence, or none."""
+    assert in_words(["along_wall"]) == MANOEUVRES["along_wall"].capitalize() + "."
+    assert in_words([]) is None
+
+
+def test_what_was_not_recorded_is_not_for_driving(swim: Any) -> None:
+    """Without pressure and with one robot, neither touching the surface nor following a neighbour is advised."""
+    from dataclasses import replace
+
+    from cocorosim_ros.diagnosis.diagnose import diagnose
+    from cocorosim_ros.scenario.platform import load_platform
+
+    evidence = swim(load_platform("lily"), 60.0)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    only_pose = replace(log, streams={"pose": log.streams["pose"]})
+    found = diagnose(
+        replace(evidence, recordings=(replace(recording, robots=(only_pose,)),)), lambda words, share: None
+    )
+    assert {"pressure_offset", "neighbour_wake"} <= set(found.not_shown)
+    assert found.manoeuvres and not {"surface_touch", "follow_neighbour"} & set(found.manoeuvres)
