@@ -22,30 +22,32 @@ def terms_of(options: argparse.Namespace) -> Terms:
     return Terms(options.jobs, options.limit, options.minutes, options.reports)
 
 
+def _command(options: argparse.Namespace) -> str:
+    """The command line; where the recordings lie is nobody else's concern."""
+    words = ["FOLDER" if word == str(getattr(options, "data", "")) else shlex.quote(word) for word in sys.argv[1:]]
+    return " ".join(["prove.py", *words])
+
+
 def _sealed(options: argparse.Namespace) -> int:
     from trial import sealed
     from trial.parts import parts
-    from trial.provenance import provenance, seed_of
+    from trial.provenance import note, noted, seed_of
     from trial.sealed_text import page
 
-    source = provenance(" ".join(["prove.py", *map(shlex.quote, sys.argv[1:])]))
-    noted = options.out / "provenance.json"
-    if noted.exists():
-        source = json.loads(noted.read_text(encoding="utf-8"))  # resumed
-    else:
+    source = noted(options.out, _command(options))
+    if "seed" not in source:
         word = options.seed_word or source["commit"]
         if not word:
             raise ValueError("there is no commit to take the seed from; give a public word with --seed-word")
         source |= {"seed_word": word, "seed": seed_of(word)}
-    options.out.mkdir(parents=True, exist_ok=True)
-    noted.write_text(json.dumps(source, indent=1) + "\n", encoding="utf-8")
+    note(options.out, source)
     folders = [
         sealed.conceal(options.out, part, source["seed"], options.jobs)
         for part in parts(options.count, options.parts.split(",") if options.parts else [])
     ]
     source["ledgers"] = sealed.digests(folders)
     print(json.dumps(source["ledgers"]), flush=True)
-    noted.write_text(json.dumps(source, indent=1) + "\n", encoding="utf-8")
+    note(options.out, source)
     todo = sealed.shuffled_evenly([sealed.tasks(options.out, folder) for folder in folders])
     terms = terms_of(options)
     if options.warm:
@@ -63,15 +65,17 @@ def _sealed(options: argparse.Namespace) -> int:
 
 
 def _tampered(options: argparse.Namespace) -> int:
+    from trial.provenance import noted
     from trial.tampered import prove
 
-    return prove(options.data, options.out, options.pages, terms_of(options))
+    return prove(options.data, options.out, options.pages, terms_of(options), noted(options.out, _command(options)))
 
 
 def _real(options: argparse.Namespace) -> int:
+    from trial.provenance import noted
     from trial.real import prove
 
-    return prove(options.data, options.out, options.pages, terms_of(options))
+    return prove(options.data, options.out, options.pages, terms_of(options), noted(options.out, _command(options)))
 
 
 def parser() -> argparse.ArgumentParser:

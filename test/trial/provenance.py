@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import platform
 import subprocess
@@ -36,3 +37,25 @@ def provenance(command: str) -> dict[str, Any]:
         "python": sys.version.split()[0],
         "machine": f"{platform.machine()}, {os.cpu_count()} processors",
     }
+
+
+def noted(out: Path, command: str) -> dict[str, Any]:
+    """The provenance of what lies in a folder, which may be gone on with later: as it was when it was begun."""
+    file = out / "provenance.json"
+    if file.exists():
+        found: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        return found
+    source = provenance(command)
+    note(out, source)
+    return source
+
+
+def note(out: Path, source: dict[str, Any]) -> None:
+    """Writes the provenance of what lies in a folder."""
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "provenance.json").write_text(json.dumps(source, indent=1) + "\n", encoding="utf-8")
+
+
+def sentence(source: dict[str, Any]) -> str:
+    """Command and commit, for a page."""
+    return f"Made by `{source['command']}` at commit `{source['commit']}`."

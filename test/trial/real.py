@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from trial.examiner import Task, Terms
+from trial.provenance import sentence
 from trial.recordings import Group, dives, hovercraft
 from trial.sealed import diagnose
 from trial.ways import answer, effects
@@ -52,11 +53,17 @@ def held_out(pair: tuple[Group, Group], out: Path) -> list[str]:
     lines = []
     for channel, scores in tables[0].items():
         inside = " | ".join(_number(scores.get(key)) for key in ("nominal", "recalibrated", "augmented", "noise_floor"))
-        before, after = (tables[k].get(channel, {}).get("nominal") for k in (1, 2))
+        before, after = (_after_seconds(tables[k].get(channel, {})) for k in (1, 2))
         lasts = f" after up to {scores['seconds']:g} s" if "seconds" in scores else ""
         name = f"{pair[0].name} | {channel} [{scores.get('unit', '')}]{lasts}"
-        lines.append(f"| {name} | {inside} | {_number(before)} | {_number(after)} |")
+        lines.append(f"| {name} | {inside} | {before} | {after} |")
     return lines
+
+
+def _after_seconds(scores: dict[str, Any]) -> str:
+    """The error of the nominal model, and how long its free runs were, which hangs on how the vehicle turned."""
+    lasts = f" ({scores['seconds']:g} s)" if "seconds" in scores else ""
+    return f"{_number(scores.get('nominal'))}{lasts}"
 
 
 def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
@@ -77,8 +84,8 @@ def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
     return lines
 
 
-def prove(data: Path, out: Path, pages: Path, terms: Terms) -> int:
-    """Converts, diagnoses, tries on what was held out, and writes the page."""
+def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any]) -> int:
+    """Converts, diagnoses, tries on what was held out, and writes the page; source: what made it."""
     pairs = groups(data, out)
     diagnose([task for pair in pairs for task in learn(pair, out)], replace(terms, keep_reports=True))
     again = [replay(pair, out) for pair in pairs if answer(out / "diagnoses" / pair[0].name)]
@@ -86,8 +93,10 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms) -> int:
     text = [
         "# Real recordings as they are", "",
         "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half.", "",
+        sentence(source), "",
         "## What was found", "", *[line for pair in pairs for line in findings(pair, out)], "",
-        "## Free runs on data that no fit saw", "",
+        "## Free runs on data that no fit of the numbers saw", "",
+        "Each model is measured against the course that its own smoother saw in the readings.", "",
         "| recordings | channel | nominal | recalibrated | augmented | noise floor"
         " | unseen recordings, nominal | unseen recordings, found model |",
         "|---|---|---|---|---|---|---|---|", *[line for pair in pairs for line in held_out(pair, out)], "",

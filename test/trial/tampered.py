@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from trial.examiner import Task, Terms
+from trial.provenance import sentence
 from trial.recordings import Group, chunks, dives, hovercraft
 from trial.sealed import concealer, diagnose
 from trial.ways import OUTCOMES, UNTOLD, WAYS, Way, answer, effects, judged
@@ -83,21 +84,24 @@ def controls(found: list[Group], out: Path) -> list[str]:
     return lines
 
 
-def prove(data: Path, out: Path, pages: Path, terms: Terms) -> int:
-    """Makes, diagnoses and judges everything, and writes the page and its numbers."""
+def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any]) -> int:
+    """Makes, diagnoses and judges everything, and writes the page and its numbers; source: what made them."""
     found = groups(data, out)
     diagnose(plan(found, out), terms)
     rows, lines = table(found, out)
     counts = {outcome: sum(row["outcome"] == outcome for row in rows) for outcome in OUTCOMES}
+    beside = sum(bool(row["blamed"]) for row in rows)
     text = [
         "# Real recordings with altered logs", "",
         "Water, vehicle and noise are real; a log was altered in a known way. The unaltered recordings are the",
         "control: what they are accused of too does not count, unless its number moves by what was put in.", "",
         f"{len(rows)} diagnoses: {', '.join(f'{count} {outcome}' for outcome, count in counts.items())}.", "",
-        "Right: the effect is named and its number moved by what was put in, within 30 % or the intervals. Blamed: an",
-        "effect of the catalogue is named that the control does not have. Cannot be seen: neither, and the diagnosis",
-        "says that these recordings could not show the effect. Where the pose is the only stream, a pose that is late",
-        "and thrusters that lag are counted together.", "", "## Controls", "",
+        "Right: the effect is named and its number moved by what was put in, within 30 % or the intervals. Blamed:",
+        "not right, and an effect of the catalogue is named that the control does not have. Cannot be seen: neither,",
+        "and the diagnosis says that these recordings could not show the effect. Where the pose is the only stream, a",
+        "pose that is late and thrusters that lag are counted together.", "",
+        f"Whatever the outcome, {beside} of {len(rows)} name an effect of the catalogue that was neither put in nor",
+        "found in the control.", "", sentence(source), "", "## Controls", "",
         "| recordings | how many | verdict | accused |", "|---|---|---|---|", *controls(found, out), "",
         "## Altered", "",
         "| recordings | altered | to be found | named | in the control too | its number moved by | outcome | accused |",
