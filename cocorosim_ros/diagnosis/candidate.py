@@ -29,6 +29,7 @@ class Candidate:
     robots: tuple[str, ...]
     tracks: tuple[tuple[int, ...], ...]  # by robot
     sizes: Mapping[str, float] = field(default_factory=dict)  # of the vehicle beside a Lily, by unit
+    duration: float = math.inf  # of the longest recording [s]
     known: tuple[tuple[float, ...], ...] = ()  # by owner: amplitudes that the base has already; shapes then stay
 
     @property
@@ -118,6 +119,7 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
     """
     numbers = tracks_by_robot(tracks)
     scaling = sizes(tracks[0])
+    duration = max(track.readings.step * (track.readings.points - 1) for track in tracks)
     found = []
     for entry in entries:
         if entry.needs_neighbours and len(numbers) < 2:
@@ -129,7 +131,9 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
         for group in groups:
             places = tuple(numbers[name] for name in group)
             owners = places[:1] if entry.water else places
-            found.append(Candidate(entry, group, places, scaling, _known(entry, rows[[own[0] for own in owners]])))
+            found.append(
+                Candidate(entry, group, places, scaling, duration, _known(entry, rows[[own[0] for own in owners]]))
+            )
     return found
 
 

@@ -12,9 +12,8 @@ CROSSED = 0.1  # m above and below a layer that have to be visited
 PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebody's clock
 THRUST_TICK = 0.02  # s: the same of thrusters, which move the robot more sharply
 PLAY = 0.002  # of a full command: below, a linkage has no play
-CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below are those of the grid
+CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below, and skews that make less of it on average, are none
 LATE = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)  # of what is large: delays of up to 0.6 s
-LONG = 600.0  # s, of a recording: a skew that makes less than a tick of it on average is none
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
 
 
@@ -413,7 +412,7 @@ ENTRIES: tuple[Entry, ...] = (
             f"clock of {topic} that runs wrong",
             "stamp = t0 + (1 + skew) (t - t0)",
             "clock",
-            (Amplitude(f"clock_skew.{topic}", "skew", "s/s", 5e-4, 0.05, negligible=_within(2.0 * CLOCK_TICK / LONG)),),
+            (Amplitude(f"clock_skew.{topic}", "skew", "s/s", 5e-4, 0.05, adds_up=2.0 * CLOCK_TICK),),
             group=_LATE,
             topic=topic,
             manoeuvre="repeat_at_end",

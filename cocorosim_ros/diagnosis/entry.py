@@ -47,6 +47,7 @@ class Amplitude:
     most: float = math.inf
     neutral: float = 0.0
     negligible: tuple[float, float] = (0.0, 0.0)  # between these distances from neutral it is not believed, SI units
+    adds_up: float = 0.0  # nor where this is all that it makes of the longest recording [SI units, s]
     searched: tuple[float, ...] = ()  # of q, ascending: where a fit may begin as well, if slopes do not lead far
 
 

@@ -202,7 +202,7 @@ def _is_tiny(part: Refined) -> bool:
 
 
 def _is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:
-    least = LEAST_SHARE * candidate.large(amplitude)
+    least = max(LEAST_SHARE * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
     low, high = amplitude.negligible
     return min(low, -least) < value - amplitude.neutral < max(high, least)
 

@@ -82,3 +82,17 @@ def test_what_a_pump_tells_of_is_weighed_by_how_far_it_was_moved() -> None:
     """Whoever holds a depth answers the water sooner than it is recorded: an innocent pressure sensor looks late."""
     found = {(entry.id, entry.topic) for entry in ENTRIES if entry.of_pump}
     assert found == {("pump_lag", None), ("sensor_latency", "pressure"), ("clock_skew", "pressure")}
+
+
+def test_a_skew_counts_by_what_it_makes_of_the_recording() -> None:
+    """Of 15 s less than a tick, what is a quarter of a second in ten minutes."""
+    from cocorosim_ros.diagnosis.candidate import Candidate
+    from cocorosim_ros.diagnosis.naming import _is_negligible
+
+    skew = next(entry for entry in ENTRIES if entry.id == "clock_skew" and entry.topic == "imu")
+    (amplitude,) = skew.amplitudes
+    short, long = (Candidate(skew, ("a",), ((0,),), duration=seconds) for seconds in (15.0, 600.0))
+    for value in (-4e-4, 4e-4):
+        assert _is_negligible(short, amplitude, value) and not _is_negligible(long, amplitude, value)
+    assert not _is_negligible(short, amplitude, 2e-3)
+    assert _is_negligible(long, amplitude, 3e-5)
