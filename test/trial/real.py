@@ -96,7 +96,9 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
         sentence(source), "",
         "## What was found", "", *[line for pair in pairs for line in findings(pair, out)], "",
         "## Free runs on data that no fit of the numbers saw", "",
-        "Each model is measured against the course that its own smoother saw in the readings.", "",
+        "Each model is measured against the course that the found model's own smoother saw in the readings, not against",
+        "readings: a model that bends the course bends the ruler. Where one sensor alone shows a state, as pressure the depth",
+        "of haizhe, rows of that state say nothing, and a law of that sensor in proportion to that state is no finding.", "",
         "| recordings | channel | nominal | recalibrated | augmented | noise floor"
         " | unseen recordings, nominal | unseen recordings, found model |",
         "|---|---|---|---|---|---|---|---|", *[line for pair in pairs for line in held_out(pair, out)], "",
