@@ -13,6 +13,12 @@ from trial.recordings import Group, dives, hovercraft
 from trial.sealed import diagnose
 from trial.ways import answer, effects
 
+MEASURED_AGAINST = (
+    "Each model is measured against the course that the found model's own smoother saw in the readings, not against",
+    "readings: a model that bends the course bends the ruler. Where one sensor alone shows a state, as pressure the",
+    "depth of haizhe, rows of that state say nothing, and a law of that sensor in proportion to that state is no finding.",
+)
+
 
 def groups(data: Path, out: Path) -> list[tuple[Group, Group]]:
     """Recordings to learn from, and recordings of the same vehicle that are held out."""
@@ -96,9 +102,7 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
         sentence(source), "",
         "## What was found", "", *[line for pair in pairs for line in findings(pair, out)], "",
         "## Free runs on data that no fit of the numbers saw", "",
-        "Each model is measured against the course that the found model's own smoother saw in the readings, not against",
-        "readings: a model that bends the course bends the ruler. Where one sensor alone shows a state, as pressure the depth",
-        "of haizhe, rows of that state say nothing, and a law of that sensor in proportion to that state is no finding.", "",
+        *MEASURED_AGAINST, "",
         "| recordings | channel | nominal | recalibrated | augmented | noise floor"
         " | unseen recordings, nominal | unseen recordings, found model |",
         "|---|---|---|---|---|---|---|---|", *[line for pair in pairs for line in held_out(pair, out)], "",
