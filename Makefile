@@ -20,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 digest = $(shell { echo $(CURDIR); find $(1) -type f ! -name '*.pyc' 2>/dev/null | LC_ALL=C sort | xargs -r sha256sum; } | sha256sum | cut -c1-16)
 DEPENDENCIES := $(VENV)/.dependencies-$(call digest,requirements.lock)
 MESSAGES := $(VENV)/.messages-$(call digest,msg_defs)
-PACKAGE := $(VENV)/.package-$(call digest,setup.py setup.cfg package.xml config cocorosim_ros/__init__.py cocorosim_ros/launch)
+PACKAGE := $(VENV)/.package-$(call digest,setup.py setup.cfg package.xml config cocorosim_ros/__init__.py cocorosim_ros/graph/launch)
 NUMPY1 := $(VENV)/numpy1/.installed-$(call digest,requirements-numpy1.lock)
 
 # A Python that is asked for by name replaces another one that is there already.
@@ -32,7 +32,7 @@ endif
 endif
 
 # Folders of test/ that start ROS or build something; all others also run on NumPy 1.26 in `make test`.
-ROS_TESTS := architecture benchmark build commands documentation examples nodes runs trial_tests
+ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
 CORE_TESTS := $(filter-out $(ROS_TESTS:%=test/%/),$(sort $(wildcard test/*/)))
 
 .NOTPARALLEL:

@@ -43,7 +43,8 @@ setup(
     package_data={
         PACKAGE: [
             "py.typed",
-            *("analysis/*.jinja", "reporting/*.jinja", "reporting/*.css", "pictures/*.jinja", "pictures/*.js"),
+            *("study/results/*.jinja", "study/pictures/*.jinja", "study/pictures/*.js", "study/pictures/*.css"),
+            "diagnosis/report/*.jinja",
         ]
     },
     data_files=shared_files(),

@@ -40,7 +40,7 @@ def cocorosim(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 @pytest.fixture
 def free_domain() -> Iterator[str]:
     """The number of a ROS domain that nobody else on this machine uses during the test."""
-    from cocorosim_ros.nodes.domain import OwnDomain
+    from cocorosim_ros.graph.nodes.domain import OwnDomain
 
     domain = OwnDomain()
     yield str(domain.number)
@@ -82,8 +82,8 @@ def blue_light() -> SimpleNamespace:
 @pytest.fixture(scope="session")
 def make_vehicles(lily: SimpleNamespace) -> Callable[..., Any]:
     """Function of (runs, robots, inertia): Lilys with two thrusters and a pump."""
-    from cocorosim_ros.physics.effects import EFFECTS
-    from cocorosim_ros.physics.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, Vehicles, neutral_row
+    from cocorosim_ros.world.effects import EFFECTS
+    from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, Vehicles, neutral_row
 
     def make(runs: int, robots: int, inertia: float | None = None) -> Vehicles:
         known = {
@@ -109,7 +109,7 @@ def make_vehicles(lily: SimpleNamespace) -> Callable[..., Any]:
 @pytest.fixture(scope="session")
 def make_tank() -> Callable[..., Any]:
     """Function of (bounds, spheres, boxes): a tank."""
-    from cocorosim_ros.environment.tank import Tank
+    from cocorosim_ros.world.surroundings.tank import Tank
 
     def make(bounds: Any = OPEN_WATER, spheres: Any = (), boxes: Any = ()) -> Tank:
         solid = np.reshape(np.asarray(spheres, dtype=float), (-1, 4))
@@ -121,7 +121,7 @@ def make_tank() -> Callable[..., Any]:
 @pytest.fixture(scope="session")
 def make_instruments(lily: SimpleNamespace, blue_light: SimpleNamespace) -> Callable[..., Any]:
     """Function of (robots): Lily's instruments; cones of 120 degrees, 0.5 m to robots, 0.3 m to obstacles."""
-    from cocorosim_ros.sensors.instruments import Instruments
+    from cocorosim_ros.world.sensors.instruments import Instruments
 
     def make(robots: int) -> Instruments:
         return Instruments(
@@ -142,8 +142,8 @@ def make_instruments(lily: SimpleNamespace, blue_light: SimpleNamespace) -> Call
 @pytest.fixture(scope="session")
 def make_crew(blue_light: SimpleNamespace) -> Callable[..., Any]:
     """Function of (robots, controller, settings): controllers on Lily's operating system."""
-    from cocorosim_ros.controllers import CONTROLLER_CODE
-    from cocorosim_ros.controllers.crew import Crew
+    from cocorosim_ros.world.controllers import CONTROLLER_CODE
+    from cocorosim_ros.world.controllers.crew import Crew
 
     system = [0.25, 0.2, 0.5, 0.1, 0.5, 15.0, 5.0, 60.0, 1300.0, 130.0, 1.0, 0.05, 127.0, 127.5, 1000.0, 9.81]
 
@@ -172,14 +172,14 @@ def make_simulation(
 
     `start` (runs, robots, 4) are x, y, z, yaw; the tick lasts 0.5 s.
     """
-    from cocorosim_ros.controllers import CONTROLLERS
-    from cocorosim_ros.environment.lamps import Lamps
-    from cocorosim_ros.physics.contact import CONTACT_CODE
-    from cocorosim_ros.physics.integrators import INTEGRATOR_CODE
-    from cocorosim_ros.physics.motion import Stepping
-    from cocorosim_ros.simulation.simulation import Simulation
-    from cocorosim_ros.simulation.wants import Wants
-    from cocorosim_ros.simulation.world import World
+    from cocorosim_ros.world.controllers import CONTROLLERS
+    from cocorosim_ros.world.motion.contact import CONTACT_CODE
+    from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
+    from cocorosim_ros.world.motion.motion import Stepping
+    from cocorosim_ros.world.surroundings.lamps import Lamps
+    from cocorosim_ros.world.tick.simulation import Simulation
+    from cocorosim_ros.world.tick.wants import Wants
+    from cocorosim_ros.world.tick.world import World
 
     def make(start: Any, controller: str = "idle", settings: Any = (), **choice: Any) -> Simulation:
         needs, medium = CONTROLLERS[controller].needs, CONTROLLERS[controller].medium

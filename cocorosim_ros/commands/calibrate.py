@@ -9,12 +9,12 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.output_file import check_file
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.output_file import check_file
 
 if TYPE_CHECKING:
-    from cocorosim_ros.calibration.fit import Fit
-    from cocorosim_ros.calibration.section_four import Row
+    from cocorosim_ros.study.calibration.fit import Fit
+    from cocorosim_ros.study.calibration.section_four import Row
 
 
 @click.command("calibrate", short_help="calibrate a platform")
@@ -38,10 +38,10 @@ def command(bag: Path | None, platform_name: str, robot: str | None, out: Path |
 
 
 def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: tuple[Path | None, bool]) -> None:
-    from cocorosim_ros.calibration.calibration_run import read_calibration_run
-    from cocorosim_ros.calibration.fit import fit_platform
-    from cocorosim_ros.calibration.platform_file import write_platform
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.study.calibration.calibration_run import read_calibration_run
+    from cocorosim_ros.study.calibration.fit import fit_platform
+    from cocorosim_ros.study.calibration.platform_file import write_platform
 
     out, force = target
     check_file(out, force=force)
@@ -58,7 +58,7 @@ def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, tar
 
 
 def _show_section_four(console: Console) -> None:
-    from cocorosim_ros.calibration.section_four import calibration_rows, findings
+    from cocorosim_ros.study.calibration.section_four import calibration_rows, findings
 
     console.print(section_table(calibration_rows()))
     for number, sentence in enumerate(findings(), 1):

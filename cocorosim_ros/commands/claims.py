@@ -9,11 +9,11 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.output_file import check_file
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.output_file import check_file
 
 if TYPE_CHECKING:
-    from cocorosim_ros.analysis.answers import Answer
+    from cocorosim_ros.study.claims.answers import Answer
 
 _STYLES = {"reproduced": "green", "not reproduced": "red", "not decidable": "yellow", "no runs": "dim"}
 
@@ -38,9 +38,9 @@ def command(
 
     With --run the designs are run, or gone on with, in FOLDER/boids and so on; the two designs of single choices too.
     """
-    from cocorosim_ros.analysis.all_claims import STUDIES, all_answers
-    from cocorosim_ros.analysis.claims_page import by_claim, claims_page
-    from cocorosim_ros.analysis.results import load_all
+    from cocorosim_ros.study.claims.all_claims import STUDIES, all_answers
+    from cocorosim_ros.study.claims.claims_page import by_claim, claims_page
+    from cocorosim_ros.study.results.results import load_all
 
     if bool(results) == (runs is not None):
         raise CocorosimError(

@@ -7,10 +7,10 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from cocorosim_ros.conversion.assembly import Stream
-from cocorosim_ros.conversion.conversion import Converted, convert
-from cocorosim_ros.conversion.map_file import load_map
-from cocorosim_ros.scenario.config_files import find_config
+from cocorosim_ros.scenario.reading.config_files import find_config
+from cocorosim_ros.wire.conversion.assembly import Stream
+from cocorosim_ros.wire.conversion.conversion import Converted, convert
+from cocorosim_ros.wire.conversion.map_file import load_map
 
 _MOST_SHOWN_IN_FULL = 3
 

@@ -14,9 +14,9 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from cocorosim_ros.commands.terminal import say, show_table
 
 if TYPE_CHECKING:
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
     from cocorosim_ros.diagnosis.findings import Diagnosis
-    from cocorosim_ros.evidence.log import Evidence
-    from cocorosim_ros.scenario.platform import Platform
+    from cocorosim_ros.scenario.parts.platform import Platform
 
 ShowProgress = Callable[[str, float], None]
 _MOST_REMARKS = 8
@@ -35,9 +35,9 @@ def command(bags: tuple[Path, ...], platform_name: str, out: Path, known: str | 
     found, for `cocorosim run` and for --platform of the next diagnosis). Where something is left open, also
     next_manoeuvre.yaml: a scenario for `cocorosim run` that drives what would show it.
     """
-    from cocorosim_ros.evidence.gather import gather_evidence
-    from cocorosim_ros.reporting.output_folder import check_folder, write_folder
-    from cocorosim_ros.reporting.terminal_table import terminal_tables
+    from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
+    from cocorosim_ros.diagnosis.report.output_folder import check_folder, write_folder
+    from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
 
     console = Console(highlight=False)
     check_folder(out, force=force)
@@ -57,8 +57,8 @@ def command(bags: tuple[Path, ...], platform_name: str, out: Path, known: str | 
 
 def _base(name: str, known: str | None) -> Platform:
     """The platform, with the effects of another one taken as known."""
-    from cocorosim_ros.scenario.known_effects import knowing
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.known_effects import knowing
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     platform = load_platform(name)
     if known is None:
@@ -74,7 +74,7 @@ def _diagnose(evidence: Evidence, show: ShowProgress) -> Diagnosis:
 
 def _show_remarks(console: Console, diagnosis: Diagnosis) -> None:
     """What was odd about the recordings; what there is no room for stands in the report."""
-    from cocorosim_ros.evidence.cleaning import is_noteworthy
+    from cocorosim_ros.diagnosis.evidence.cleaning import is_noteworthy
 
     odd = [remark for remark in diagnosis.remarks if is_noteworthy(remark)]
     for remark in odd[:_MOST_REMARKS]:
@@ -85,9 +85,9 @@ def _show_remarks(console: Console, diagnosis: Diagnosis) -> None:
 
 def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
     """The files by name."""
-    from cocorosim_ros.reporting.json_file import diagnosis_json
-    from cocorosim_ros.reporting.model_file import Origin, model_yaml
-    from cocorosim_ros.reporting.report import render_report
+    from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
+    from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
+    from cocorosim_ros.diagnosis.report.report import render_report
 
     recordings = tuple(recording.origin for recording in evidence.recordings)
     recorded = [robot.name for recording in evidence.recordings for robot in recording.robots]
@@ -106,7 +106,7 @@ def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
 
 def _next_manoeuvre(diagnosis: Diagnosis, platform: Platform) -> dict[str, str]:
     """The first of the advised manoeuvres as a scenario, where there is one that the platform can be driven through."""
-    from cocorosim_ros.diagnosis.manoeuvre_scenario import can_be_driven, scenario_of
+    from cocorosim_ros.diagnosis.report.manoeuvre_scenario import can_be_driven, scenario_of
 
     if not diagnosis.manoeuvres or not can_be_driven(platform):
         return {}

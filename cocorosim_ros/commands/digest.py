@@ -9,10 +9,10 @@ import click
 from rich.console import Console
 
 from cocorosim_ros.commands.terminal import say
-from cocorosim_ros.recording.bag_reader import Bag, read_bag
-from cocorosim_ros.recording.bag_writer import METADATA_NAME
-from cocorosim_ros.recording.comparison import bag_digest, difference
-from cocorosim_ros.recording.digest import Digest
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.bag_writer import METADATA_NAME
+from cocorosim_ros.wire.bags.comparison import bag_digest, difference
+from cocorosim_ros.wire.bags.digest import Digest
 
 EQUAL, DIFFERENT = 0, 1
 

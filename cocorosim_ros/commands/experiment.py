@@ -21,7 +21,7 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.foundation.errors import CocorosimError
 
 INTERRUPTED = 130
 _SPEED_OVER = 3600.0  # s; rich's own 30 s hold no two chunks of a long design, and without two it knows no time left
@@ -50,7 +50,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.pass_context
 def command(ctx: click.Context, /, **options: Any) -> None:
     """Run DESIGN (a name in config/designs, or a file): groups x replicates, one row a run in a Parquet table."""
-    from cocorosim_ros.experiments.design import load_design
+    from cocorosim_ros.study.experiments.design import load_design
 
     selection = (options["replicates"], options["groups"], options["numerics"])
     design = load_design(options["design"], *selection)
@@ -66,7 +66,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
 
 def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:
     with _calculator(options) as calculate:  # before the folder is made: a scheduler may not answer
-        from cocorosim_ros.experiments.store import Store
+        from cocorosim_ros.study.experiments.store import Store
 
         store = Store(options["out"], design, force=options["force"])
         began = time.monotonic()
@@ -97,7 +97,7 @@ def _say_what_ran_away(table: Any, design: Any, console: Console) -> None:
 def _add_missing(store: Any, design: Any, calculate: Calculate, console: Console) -> int:
     """Calculate what is not there yet; how many runs are missing in the end, more than none after an interruption."""
     from cocorosim_ros.commands.interruption import Interruption
-    from cocorosim_ros.experiments.rows import chunks
+    from cocorosim_ros.study.experiments.rows import chunks
 
     left = list(chunks(design, store.done()))
     missing = sum(chunk.count for chunk in left)
@@ -117,7 +117,7 @@ def _add_missing(store: Any, design: Any, calculate: Calculate, console: Console
 def _calculator(options: dict[str, Any]) -> Iterator[Calculate]:
     """What calculates chunks, in this process, in several or on a cluster."""
     if options["dask"]:
-        from cocorosim_ros.experiments.on_dask import connected, run_on_dask
+        from cocorosim_ros.study.experiments.on_dask import connected, run_on_dask
 
         with connected(options["dask"]) as client:
             yield lambda left, going: run_on_dask(left, client, going)
@@ -126,7 +126,7 @@ def _calculator(options: dict[str, Any]) -> Iterator[Calculate]:
 
 
 def _calculated_here(left: list[Any], asked: int | None, going: Going) -> Generator[Any, None, None]:
-    from cocorosim_ros.experiments import execution
+    from cocorosim_ros.study.experiments import execution
 
     workers = min(asked or execution.usual_workers(), len(left))
     if workers <= 1:
@@ -163,10 +163,10 @@ def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
     from cocorosim_ros.commands.run_folder import prepare_folder
     from cocorosim_ros.commands.run_modes import Outcome
     from cocorosim_ros.commands.show_results import show_results
-    from cocorosim_ros.messages.body import describe_body
-    from cocorosim_ros.runs.in_process import run_in_process
-    from cocorosim_ros.runs.results import recording_metadata
-    from cocorosim_ros.runs.run_record import RunRecord
+    from cocorosim_ros.graph.runs.in_process import run_in_process
+    from cocorosim_ros.graph.runs.results import recording_metadata
+    from cocorosim_ros.graph.runs.run_record import RunRecord
+    from cocorosim_ros.wire.topics.body import describe_body
 
     cell, replicate = _run_of_row(design, options, console)
     scenario = cell.scenario
@@ -190,8 +190,8 @@ def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
 def _run_of_row(design: Any, options: dict[str, Any], console: Console) -> tuple[Any, int]:
     """The cell and the replicate of a row of the table that the options tell."""
     from cocorosim_ros.commands.terminal import say
-    from cocorosim_ros.experiments.code_version import version
-    from cocorosim_ros.experiments.table_row import row_of_table
+    from cocorosim_ros.study.experiments.code_version import version
+    from cocorosim_ros.study.experiments.table_row import row_of_table
 
     row, folder = options["row"], options["results"]
     if folder is None:

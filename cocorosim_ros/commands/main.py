@@ -8,7 +8,7 @@ import sys
 import click
 
 from cocorosim_ros import __version__
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.foundation.errors import CocorosimError
 
 UNUSABLE_INPUT = 2
 COMMANDS: dict[str, str] = {

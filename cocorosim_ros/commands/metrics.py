@@ -9,11 +9,11 @@ from rich.console import Console
 
 from cocorosim_ros.commands.show_results import metrics_table
 from cocorosim_ros.commands.terminal import say, show_table
-from cocorosim_ros.output_file import check_file
-from cocorosim_ros.recording.bag_reader import read_bag
-from cocorosim_ros.runs.results import draw_picture, measure_recording, summary_of, write_json
-from cocorosim_ros.scenario.entry import Entry
-from cocorosim_ros.scenario.quantity import read_nanoseconds
+from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.graph.runs.results import draw_picture, measure_recording, summary_of, write_json
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
+from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 
 @click.command("metrics", short_help="shoaling statistics of any recording that has poses")

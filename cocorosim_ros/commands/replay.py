@@ -15,12 +15,12 @@ from rich.progress import BarColumn, Progress, TextColumn
 
 from cocorosim_ros.commands.interruption import Interruption
 from cocorosim_ros.commands.terminal import say
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.recording.bag_reader import Bag, read_bag
-from cocorosim_ros.recording.playback import Span, choose_span, choose_topics
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.playback import Span, choose_span, choose_topics
 
 if TYPE_CHECKING:
-    from cocorosim_ros.nodes.replay import Position, Replay
+    from cocorosim_ros.graph.nodes.replay import Position, Replay
 
 INTERRUPTED = 130
 SHOWN_EVERY = 0.1  # s
@@ -85,9 +85,9 @@ def command(ctx: click.Context, /, **options: object) -> None:
 def _replay(
     choices: ReplayChoices, bag: Bag, topics: list[str], span: Span, console: Console, interruption: Interruption
 ) -> None:
-    from cocorosim_ros.nodes.domain import OwnDomain
-    from cocorosim_ros.nodes.node_shell import ros_node
-    from cocorosim_ros.nodes.replay import Pace, Replay
+    from cocorosim_ros.graph.nodes.domain import OwnDomain
+    from cocorosim_ros.graph.nodes.node_shell import ros_node
+    from cocorosim_ros.graph.nodes.replay import Pace, Replay
 
     domain = OwnDomain()
     try:
@@ -110,8 +110,8 @@ def _replay(
 
 def _prepare_middleware(domain: int, *, network: bool) -> None:
     """Choose domain, reach and profile for this process; a profile that the user has chosen stays."""
-    from cocorosim_ros.nodes.domain import PROFILE_VARIABLES, keep_on_this_machine
-    from cocorosim_ros.scenario.config_files import shipped_file
+    from cocorosim_ros.graph.nodes.domain import PROFILE_VARIABLES, keep_on_this_machine
+    from cocorosim_ros.scenario.reading.config_files import shipped_file
 
     os.environ["ROS_DOMAIN_ID"] = str(domain)
     keep_on_this_machine(network=network)

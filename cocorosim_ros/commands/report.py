@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.output_file import check_file
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.output_file import check_file
 
 
 @click.command("report", short_help="results of experiments as one page")
@@ -18,8 +18,8 @@ from cocorosim_ros.output_file import check_file
 @click.option("--force", is_flag=True, help="replace files that are there")
 def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, force: bool) -> None:
     """Write one self-contained HTML page about RESULTS, folders that `cocorosim experiment` has made."""
-    from cocorosim_ros.analysis.report import render_report
-    from cocorosim_ros.analysis.results import check_folder, load_all
+    from cocorosim_ros.study.results.report import render_report
+    from cocorosim_ros.study.results.results import check_folder, load_all
 
     if out is None:  # the page lies with the results then, and would be said to lie in no folder
         check_folder(results[0])
@@ -30,7 +30,7 @@ def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, f
     _write(page, render_report(experiments))
     Console().print(f"{page}: {page.stat().st_size / 1e6:.1f} MB, open it in a browser")
     if summary:
-        from cocorosim_ros.analysis.summary_table import summary_csv
+        from cocorosim_ros.study.results.summary_table import summary_csv
 
         _write(summary, summary_csv(experiments))
         Console().print(f"{summary}: medians, quartiles and effects of every metric")

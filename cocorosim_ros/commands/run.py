@@ -19,9 +19,9 @@ from cocorosim_ros.commands.run_modes import (
     run_without_ros,
 )
 from cocorosim_ros.commands.show_results import show_results
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.scenario import Scenario, load_scenario
-from cocorosim_ros.simulation.platform_effects import not_simulated
+from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
 
 FAILED, INTERRUPTED = 1, 130
 # OpenBLAS would start threads that a fork does not take along.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.foundation.errors import CocorosimError
 
 RUN_PARTS = ("bag", "log", "metrics.json", "shoal.png", "live_metrics.json")
 

@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 
 from cocorosim_ros.commands.progress import RunProgress
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.messages.body import describe_body
-from cocorosim_ros.runs.latency import check_latency
-from cocorosim_ros.runs.run_record import run_topics, selected_topics
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.runs.latency import check_latency
+from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.simulation.platform_effects import check_platform
+from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 if TYPE_CHECKING:
-    from cocorosim_ros.nodes.graph import GraphPlan
+    from cocorosim_ros.graph.nodes.graph import GraphPlan
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class RunChoices:
 
 def check_startable(scenario: Scenario, choices: RunChoices) -> None:
     """Nothing, if the scenario can be run so; raises CocorosimError before anything is touched."""
-    from cocorosim_ros.nodes.domain import domain_of_user
+    from cocorosim_ros.graph.nodes.domain import domain_of_user
 
     if (choices.composed or choices.in_process) and scenario.external:
         raise CocorosimError(
@@ -87,8 +87,8 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
 def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
     """Every node a process of its own."""
     from cocorosim_ros.commands.interruption import Interruption
-    from cocorosim_ros.nodes.supervisor import Supervisor
-    from cocorosim_ros.runs.warm_up import compile_everything
+    from cocorosim_ros.graph.nodes.supervisor import Supervisor
+    from cocorosim_ros.graph.runs.warm_up import compile_everything
 
     with _own_domain(network=choices.network) as domain:
         with console.status("compiling (once per version)"):
@@ -111,7 +111,7 @@ def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console:
 def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
     """All nodes in this process, still on ROS topics."""
     from cocorosim_ros.commands.interruption import Interruption
-    from cocorosim_ros.nodes.composed import run_composed
+    from cocorosim_ros.graph.nodes.composed import run_composed
 
     with _own_domain(network=choices.network):
         start = time.monotonic()
@@ -128,9 +128,9 @@ def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, co
 def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
     """The same ticks and the same bag, without ROS."""
     from cocorosim_ros.commands.interruption import Interruption
-    from cocorosim_ros.runs.in_process import run_in_process
-    from cocorosim_ros.runs.results import recording_metadata
-    from cocorosim_ros.runs.run_record import RunRecord
+    from cocorosim_ros.graph.runs.in_process import run_in_process
+    from cocorosim_ros.graph.runs.results import recording_metadata
+    from cocorosim_ros.graph.runs.run_record import RunRecord
 
     bodies = [describe_body(robot) for robot in scenario.robots]
     selection = scenario.recording.topics
@@ -149,7 +149,7 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
 @contextmanager
 def _own_domain(*, network: bool) -> Iterator[int]:
     """Within, the number of a ROS domain of one's own, for all processes started from here."""
-    from cocorosim_ros.nodes.domain import OwnDomain, keep_on_this_machine
+    from cocorosim_ros.graph.nodes.domain import OwnDomain, keep_on_this_machine
 
     domain = OwnDomain()
     os.environ["ROS_DOMAIN_ID"] = str(domain.number)
@@ -161,7 +161,7 @@ def _own_domain(*, network: bool) -> Iterator[int]:
 
 
 def _plan(scenario: Scenario, choices: RunChoices, folder: Path) -> GraphPlan:
-    from cocorosim_ros.nodes.graph import GraphPlan
+    from cocorosim_ros.graph.nodes.graph import GraphPlan
 
     return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait)
 

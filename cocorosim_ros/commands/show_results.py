@@ -11,9 +11,9 @@ from rich.table import Table
 
 from cocorosim_ros.commands.run_modes import Outcome
 from cocorosim_ros.commands.terminal import say, show_table
-from cocorosim_ros.recording.bag_reader import read_bag
-from cocorosim_ros.runs.results import draw_picture, measure_recording, summary_of, write_json
+from cocorosim_ros.graph.runs.results import draw_picture, measure_recording, summary_of, write_json
 from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 
 def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Outcome) -> None:

@@ -10,12 +10,12 @@ import click
 from rich.console import Console
 
 from cocorosim_ros.commands.terminal import say
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.output_file import check_file
-from cocorosim_ros.pictures.player import player_page
-from cocorosim_ros.recording.bag_reader import read_bag
-from cocorosim_ros.recording.tracks import read_poses
-from cocorosim_ros.runs.results import no_poses, scenario_facts
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.graph.runs.results import no_poses, scenario_facts
+from cocorosim_ros.study.pictures.player import player_page
+from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.wire.bags.tracks import read_poses
 
 
 @click.command("view", short_help="look at a recording: a page that plays it")

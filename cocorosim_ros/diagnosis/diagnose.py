@@ -8,24 +8,24 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import chi2
 
-from cocorosim_ros.diagnosis.catalogue import IDS
-from cocorosim_ros.diagnosis.detectability import is_blind, not_shown, screened_effects
-from cocorosim_ros.diagnosis.estimates import found_effects, recalibrated
+from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, in_words
+from cocorosim_ros.diagnosis.evidence.intake import take_in
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
-from cocorosim_ros.diagnosis.fit import Fit, finite
-from cocorosim_ros.diagnosis.framing import mixed_up
-from cocorosim_ros.diagnosis.free_runs import held_out_free_runs
-from cocorosim_ros.diagnosis.location import locate
-from cocorosim_ros.diagnosis.manoeuvres import advised, in_words
-from cocorosim_ros.diagnosis.naming import THRESHOLD, Naming, name_effects, without_weakest
-from cocorosim_ros.diagnosis.noise_levels import noise_levels
-from cocorosim_ros.diagnosis.recalibration import RECALIBRATED, base_fit, nominal_fit
-from cocorosim_ros.diagnosis.residual import smoothed_tracks
-from cocorosim_ros.diagnosis.residual_force import residual_forces
-from cocorosim_ros.diagnosis.residual_reading import residual_readings
-from cocorosim_ros.diagnosis.sentence import sentence_of
-from cocorosim_ros.evidence.intake import take_in
-from cocorosim_ros.evidence.log import Evidence
+from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
+from cocorosim_ros.diagnosis.fitting.recalibration import RECALIBRATED, base_fit, nominal_fit
+from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
+from cocorosim_ros.diagnosis.naming.naming import THRESHOLD, Naming, name_effects, without_weakest
+from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+from cocorosim_ros.diagnosis.report.sentence import sentence_of
+from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
+from cocorosim_ros.diagnosis.showing.framing import mixed_up
+from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.showing.location import locate
+from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
+from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 
 Floats = NDArray[np.float64]
 Progress = Callable[[str, float], None]

@@ -1,9 +1,9 @@
 """What is asked for: scenarios, platforms and controllers, as frozen records read from YAML."""
 
-from cocorosim_ros.scenario.controller_file import ControllerDescription, Parameter, load_controller
-from cocorosim_ros.scenario.platform import Platform, load_platform
+from cocorosim_ros.scenario.checks.seeding import generator, start_poses
+from cocorosim_ros.scenario.parts.controller_file import ControllerDescription, Parameter, load_controller
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario, load_scenario, parse_scenario
-from cocorosim_ros.scenario.seeding import generator, start_poses
 
 __all__ = [
     "ControllerDescription",

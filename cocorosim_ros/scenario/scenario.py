@@ -8,14 +8,18 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
-from cocorosim_ros.scenario.config_files import find_config
-from cocorosim_ros.scenario.controller_file import ControllerDescription
-from cocorosim_ros.scenario.corruption import Corruption, corruptions_tree, read_corruptions
-from cocorosim_ros.scenario.entry import Entry, entry_of
-from cocorosim_ros.scenario.light import Light
-from cocorosim_ros.scenario.platform import Platform
-from cocorosim_ros.scenario.quantity import nanoseconds_text, read_nanoseconds
-from cocorosim_ros.scenario.records import (
+from cocorosim_ros.scenario.checks.scenario_checks import check_scenario
+from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
+from cocorosim_ros.scenario.parts.corruption import Corruption, corruptions_tree, read_corruptions
+from cocorosim_ros.scenario.parts.light import Light
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.swarm import SwarmGroup, read_swarm, swarm_tree
+from cocorosim_ros.scenario.parts.tank import Box, Sphere, Tank
+from cocorosim_ros.scenario.parts.water import Water
+from cocorosim_ros.scenario.reading.config_files import find_config
+from cocorosim_ros.scenario.reading.entry import Entry, entry_of
+from cocorosim_ros.scenario.reading.quantity import nanoseconds_text, read_nanoseconds
+from cocorosim_ros.scenario.reading.records import (
     TEXT,
     choice,
     nested,
@@ -24,11 +28,7 @@ from cocorosim_ros.scenario.records import (
     record_tree,
     stored,
 )
-from cocorosim_ros.scenario.scenario_checks import check_scenario
-from cocorosim_ros.scenario.swarm import SwarmGroup, read_swarm, swarm_tree
-from cocorosim_ros.scenario.tank import Box, Sphere, Tank
-from cocorosim_ros.scenario.water import Water
-from cocorosim_ros.scenario.yaml_file import load_yaml, parse_yaml, yaml_text
+from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml, yaml_text
 
 __all__ = [
     "Box",

@@ -6,7 +6,7 @@ import numba
 import numpy as np
 import pytest
 
-from cocorosim_ros.compilation import allocating_kernel, kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
 
 
 @kernel

@@ -44,7 +44,7 @@ def test_the_concealer_knows_only_its_own_code_and_public_libraries() -> None:
 @pytest.mark.parametrize(
     ("line", "culprit"),
     [
-        ("import cocorosim_ros.physics.dynamics", "cocorosim_ros"),
+        ("import cocorosim_ros.world.motion.dynamics", "cocorosim_ros"),
         ("def f():\n    from cocorosim_ros import errors", "cocorosim_ros"),
         ("__import__('cocorosim_ros')", "__import__"),
         ("import importlib", "importlib"),

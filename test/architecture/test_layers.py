@@ -32,10 +32,10 @@ def module_name(path: Path) -> str:
 
 
 def modules_without_ros() -> list[str]:
-    """All modules but those of nodes/, and of commands/ the one that must start on a machine without ROS."""
+    """All modules but those of graph/nodes/, and of commands/ the one that must start on a machine without ROS."""
     sources = (ROOT / "cocorosim_ros").rglob("*.py")
     names = sorted(map(module_name, sources))
-    shell = tuple(f"cocorosim_ros.{folder}" for folder in ("nodes", "commands", "launch"))
+    shell = tuple(f"cocorosim_ros.{folder}" for folder in ("graph.nodes", "commands", "graph.launch"))
     core = [name for name in names if not name.startswith(shell)]
     return core + [name for name in names if name == "cocorosim_ros.commands.main"]
 
@@ -74,15 +74,21 @@ def test_the_sources_keep_every_contract(copy: Path) -> None:
 @pytest.mark.parametrize(
     ("file", "line", "contract"),
     [
-        ("signals/planted.py", "import cocorosim_ros.simulation", "Data flows one way"),
-        ("physics/planted.py", "import cocorosim_ros.media", "Data flows one way"),
+        ("scenario/planted.py", "import cocorosim_ros.world.tick", "Data flows one way"),
         ("novelties/planted.py", "", "Data flows one way"),
-        ("physics/planted.py", "import rclpy", "Only nodes/ knows ROS"),
-        ("simulation/planted.py", "import geometry_msgs.msg", "Only nodes/ knows ROS"),
+        ("world/state/planted.py", "import cocorosim_ros.world.tick", "Rooms of the world"),
+        ("world/sensors/planted.py", "import cocorosim_ros.world.links", "Rooms of the world"),
+        ("world/novelties/planted.py", "", "Rooms of the world"),
+        ("wire/cdr/planted.py", "import cocorosim_ros.wire.bags", "Rooms of the wire"),
+        ("study/metrics/planted.py", "import cocorosim_ros.study.claims", "Rooms of the studies"),
+        ("diagnosis/filter/planted.py", "import cocorosim_ros.diagnosis.naming", "Rooms of the diagnosis"),
+        ("diagnosis/novelties/planted.py", "", "Rooms of the diagnosis"),
+        ("world/motion/planted.py", "import rclpy", "Only nodes/ knows ROS"),
+        ("world/tick/planted.py", "import geometry_msgs.msg", "Only nodes/ knows ROS"),
         ("commands/planted.py", "import rclpy", "Only nodes/ knows ROS"),
         (
-            "controllers/planted.py",
-            "import cocorosim_ros.environment",
+            "world/controllers/planted.py",
+            "import cocorosim_ros.world.water",
             "A controller sees only what its robot senses",
         ),
     ],
@@ -95,15 +101,15 @@ def test_a_planted_fault_is_found(copy: Path, file: str, line: str, contract: st
 
 def test_nodes_may_know_ros(copy: Path) -> None:
     """The contracts do not forbid what the shell is for, nor a command that starts a node."""
-    plant(copy, "nodes/planted.py", "import rclpy")
-    plant(copy, "commands/planted.py", "import cocorosim_ros.nodes.planted")
+    plant(copy, "graph/nodes/planted.py", "import rclpy")
+    plant(copy, "commands/planted.py", "import cocorosim_ros.graph.nodes.planted")
     assert broken_contracts(copy) == set()
 
 
 def test_the_core_imports_without_ros() -> None:
     """Everything but the nodes imports where neither rclpy nor a message package exists."""
     names = modules_without_ros()
-    assert "cocorosim_ros.errors" in names
+    assert "cocorosim_ros.foundation.errors" in names
     program = [sys.executable, "-c", ROS_FREE_PROGRAM]
     result = subprocess.run([*program, *names], cwd=ROOT, capture_output=True, text=True, check=False)
     assert result.returncode == 0, result.stderr

@@ -16,8 +16,8 @@ from machine import at_once
 from swarms import Pace, batches, bytes_per_robot, pace_of, stages, swarm_of
 from with_mujoco import mujoco_pace
 
-from cocorosim_ros.environment.force_field.force_field import ForceField
-from cocorosim_ros.experiments.batch import run_batch
+from cocorosim_ros.study.experiments.batch import run_batch
+from cocorosim_ros.world.water.force_field.force_field import ForceField
 
 CORES = 2
 TICK = 0.5  # s

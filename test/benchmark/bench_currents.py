@@ -14,11 +14,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cocorosim_ros.environment.force_field.cold_spots import new_places
-from cocorosim_ros.environment.force_field.pulls import pull_water
 from cocorosim_ros.scenario import load_scenario, start_poses
-from cocorosim_ros.simulation.assembly import build_world
-from cocorosim_ros.simulation.simulation import Simulation
+from cocorosim_ros.world.tick.assembly import build_world
+from cocorosim_ros.world.tick.simulation import Simulation
+from cocorosim_ros.world.water.force_field.cold_spots import new_places
+from cocorosim_ros.world.water.force_field.pulls import pull_water
 
 REPEATS = 500
 

@@ -20,8 +20,8 @@ from pathlib import Path
 from conditions import conditions
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
-from cocorosim_ros.evidence.gather import gather_evidence
-from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 CONCEALER = Path(__file__).parents[1] / "concealer"
 ROBOTS = (1, 3)

@@ -26,7 +26,7 @@ from graph_runs import LABELS, Case, NotCleanError, Result, composed, graph, gra
 from rich.console import Console
 from rich.table import Table
 
-from cocorosim_ros.scenario.config_files import shipped_file
+from cocorosim_ros.scenario.reading.config_files import shipped_file
 
 MUST, GOAL = 40.0, 100.0  # x real time, for eleven Lilys at 0.5 s
 ATTEMPTS = 3  # at a run in which nobody is late

@@ -14,18 +14,25 @@ from rich.console import Console
 from stopwatch import Stopwatch
 
 from cocorosim_ros.commands.run_modes import RunChoices, run_in_one_process, run_without_ros
-from cocorosim_ros.nodes import controller_node, controller_shell, metrics_node, physics_node, physics_shell, wiring
-from cocorosim_ros.nodes.domain import OwnDomain, keep_on_this_machine
-from cocorosim_ros.nodes.graph import GraphPlan
-from cocorosim_ros.nodes.shared_state import SharedState
-from cocorosim_ros.nodes.supervisor import Supervisor
-from cocorosim_ros.nodes.tick_recorder import TickRecorder
-from cocorosim_ros.recording.bag_reader import read_bag
-from cocorosim_ros.runs.body_side import BodySide, SwarmMessages
-from cocorosim_ros.runs.run_record import RunRecord
-from cocorosim_ros.runs.warm_up import compile_everything
+from cocorosim_ros.graph.nodes import (
+    controller_node,
+    controller_shell,
+    metrics_node,
+    physics_node,
+    physics_shell,
+    wiring,
+)
+from cocorosim_ros.graph.nodes.domain import OwnDomain, keep_on_this_machine
+from cocorosim_ros.graph.nodes.graph import GraphPlan
+from cocorosim_ros.graph.nodes.shared_state import SharedState
+from cocorosim_ros.graph.nodes.supervisor import Supervisor
+from cocorosim_ros.graph.nodes.tick_recorder import TickRecorder
+from cocorosim_ros.graph.runs.body_side import BodySide, SwarmMessages
+from cocorosim_ros.graph.runs.run_record import RunRecord
+from cocorosim_ros.graph.runs.warm_up import compile_everything
 from cocorosim_ros.scenario.scenario import load_scenario
-from cocorosim_ros.simulation.simulation import Simulation
+from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.world.tick.simulation import Simulation
 
 JIFFY = 1.0 / os.sysconf("SC_CLK_TCK")
 PHYSICS, CONTROLLERS, RECORDER = "physics", "controllers", "recorder"

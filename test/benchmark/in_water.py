@@ -9,13 +9,13 @@ from dataclasses import replace
 import numpy as np
 from swarms import Pace, batches, in_tank_of, pace_of
 
-from cocorosim_ros.environment.force_field.force_field import ForceField
-from cocorosim_ros.experiments.batch import run_batch, runs_that_fit
-from cocorosim_ros.experiments.design import load_design
-from cocorosim_ros.scenario.currents import TidalCurrent, VortexCurrent
+from cocorosim_ros.scenario.parts.currents import TidalCurrent, VortexCurrent
+from cocorosim_ros.scenario.parts.water import Water
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.scenario.water import Water
-from cocorosim_ros.simulation.simulation import Simulation
+from cocorosim_ros.study.experiments.batch import run_batch, runs_that_fit
+from cocorosim_ros.study.experiments.design import load_design
+from cocorosim_ros.world.tick.simulation import Simulation
+from cocorosim_ros.world.water.force_field.force_field import ForceField
 
 LARGE_THREADS = 2  # cores on which the components of a large field go side by side
 RUNS_AT_ONCE = 3  # a thread; as many as an experiment takes

@@ -8,7 +8,7 @@ from machine import copy_bandwidth, scalar_arithmetic, triad_bandwidth, vector_a
 from scipy.spatial import cKDTree
 from swarms import Pace
 
-from cocorosim_ros.simulation.simulation import Simulation
+from cocorosim_ros.world.tick.simulation import Simulation
 
 OPERATIONS_PER_PAIR = 8  # three differences, three squares, two sums
 REACH = 0.5  # m, of radio and of blue light

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.compilation import kernel
+from cocorosim_ros.foundation.compiling.kernel import kernel
 
 Floats = NDArray[np.float64]
 COPIED = 32_000_000  # numbers; far more than any cache holds

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from machine import at_once
 
+from cocorosim_ros.scenario.checks.seeding import start_poses
+from cocorosim_ros.scenario.parts.swarm import StartBox
 from cocorosim_ros.scenario.scenario import Scenario, load_scenario
-from cocorosim_ros.scenario.seeding import start_poses
-from cocorosim_ros.scenario.swarm import StartBox
-from cocorosim_ros.simulation.assembly import build_world
-from cocorosim_ros.simulation.simulation import Simulation
+from cocorosim_ros.world.tick.assembly import build_world
+from cocorosim_ros.world.tick.simulation import Simulation
 
 SETTLING = 20  # ticks before the clock starts
 

@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import pytest
 
 import cocorosim_ros
-from cocorosim_ros.messages.topics import TOPICS
+from cocorosim_ros.wire.topics.topics import TOPICS
 
 ROOT = Path(__file__).parents[2]
 ENTRY_POINTS = {"cocorosim", "controller_node", "metrics_node", "physics_node"}

@@ -13,11 +13,11 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.messages.body import describe_body
-from cocorosim_ros.runs.in_process import run_in_process
-from cocorosim_ros.runs.results import recording_metadata
-from cocorosim_ros.runs.run_record import RunRecord
+from cocorosim_ros.graph.runs.in_process import run_in_process
+from cocorosim_ros.graph.runs.results import recording_metadata
+from cocorosim_ros.graph.runs.run_record import RunRecord
 from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.wire.topics.body import describe_body
 
 PROGRAM = "import sys; from cocorosim_ros.commands.main import main; sys.argv[0] = 'cocorosim'; main()"
 
@@ -40,7 +40,7 @@ def run_of_20_seconds(tmp_path_factory: pytest.TempPathFactory) -> SimpleNamespa
 @pytest.fixture
 def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """A ROS domain that nobody else uses, on this machine only, for this process and those that it starts."""
-    from cocorosim_ros.nodes.domain import OwnDomain, keep_on_this_machine
+    from cocorosim_ros.graph.nodes.domain import OwnDomain, keep_on_this_machine
 
     for name in ("ROS_DOMAIN_ID", "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS"):
         monkeypatch.delenv(name, raising=False)

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from cocorosim_ros.commands.calibrate import command
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.foundation.errors import CocorosimError
 
 Typed = Callable[..., Any]
 
@@ -47,11 +47,11 @@ def test_without_argument_it_shows_the_table_and_what_does_not_fit(typed: Typed)
 
 def test_a_recording_is_fitted_and_written(typed: Typed, tmp_path: Path) -> None:
     """Lily's own calibration run gives Lily back, within a thousandth; a second time needs --force."""
-    from cocorosim_ros.messages.body import describe_body
-    from cocorosim_ros.runs.in_process import run_in_process
-    from cocorosim_ros.runs.run_record import RunRecord
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.graph.runs.in_process import run_in_process
+    from cocorosim_ros.graph.runs.run_record import RunRecord
+    from cocorosim_ros.scenario.parts.platform import load_platform
     from cocorosim_ros.scenario.scenario import load_scenario
+    from cocorosim_ros.wire.topics.body import describe_body
 
     scenario = load_scenario("calibration_run")
     record = RunRecord(tmp_path / "bag", [describe_body(robot) for robot in scenario.robots], {})

@@ -83,9 +83,9 @@ def test_results_of_another_design(cocorosim: Run, tmp_path: Path) -> None:
 @pytest.fixture
 def short_studies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
     """The names of the two designs of the paper, which are found as copies of 20 ticks, calculated in this process."""
-    from cocorosim_ros.analysis import all_claims
-    from cocorosim_ros.experiments import execution
-    from cocorosim_ros.scenario import config_files
+    from cocorosim_ros.scenario.reading import config_files
+    from cocorosim_ros.study.claims import all_claims
+    from cocorosim_ros.study.experiments import execution
 
     studies = ("boids", "turbulence")
     folders = config_files.config_folders()
@@ -137,9 +137,9 @@ STUDIES = ("boids", "turbulence", "boids_choices", "turbulence_choices")
 @pytest.fixture
 def four_folders(tmp_path: Path) -> list[Path]:
     """Eight rows for each group of the four designs, without a simulation: polarisation tells design and group."""
-    from cocorosim_ros.experiments.rows import SCHEMA
-    from cocorosim_ros.scenario.config_files import find_config
-    from cocorosim_ros.scenario.yaml_file import load_yaml
+    from cocorosim_ros.scenario.reading.config_files import find_config
+    from cocorosim_ros.scenario.reading.yaml_file import load_yaml
+    from cocorosim_ros.study.experiments.rows import SCHEMA
 
     for place, name in enumerate(STUDIES):
         design = load_yaml(find_config("designs", name)).mapping()

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.scenario import load_scenario
 
 Command = Callable[..., SimpleNamespace]

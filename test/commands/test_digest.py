@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.messages.type_store import build, serialize
-from cocorosim_ros.recording.bag_writer import BagWriter, Channel
+from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
+from cocorosim_ros.wire.cdr.type_store import build, serialize
 
 WORD = "std_msgs/msg/String"
 Command = Callable[..., SimpleNamespace]

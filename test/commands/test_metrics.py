@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from rosbags.rosbag2 import StoragePlugin, Writer
 
-from cocorosim_ros.messages.type_store import build, serialize, type_store
-from cocorosim_ros.metrics import METRICS, PAPER_METRICS
+from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
+from cocorosim_ros.wire.cdr.type_store import build, serialize, type_store
 
 POSE, WORD = "geometry_msgs/msg/PoseStamped", "std_msgs/msg/String"
 Command = Callable[..., SimpleNamespace]

@@ -16,14 +16,16 @@ import pytest
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
-from cocorosim_ros.messages.stamps import stamp_ns
-from cocorosim_ros.messages.type_store import build, serialize, type_store
-from cocorosim_ros.recording.bag_reader import read_bag
-from cocorosim_ros.recording.comparison import bag_digest, difference
+from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.wire.bags.comparison import bag_digest, difference
+from cocorosim_ros.wire.cdr.stamps import stamp_ns
+from cocorosim_ros.wire.cdr.type_store import build, serialize, type_store
 
 POSE, CLOCK = "geometry_msgs/msg/PoseStamped", "rosgraph_msgs/msg/Clock"
 PATIENCE = 200.0  # s; a busy machine is slow
-METRICS_NODE = "import sys; from cocorosim_ros.nodes.metrics_node import main; sys.argv[0] = 'metrics_node'; main()"
+METRICS_NODE = (
+    "import sys; from cocorosim_ros.graph.nodes.metrics_node import main; sys.argv[0] = 'metrics_node'; main()"
+)
 Command = Callable[..., SimpleNamespace]
 Start = Callable[..., "subprocess.Popen[str]"]
 

@@ -151,7 +151,7 @@ def test_a_motion_that_runs_away(
     cocorosim: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """One sentence, status 1, and what was recorded until then can be read."""
-    from cocorosim_ros.simulation.simulation import Simulation
+    from cocorosim_ros.world.tick.simulation import Simulation
 
     decide = Simulation.decide
 

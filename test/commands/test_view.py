@@ -13,7 +13,7 @@ from urllib.request import url2pathname
 import pytest
 from rosbags.rosbag2 import StoragePlugin, Writer
 
-from cocorosim_ros.messages.type_store import type_store
+from cocorosim_ros.wire.cdr.type_store import type_store
 
 Command = Callable[..., SimpleNamespace]
 SHIPPED = Path(__file__).parents[2] / "bags" / "five_lilys"

@@ -95,8 +95,8 @@ def test_an_independent_reader_finds_the_contract_in_the_recording(trial: Path) 
 
 def test_the_tool_reads_the_recording(trial: Path) -> None:
     """The project's own reader finds all robots and their poses in it, undamaged."""
-    from cocorosim_ros.recording.bag_reader import read_bag
-    from cocorosim_ros.recording.tracks import read_poses
+    from cocorosim_ros.wire.bags.bag_reader import read_bag
+    from cocorosim_ros.wire.bags.tracks import read_poses
 
     truth = json.loads((trial / "envelopes" / "r0000.json").read_text())
     bag = read_bag(trial / "recordings" / "r0000")

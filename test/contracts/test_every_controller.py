@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.controllers import CONTROLLERS
-from cocorosim_ros.controllers.controller import EXTRA_TOPICS
-from cocorosim_ros.signals.radio import MESSAGE_LENGTH, PAYLOAD_LIMIT
-from cocorosim_ros.signals.readings import Readings
+from cocorosim_ros.world.controllers import CONTROLLERS
+from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, PAYLOAD_LIMIT
+from cocorosim_ros.world.state.readings import Readings
 
 BOUNDS = ((-3.0, -3.0, -2.0), (3.0, 3.0, 0.0))
 INSTRUMENTS = Readings._fields

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.environment.currents import CURRENTS
-from cocorosim_ros.environment.flow import add_water_velocity, make_flow
-from cocorosim_ros.scenario.currents import VELOCITY_CURRENTS
+from cocorosim_ros.scenario.parts.currents import VELOCITY_CURRENTS
+from cocorosim_ros.world.water.currents import CURRENTS
+from cocorosim_ros.world.water.flow import add_water_velocity, make_flow
 
 every_current = pytest.mark.parametrize("name", CURRENTS)
 GRID_AXES = [np.array([0.0, 10.0]), np.array([-2.0, -0.5, 0.0]), np.linspace(-3.0, 3.0, 4), np.linspace(-3.0, 3.0, 5)]

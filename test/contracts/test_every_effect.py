@@ -8,9 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.physics.effects import CATALOGUE_EFFECTS, EFFECTS
-from cocorosim_ros.physics.vehicles import EFFECT_BIT, GAINS, INERTIA_PARAMETERS, PARAMETER_COLUMNS, parameter_names
-from cocorosim_ros.signals.state import STATE_SIZE, SURGE, YAW_RATE, row_size
+from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, EFFECTS
+from cocorosim_ros.world.state.state import STATE_SIZE, SURGE, YAW_RATE, row_size
+from cocorosim_ros.world.vehicle_model.vehicles import (
+    EFFECT_BIT,
+    GAINS,
+    INERTIA_PARAMETERS,
+    PARAMETER_COLUMNS,
+    parameter_names,
+)
 
 Make = Callable[..., Any]
 every_effect = pytest.mark.parametrize("name", EFFECTS)
@@ -31,7 +37,7 @@ def random_rows(count: int) -> Any:
 
 def swum(vehicles: Any, tank: Any, rows: Any, integrator: int = 0, steps: int = 3) -> Any:
     """The rows (runs, robots, columns) after TICKS ticks of 0.5 s under commands that change at every tick."""
-    from cocorosim_ros.physics.motion import Stepping, apply_commands, move
+    from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
 
     state = rows.copy()
     for tick in range(TICKS):

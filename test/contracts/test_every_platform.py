@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.scenario import load_platform, load_scenario
-from cocorosim_ros.scenario.config_files import config_names
-from cocorosim_ros.simulation.assembly import build_world
+from cocorosim_ros.scenario.reading.config_files import config_names
+from cocorosim_ros.world.tick.assembly import build_world
 
 SCENARIO = """\
 name: alone

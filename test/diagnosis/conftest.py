@@ -35,7 +35,7 @@ def swim() -> Callable[..., Any]:
 
     blur: times the usual noise of the readings.
     """
-    from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog, Stream
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
 
     def make(
         platform: Any, seconds: float, seed: int = 0, disturbance: float = 0.005, base: Any = None, blur: float = 1.0
@@ -65,13 +65,13 @@ def swim() -> Callable[..., Any]:
 
 def trajectory(platform: Any, commands: Any, rng: np.random.Generator, disturbance: float) -> Any:
     """(rows, 8) states every STEP, by the simulator's own tick; the random force holds for a tick."""
-    from cocorosim_ros.calibration.free_run import OPEN_WATER, STILL
-    from cocorosim_ros.physics.contact import INELASTIC
-    from cocorosim_ros.physics.integrators import INTEGRATOR_CODE
-    from cocorosim_ros.physics.motion import Stepping, apply_commands, move
-    from cocorosim_ros.physics.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS
-    from cocorosim_ros.signals.state import row_size
-    from cocorosim_ros.simulation.assembly import build_vehicles
+    from cocorosim_ros.study.calibration.free_run import OPEN_WATER, STILL
+    from cocorosim_ros.world.motion.contact import INELASTIC
+    from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
+    from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
+    from cocorosim_ros.world.state.state import row_size
+    from cocorosim_ros.world.tick.assembly import build_vehicles
+    from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS
 
     vehicles = build_vehicles([platform])
     vehicles.active[:] |= EFFECT_BIT["patch_force"]

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.catalogue import ENTRIES, IDS
-from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
-from cocorosim_ros.diagnosis.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
 # The contract's table, but for frame_mixup, which is told before any physics is.
 CONTRACT = """linear_drag anisotropic_drag added_mass steady_current sheared_current tidal_current tether wall_effect
@@ -38,9 +38,9 @@ def test_an_entry_is_whole(entry: Any) -> None:
 @pytest.fixture(scope="module")
 def short(swim: Any) -> Any:
     """The fit of half a minute, at its start values."""
-    from cocorosim_ros.diagnosis.fit import make_fit
-    from cocorosim_ros.diagnosis.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.fitting.fit import make_fit
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 30.0))
     rows = base_rows(tracks)
@@ -50,8 +50,8 @@ def short(swim: Any) -> Any:
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
 def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
     """With its amplitudes neutral the innovations are bit for bit the model's; with large ones they are not."""
-    from cocorosim_ros.diagnosis.candidate import expand
-    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.candidate import expand
+    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
 
     found = expand([entry], short.tracks, short.rows)
     if not found:
@@ -86,8 +86,8 @@ def test_what_a_pump_tells_of_is_weighed_by_how_far_it_was_moved() -> None:
 
 def test_a_skew_counts_by_what_it_makes_of_the_recording() -> None:
     """Of 15 s less than a tick, what is a quarter of a second in ten minutes."""
-    from cocorosim_ros.diagnosis.candidate import Candidate
-    from cocorosim_ros.diagnosis.naming import _is_negligible
+    from cocorosim_ros.diagnosis.fitting.candidate import Candidate
+    from cocorosim_ros.diagnosis.naming.naming import _is_negligible
 
     skew = next(entry for entry in ENTRIES if entry.id == "clock_skew" and entry.topic == "imu")
     (amplitude,) = skew.amplitudes

@@ -9,9 +9,9 @@ def test_no_interval_is_narrower_than_the_steps_of_the_filter(swim: Any) -> None
     """In still water the truth, 1 % more drag in yaw, lies in an interval at least six ten-thousandths wide."""
     from dataclasses import replace
 
-    from cocorosim_ros.diagnosis.estimates import recalibrated
-    from cocorosim_ros.diagnosis.recalibration import base_fit
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     plain = load_platform("lily")
     true = replace(plain, yaw_drag=1.01 * plain.yaw_drag)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.free_runs import window_length
-from cocorosim_ros.diagnosis.track import Smoothed
-from cocorosim_ros.signals.state import YAW_RATE
+from cocorosim_ros.diagnosis.showing.free_runs import window_length
+from cocorosim_ros.diagnosis.tracks.track import Smoothed
+from cocorosim_ros.world.state.state import YAW_RATE
 
 
 @pytest.mark.parametrize(

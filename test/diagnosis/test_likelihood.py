@@ -16,8 +16,8 @@ FORCE_RMS, Z_NOISE, PRESSURE_NOISE = 3e-4, 0.002, 7.0
 @pytest.fixture(scope="module")
 def heaving() -> Any:
     """Evidence of a Lily without drag, of whom depth alone is seen, twice."""
-    from cocorosim_ros.evidence.log import Evidence, Recording, RobotLog, Stream
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     rng = np.random.default_rng(5)
     time = np.arange(0.0, 30.0, STEP)
@@ -83,8 +83,8 @@ def independent(evidence: Any, start: Any) -> float:
 
 def numbers(track: Any) -> Any:
     """The base model's row with the noise of this test."""
-    from cocorosim_ros.diagnosis.columns import COLUMN
-    from cocorosim_ros.diagnosis.recalibration import base_rows
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows
+    from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
     row = base_rows([track])[0]
     row[COLUMN["random.heave_force"]] = math.log(FORCE_RMS)
@@ -97,7 +97,7 @@ def numbers(track: Any) -> Any:
 
 def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
     """Where the motion is linear, the log-likelihood of 450 readings agrees to 1e-6."""
-    from cocorosim_ros.diagnosis.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
 
     track = make_tracks(heaving)[0]
     passed = track.full(numbers(track))
@@ -107,7 +107,7 @@ def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
 
 def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
     """Given all readings the depth is known three times better than one reading shows it, and says so."""
-    from cocorosim_ros.diagnosis.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
 
     track = make_tracks(heaving)[0]
     course = track.smoothed(numbers(track))
@@ -119,7 +119,7 @@ def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
 @pytest.fixture(scope="module")
 def carried_off(heaving: Any) -> Any:
     """The track and row of one who is 10 cm elsewhere from half time on, as if someone had carried it."""
-    from cocorosim_ros.diagnosis.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
 
     (recording,) = heaving.recordings
     (log,) = recording.robots
@@ -148,8 +148,8 @@ def test_what_is_not_believed_pulls_as_far_with_every_number(carried_off: Any) -
 
 def test_a_number_at_its_bound_does_not_hold_the_others_back() -> None:
     """Of two that pull at each other, the one pressing against its bound is left out: the other goes all its way."""
-    from cocorosim_ros.diagnosis.fit import step_within
-    from cocorosim_ros.diagnosis.unknowns import Unknown
+    from cocorosim_ros.diagnosis.fitting.fit import step_within
+    from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 
     pair = [Unknown("drag", (0,), 1.0, bounds=(-1.0, 1.0)), Unknown("yaw_drag", (0,), 1.0)]
     matrix, score = np.array([[2.0, 1.5], [1.5, 2.0]]), np.array([1.0, 1.0])

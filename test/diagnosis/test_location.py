@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.location import _where
-from cocorosim_ros.diagnosis.track import Smoothed
+from cocorosim_ros.diagnosis.showing.location import _where
+from cocorosim_ros.diagnosis.tracks.track import Smoothed
 
 TIME = 0.1 * np.arange(200)
 

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.controllers.programme import ROWS
-from cocorosim_ros.diagnosis.manoeuvre_scenario import PROGRAMMES, RAMPED, scenario_of
-from cocorosim_ros.diagnosis.manoeuvres import MANOEUVRES
-from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.report.manoeuvre_scenario import PROGRAMMES, RAMPED, scenario_of
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.controllers.programme import ROWS
 
 
 def test_every_manoeuvre_has_a_programme() -> None:
@@ -26,9 +26,9 @@ CASES = [*((name, "lily") for name in MANOEUVRES), *(("zig_zag", name) for name 
 @pytest.mark.parametrize(("name", "platform"), CASES)
 def test_it_can_be_driven(name: str, platform: str, tmp_path: Path) -> None:
     """It loads, lasts whole rounds of ten minutes at least, and its first ticks do what its first row says."""
-    from cocorosim_ros.scenario.seeding import start_poses
-    from cocorosim_ros.simulation.assembly import build_world
-    from cocorosim_ros.simulation.simulation import Simulation
+    from cocorosim_ros.scenario.checks.seeding import start_poses
+    from cocorosim_ros.world.tick.assembly import build_world
+    from cocorosim_ros.world.tick.simulation import Simulation
 
     file = tmp_path / "next_manoeuvre.yaml"
     file.write_text(scenario_of(name, load_platform(platform), platform))

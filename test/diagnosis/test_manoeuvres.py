@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
-from cocorosim_ros.diagnosis.manoeuvres import MANOEUVRES, advised, in_words, manoeuvre_of
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES, advised, in_words, manoeuvre_of
 
 
 def effect(name: str, *rivals: str) -> Any:
@@ -37,7 +37,7 @@ def test_what_was_not_recorded_is_not_for_driving(swim: Any) -> None:
     from dataclasses import replace
 
     from cocorosim_ros.diagnosis.diagnose import diagnose
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     evidence = swim(load_platform("lily"), 60.0)
     (recording,) = evidence.recordings

@@ -30,9 +30,9 @@ def diagnosed(
     from dataclasses import replace
 
     from cocorosim_ros.diagnosis.diagnose import diagnose
-    from cocorosim_ros.physics.effects import EFFECTS
-    from cocorosim_ros.scenario.platform import load_platform
-    from cocorosim_ros.scenario.quantity import Quantity, dimension_of
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+    from cocorosim_ros.world.effects import EFFECTS
 
     plain = load_platform("lily")
     units = {name: {part.name: part.unit for part in EFFECTS[name].parameters} for name in hidden}
@@ -90,9 +90,9 @@ def test_a_sensor_is_not_blamed_for_another_one(swim: Any) -> None:
     """A camera that shows lengths one per cent long is that, not a gauge, seldom read, that errs by depth."""
     from dataclasses import replace
 
-    from cocorosim_ros.diagnosis.naming import name_effects
-    from cocorosim_ros.diagnosis.recalibration import base_fit
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.naming.naming import name_effects
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     evidence = swim(load_platform("lily"), SECONDS, seed=6)
     (recording,) = evidence.recordings
@@ -122,7 +122,7 @@ def test_who_does_not_keep_its_promise_makes_room(monkeypatch: pytest.MonkeyPatc
     """A slope at a kink promises more than anybody; the next ones are fitted too, the law as well, all but once."""
     from types import SimpleNamespace
 
-    from cocorosim_ros.diagnosis import naming
+    from cocorosim_ros.diagnosis.naming import naming
 
     def screened(name: str, nats: float, topic: str | None = None) -> Any:
         entry = SimpleNamespace(id=name, topic=topic, group="")

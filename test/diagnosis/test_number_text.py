@@ -7,8 +7,8 @@ import math
 import pytest
 
 from cocorosim_ros.diagnosis.findings import Estimate
-from cocorosim_ros.diagnosis.number_text import estimate_words, plain_number, quantity_words, unit_text
-from cocorosim_ros.diagnosis.unit_algebra import powers_of, unit_of
+from cocorosim_ros.diagnosis.report.number_text import estimate_words, plain_number, quantity_words, unit_text
+from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of
 
 
 @pytest.mark.parametrize(

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
-from cocorosim_ros.diagnosis.kernels.layout import COMPASS, KIND_NAMES, PRESSURE
-from cocorosim_ros.diagnosis.kernels.records import Readings
-from cocorosim_ros.diagnosis.reading_laws import Course, law_shift
-from cocorosim_ros.diagnosis.sensor_laws import SENSOR_LAWS_OF
-from cocorosim_ros.physics.regressors import REGRESSOR_CODE
-from cocorosim_ros.sensors.law import READINGS_OF_LAWS
+from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, KIND_NAMES, PRESSURE
+from cocorosim_ros.diagnosis.filter.records import Readings
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.reading_laws import Course, law_shift
+from cocorosim_ros.world.sensors.law import READINGS_OF_LAWS
+from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 SECONDS = 150.0
 
@@ -82,12 +82,12 @@ def test_no_law_adds_nothing() -> None:
 
 def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     """Bit for bit the innovations of the model without it; with a coefficient others. No two have one name."""
-    from cocorosim_ros.diagnosis.candidate import expand
-    from cocorosim_ros.diagnosis.fit import make_fit
-    from cocorosim_ros.diagnosis.open_set import open_set
-    from cocorosim_ros.diagnosis.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
-    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+    from cocorosim_ros.diagnosis.fitting.candidate import expand
+    from cocorosim_ros.diagnosis.fitting.fit import make_fit
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
+    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 20.0))
     rows = base_rows(tracks)
@@ -115,13 +115,13 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
 
 def test_laws_that_the_base_has_keep_their_places(swim: Any) -> None:
     """Their coefficients may turn out to be others; everything else is looked for in the next place, or not at all."""
-    from cocorosim_ros.diagnosis.candidate import expand
-    from cocorosim_ros.diagnosis.columns import COLUMN
-    from cocorosim_ros.diagnosis.open_set import open_set
-    from cocorosim_ros.diagnosis.recalibration import first_fit
-    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
-    from cocorosim_ros.reporting.effect_keys import law_numbers
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+    from cocorosim_ros.diagnosis.fitting.candidate import expand
+    from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.report.effect_keys import law_numbers
+    from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = first_fit(swim(load_platform("lily"), 20.0))
     scene = scene_of(fit.tracks, smoothed_tracks(fit))
@@ -150,10 +150,10 @@ def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
 
     Nor one that says a hundredth of the mass where axes turn: the filter's steps follow these no better.
     """
-    from cocorosim_ros.diagnosis.laws import law_entries
-    from cocorosim_ros.diagnosis.recalibration import base_fit
-    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.catalogue.laws import law_entries
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), 60.0))
     entries = {entry.id: entry for entry in law_entries(scene_of(fit.tracks, smoothed_tracks(fit)), "law_1")}
@@ -178,7 +178,7 @@ def diagnosed(evidence: Any) -> Any:
 
 def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> None:
     """A compass in error by 8 rad/N of what both thrusters deliver together: named, its coefficient in its interval."""
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     lily = load_platform("lily")
     evidence = swim(lily, SECONDS, seed=3)
@@ -199,9 +199,9 @@ def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> Non
 
 def hiding(effect: str, numbers: dict[str, float]) -> Any:
     """A Lily with an effect."""
-    from cocorosim_ros.physics.effects import EFFECTS
-    from cocorosim_ros.scenario.platform import load_platform
-    from cocorosim_ros.scenario.quantity import Quantity, dimension_of
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+    from cocorosim_ros.world.effects import EFFECTS
 
     units = {part.name: "1" if part.unit == "*" else part.unit for part in EFFECTS[effect].parameters}
     hidden = {name: Quantity(value, units[name], dimension_of(units[name])) for name, value in numbers.items()}
@@ -210,7 +210,7 @@ def hiding(effect: str, numbers: dict[str, float]) -> Any:
 
 def test_dry_friction_is_no_linear_drag(swim: Any) -> None:
     """A yaw moment against the sense of turning is named as such, alone, with evidence of a credible size."""
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     hidden = {"coefficient": -1e-5, "equation": 3.0, "power_1": 0.0, "round_1": 0.02}
     hidden["regressor_1"] = float(REGRESSOR_CODE["r"])
@@ -221,7 +221,7 @@ def test_dry_friction_is_no_linear_drag(swim: Any) -> None:
 
 def test_an_eddy_is_no_sheared_current(swim: Any) -> None:
     """Water that turns about a place is named as such, alone, with the circulation in its interval."""
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     hidden = {"x": 0.5, "y": 0.2, "circulation": 0.05, "core": 0.5}
     diagnosis = diagnosed(swim(hiding("eddy", hidden), 2.0 * SECONDS, seed=5, base=load_platform("lily")))
@@ -234,10 +234,10 @@ def test_an_eddy_is_no_sheared_current(swim: Any) -> None:
 
 def test_where_only_water_moves_a_robot_no_law_of_its_place_is_asked(swim: Any) -> None:
     """A place that is read too short would make the water look calmer: laws of poses need a robot that is driven."""
-    from cocorosim_ros.diagnosis.recalibration import base_fit
-    from cocorosim_ros.diagnosis.residual import scene_of, smoothed_tracks
-    from cocorosim_ros.diagnosis.sensor_laws import sensor_law_entries
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.catalogue.sensor_laws import sensor_law_entries
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), SECONDS, seed=8))
     driven = scene_of(fit.tracks, smoothed_tracks(fit))

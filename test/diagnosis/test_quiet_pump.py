@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
-from cocorosim_ros.diagnosis.kernels.layout import COMPASS, POSE_Z
-from cocorosim_ros.diagnosis.quiet_pump import quiet_gain
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, POSE_Z
+from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
 RANDOM_FORCE = 1e-4  # N
 STEP = 0.1  # s

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis import recalibration
-from cocorosim_ros.diagnosis.fit import settled
-from cocorosim_ros.scenario.platform import load_platform
-from cocorosim_ros.scenario.quantity import Quantity
+from cocorosim_ros.diagnosis.fitting import recalibration
+from cocorosim_ros.diagnosis.fitting.fit import settled
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.reading.quantity import Quantity
 
 Swim = Callable[..., Any]
 

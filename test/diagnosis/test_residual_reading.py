@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
 from cocorosim_ros.diagnosis.findings import FoundEffect
-from cocorosim_ros.diagnosis.held_out_streams import held_out_streams
-from cocorosim_ros.diagnosis.kernels.layout import COMPASS, GYRO, POSE_X, PRESSURE
-from cocorosim_ros.diagnosis.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
+from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
 TIME = np.linspace(0.0, 10.0, 101)
 # x, y, z, yaw, u, v, w, r at any moment: steady, so that delays are seen in x and yaw.

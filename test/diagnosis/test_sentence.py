@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut, Recalibrated, Rival
-from cocorosim_ros.diagnosis.sentence import sentence_of
+from cocorosim_ros.diagnosis.report.sentence import sentence_of
 
 DRAG = Recalibrated("yaw_drag", 1.14e-4, Estimate(1.25e-4, 1.2e-4, 1.3e-4, "N m s^2"), ("lily_01",))
 LAG = FoundEffect(

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.candidate import Candidate
-from cocorosim_ros.diagnosis.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.starts import best_start
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
+from cocorosim_ros.diagnosis.fitting.starts import best_start
 
 LATENCY = next(entry for entry in ENTRIES if entry.id == "sensor_latency" and entry.topic == "imu")
 DRAG = next(entry for entry in ENTRIES if entry.id == "linear_drag")

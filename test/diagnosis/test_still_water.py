@@ -15,7 +15,7 @@ ASTRAY = {"force": 2e-4, "heave_force": 1.5e-4, "moment": 1.7e-6, "correlation":
 def test_exact_readings_of_the_very_model_accuse_nobody(swim: Any) -> None:
     """As of a simulation with perfect sensors: what the filter's steps are off by is no physics."""
     from cocorosim_ros.diagnosis.diagnose import diagnose
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     found = diagnose(swim(load_platform("lily"), 200.0, seed=5, disturbance=0.0, blur=1e-6), lambda words, share: None)
     assert found.verdict in ("consistent", "insufficient")
@@ -35,9 +35,9 @@ def test_a_number_that_holds_the_nominal_has_not_moved() -> None:
 
 def test_random_forces_that_are_not_there_are_fitted_away(swim: Any) -> None:
     """The most likely noise is found again from a state in which each plain step makes it worse."""
-    from cocorosim_ros.diagnosis.fit import evaluated, with_noise
-    from cocorosim_ros.diagnosis.recalibration import base_fit
-    from cocorosim_ros.scenario.platform import load_platform
+    from cocorosim_ros.diagnosis.fitting.fit import evaluated, with_noise
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.scenario.parts.platform import load_platform
 
     best = base_fit(swim(load_platform("lily"), 200.0, seed=4, disturbance=0.0))
     q = best.q_noise.copy()

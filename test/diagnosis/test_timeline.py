@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.timeline import Timing, TrackReadings, grid_begin, grid_step
-from cocorosim_ros.evidence.log import RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
+from cocorosim_ros.diagnosis.tracks.timeline import Timing, TrackReadings, grid_begin, grid_step
 
 
 def gyro(values: list[float], every: float = 0.02) -> RobotLog:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from cocorosim_ros.diagnosis.columns import COLUMN
-from cocorosim_ros.diagnosis.recalibration import make_tracks
-from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 
 def test_a_robot_begins_with_its_own_numbers(swim: Callable[..., Any]) -> None:

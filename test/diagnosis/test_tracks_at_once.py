@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from cocorosim_ros.diagnosis.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 
 
 def test_answers_come_in_the_order_of_the_tracks() -> None:

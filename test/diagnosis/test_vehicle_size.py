@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.vehicle_size import full_forces
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 
 
 def vehicle(*force: float) -> Any:

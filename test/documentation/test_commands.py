@@ -14,9 +14,9 @@ import click
 import pytest
 
 from cocorosim_ros.commands.main import cocorosim
-from cocorosim_ros.controllers.controller import Controller
-from cocorosim_ros.nodes import controller_node, metrics_node, physics_node
-from cocorosim_ros.scenario.controller_file import load_controller
+from cocorosim_ros.graph.nodes import controller_node, metrics_node, physics_node
+from cocorosim_ros.scenario.parts.controller_file import load_controller
+from cocorosim_ros.world.controllers.controller import Controller
 
 from .documents import ROOT, commands, documents, fenced
 
@@ -58,7 +58,7 @@ def check_ros2(words: list[str]) -> None:
     if words[0] == "run":
         assert words[1] == "cocorosim_ros" and words[2] in NODES
     elif words[0] == "launch":
-        source = (ROOT / "cocorosim_ros/launch" / words[2]).read_text("utf-8")
+        source = (ROOT / "cocorosim_ros/graph/launch" / words[2]).read_text("utf-8")
         (table,) = (
             node for node in ast.parse(source).body if isinstance(node, ast.Assign) and _name(node) == "ARGUMENTS"
         )

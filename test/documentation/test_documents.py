@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 import cocorosim_ros
-from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 from .documents import ROOT, documents, fenced, links, own_files, paths_in_code
 from .tables import README, TABLES, with_tables
@@ -51,8 +51,8 @@ def test_paths_exist(path: Path) -> None:
     """Every path of this tree that is named exists, but for the one that a recipe tells to make."""
     text = path.read_text("utf-8")
     made = {
-        "cocorosim_ros/controllers/circle.py",
-        "cocorosim_ros/sensors/thermometer.py",
+        "cocorosim_ros/world/controllers/circle.py",
+        "cocorosim_ros/world/sensors/thermometer.py",
         "config/controllers/circle.yaml",
     }
     assert not [name for name in paths_in_code(text) if name not in made and not (ROOT / name).exists()]

@@ -6,10 +6,10 @@ import re
 import textwrap
 from pathlib import Path
 
-from cocorosim_ros.physics.regressors import REGRESSORS
-from cocorosim_ros.scenario.platform import load_platform
-from cocorosim_ros.simulation.assembly import build_vehicles
-from cocorosim_ros.simulation.platform_effects import KNOWN_EFFECTS
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.world.terms.regressors import REGRESSORS
+from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.platform_effects import KNOWN_EFFECTS
 
 TEXT = (Path(__file__).parents[2] / "config" / "README.md").read_text("utf-8")
 SECTION = TEXT.partition("## Effects of a platform")[2].partition("\n## ")[0]

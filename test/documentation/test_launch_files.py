@@ -13,13 +13,13 @@ from xml.etree import ElementTree
 import pytest
 from ruamel.yaml import YAML
 
-from cocorosim_ros.nodes import controller_node, metrics_node, physics_node
-from cocorosim_ros.nodes.graph import GraphPlan
-from cocorosim_ros.runs.in_process import run_in_process
+from cocorosim_ros.graph.nodes import controller_node, metrics_node, physics_node
+from cocorosim_ros.graph.nodes.graph import GraphPlan
+from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.scenario.scenario import load_scenario
 
 ROOT = Path(__file__).parents[2]
-LAUNCH = ROOT / "cocorosim_ros/launch"
+LAUNCH = ROOT / "cocorosim_ros/graph/launch"
 DECLARED = {
     "physics_node": {part.name: part for part in physics_node.PARAMETERS},
     "controller_node": {part.name: part for part in controller_node.PARAMETERS},
@@ -132,8 +132,8 @@ def test_the_swarm_gets_what_cocorosim_run_gives(given: dict[str, str]) -> None:
 
 def test_a_replay_plays_into_the_metrics_node(tmp_path: Path) -> None:
     """The metrics node knows the recording's robots; the player waits for all of its subscriptions."""
-    from cocorosim_ros.messages.body import describe_body
-    from cocorosim_ros.runs.run_record import RunRecord
+    from cocorosim_ros.graph.runs.run_record import RunRecord
+    from cocorosim_ros.wire.topics.body import describe_body
 
     scenario = load_scenario("eleven_lilys", duration="1 s")
     bodies = [describe_body(robot) for robot in scenario.robots]

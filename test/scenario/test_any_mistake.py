@@ -9,9 +9,9 @@ from typing import Any
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.entry import entry_of
-from cocorosim_ros.scenario.records import record_tree
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import entry_of
+from cocorosim_ros.scenario.reading.records import record_tree
 from cocorosim_ros.scenario.scenario import load_scenario, read_scenario
 
 TREE = record_tree(load_scenario("eleven_lilys"))

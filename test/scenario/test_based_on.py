@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.controller_file import load_controller
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.controller_file import load_controller
 
 TEXT = """\
 name: mine

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.controller_file import controller_tree, load_controller, read_controller
-from cocorosim_ros.scenario.yaml_file import parse_yaml, yaml_text
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.controller_file import controller_tree, load_controller, read_controller
+from cocorosim_ros.scenario.reading.yaml_file import parse_yaml, yaml_text
 
 FILE = """\
 name: c

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from cocorosim_ros.scenario.config_files import find_config
-from cocorosim_ros.scenario.platform import load_platform
-from cocorosim_ros.scenario.yaml_file import load_yaml
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.reading.config_files import find_config
+from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
 ESTIMATED = ("mass", "yaw_inertia", "drag", "yaw_drag")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from cocorosim_ros.scenario.known_effects import knowing
-from cocorosim_ros.scenario.platform import Platform, load_platform
-from cocorosim_ros.scenario.quantity import Quantity
+from cocorosim_ros.scenario.parts.known_effects import knowing
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.reading.quantity import Quantity
 
 
 def lily(torque: float = 0.0, trim: float = 0.0, pose: str = "", **robots: Platform) -> Platform:

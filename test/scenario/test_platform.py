@@ -9,18 +9,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.parameter import Parameter
-from cocorosim_ros.scenario.platform import (
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.scenario.parts.platform import (
     Platform,
     check_effects,
     load_platform,
     platform_tree,
     read_platform,
 )
-from cocorosim_ros.scenario.quantity import Sign
-from cocorosim_ros.scenario.vehicle_parts import Thruster
-from cocorosim_ros.scenario.yaml_file import parse_yaml, yaml_text
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.scenario.reading.quantity import Sign
+from cocorosim_ros.scenario.reading.yaml_file import parse_yaml, yaml_text
 
 LEVER = 0.055 * math.cos(math.radians(63))
 SOURCE = 'source: "hand"'

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.entry import Entry, entry_of
-from cocorosim_ros.scenario.quantity import (
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import Entry, entry_of
+from cocorosim_ros.scenario.reading.quantity import (
     UNITS,
     is_quantity,
     nanoseconds_text,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.entry import entry_of
-from cocorosim_ros.scenario.platform import load_platform, platform_tree, read_platform
-from cocorosim_ros.scenario.ranges import Range, collect_ranges
-from cocorosim_ros.scenario.yaml_file import parse_yaml
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import load_platform, platform_tree, read_platform
+from cocorosim_ros.scenario.reading.entry import entry_of
+from cocorosim_ros.scenario.reading.ranges import Range, collect_ranges
+from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 
 
 def ranges(rest: str) -> dict[str, Range]:

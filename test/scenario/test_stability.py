@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.platform import load_platform
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.checks.stability import STABLE_INTERVAL, fastest_rate, longest_stable_step
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.scenario.scenario import read_scenario
-from cocorosim_ros.scenario.stability import STABLE_INTERVAL, fastest_rate, longest_stable_step
-from cocorosim_ros.scenario.yaml_file import parse_yaml
 
 TEXT = """
 name: fast
@@ -54,7 +54,7 @@ def test_what_makes_motions_faster_by_hand() -> None:
     """Water of 0.5 m/s, linear drag of 2 N s/m, and twice the drag in heave, each added to the rate."""
     from dataclasses import replace
 
-    from cocorosim_ros.scenario.quantity import Quantity, dimension_of
+    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
 
     lily = load_platform("lily")
     effects = {

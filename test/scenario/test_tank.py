@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from cocorosim_ros.scenario.tank import Box, Sphere, Tank
+from cocorosim_ros.scenario.parts.tank import Box, Sphere, Tank
 
 TANK = Tank((6.0, 4.0, 2.0), (Sphere("ball", (1.0, 0.0, -1.0), 0.5), Box("block", (-1.0, 0.0, -1.5), (1.0, 2.0, 1.0))))
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 import xarray
 
-from cocorosim_ros.errors import CocorosimError
+from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.scenario import Scenario, load_scenario, parse_scenario
-from cocorosim_ros.simulation.assembly import build_world
+from cocorosim_ros.world.tick.assembly import build_world
 
 HEAD = """
 name: wet
@@ -81,7 +81,7 @@ water:
 
 def test_depth_counted_downwards(tmp_path: Path) -> None:
     """`positive: down` on z is turned round: the first layer of the file is the surface."""
-    from cocorosim_ros.environment.currents import CURRENTS
+    from cocorosim_ros.world.water.currents import CURRENTS
 
     data = dataset()
     data.to_netcdf(tmp_path / "bay.nc", engine="scipy")

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cocorosim_ros.errors import CocorosimError
-from cocorosim_ros.scenario.entry import Entry
-from cocorosim_ros.scenario.yaml_file import load_yaml, parse_yaml, yaml_text
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml, yaml_text
 
 
 def complaint(path: Path, content: bytes | str) -> str:

@@ -16,7 +16,7 @@ from trial.ways import answer, effects
 MEASURED_AGAINST = (
     "Each model is measured against the course that the found model's own smoother saw in the readings, not against",
     "readings: a model that bends the course bends the ruler. Where one sensor alone shows a state, as pressure the",
-    "depth of haizhe, rows of that state say nothing, and a law of that sensor in proportion to that state is no finding.",
+    "depth of haizhe, rows of that state say nothing, and a law of that sensor in proportion to it is no finding.",
 )
 
 

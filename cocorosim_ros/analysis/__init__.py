@@ -1,1 +1,0 @@
-"""What tables of results come to: effect sizes, sample sizes, box plots, a page to read."""

@@ -1,0 +1,114 @@
+"""Rows of a topic put in the order of their stamps, each moment once, without what is no number; all of it said."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
+from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+
+GAP_INTERVALS, GAP_SECONDS = 5.0, 1.0  # a gap is longer than so many usual intervals and than this
+JITTER = 0.2  # of the usual interval, from which it is said
+_EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
+
+
+@dataclass(frozen=True)
+class Clean:
+    """Rows in the order of their stamps, and what was done to get there, in sentences."""
+
+    rows: TopicRows
+    remarks: tuple[str, ...]
+
+
+def cleaned(rows: TopicRows) -> Clean:
+    """The rows sorted by stamp; without duplicates, without rows that hold no reading."""
+    remarks: list[str] = []
+    ordered = _in_order(rows, remarks)
+    return Clean(_each_moment_once(_with_numbers(ordered, remarks), remarks), tuple(remarks))
+
+
+def _in_order(rows: TopicRows, remarks: list[str]) -> TopicRows:
+    back = np.flatnonzero(np.diff(rows.stamp_ns) < 0)
+    if not back.size:
+        return rows
+    behind = np.maximum.accumulate(rows.stamp_ns) - rows.stamp_ns
+    late = int(behind.argmax())
+    after = (rows.stamp_ns[late] - rows.stamp_ns.min()) / NANOSECONDS
+    places = "1 place" if back.size == 1 else f"{back.size} places"
+    remarks.append(
+        f"{rows.name}: time runs backwards at {places}, by up to {behind[late] / NANOSECONDS:.3g} s ({after:.1f} s "
+        "after its first message); its messages were sorted by their stamps."
+    )
+    order = np.argsort(rows.stamp_ns, kind="stable")
+    return replace(rows, stamp_ns=rows.stamp_ns[order], log_ns=rows.log_ns[order], values=rows.values[order])
+
+
+def _with_numbers(rows: TopicRows, remarks: list[str]) -> TopicRows:
+    values = np.where(np.isfinite(rows.values), rows.values, np.nan)
+    given = np.isfinite(values)
+    # A tracker that has lost its robot writes no place but often some attitude.
+    good = given[:, :2].all(axis=1) if rows.topic == "pose" else given.any(axis=1)
+    lost = np.flatnonzero(~good)
+    if lost.size:
+        first = (rows.stamp_ns[lost[0]] - rows.stamp_ns[0]) / NANOSECONDS
+        remarks.append(
+            f"{rows.name}: {lost.size} of {good.size} messages hold no number where the reading should be, first "
+            f"{first:.1f} s after its first message; they were left out."
+        )
+    return replace(rows, stamp_ns=rows.stamp_ns[good], log_ns=rows.log_ns[good], values=values[good])
+
+
+def _each_moment_once(rows: TopicRows, remarks: list[str]) -> TopicRows:
+    count = len(rows.stamp_ns)
+    if count < 2:
+        return rows
+    first = np.append(True, np.diff(rows.stamp_ns) != 0)
+    leader = np.flatnonzero(first)[np.cumsum(first) - 1]
+    copy, original = rows.values[~first], rows.values[leader[~first]]
+    same = ((copy == original) | (np.isnan(copy) & np.isnan(original))).all(axis=1)
+    equal, unequal = int(np.count_nonzero(same)), int(np.count_nonzero(~same))
+    if equal:
+        remarks.append(f"{rows.name}: {equal} messages were recorded twice; each counts once.")
+    if unequal:
+        remarks.append(
+            f"{rows.name}: {unequal} messages have the stamp of another one but say something else (two publishers?); "
+            "the first of each was kept."
+        )
+    return replace(rows, stamp_ns=rows.stamp_ns[first], log_ns=rows.log_ns[first], values=rows.values[first])
+
+
+def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:
+    """From when to when [s] readings are missing for long, by the usual interval of these readings."""
+    if len(time) < 3:
+        return ()
+    steps = np.diff(time)
+    long = steps > max(GAP_INTERVALS * float(np.median(steps)), GAP_SECONDS)
+    return tuple((float(time[k]), float(time[k + 1])) for k in np.flatnonzero(long))
+
+
+def timing_sentence(name: str, time: Floats) -> str:
+    """How often, how evenly and with which gaps a topic was recorded."""
+    if len(time) < 3:
+        return f"{name}: {len(time)} readings."
+    steps = np.diff(time)
+    usual = float(np.median(steps))
+    parts = [f"{len(time)} readings at {1.0 / usual:.3g} Hz"]
+    jitter = 1.4826 * float(np.median(np.abs(steps - usual)))
+    if jitter > JITTER * usual:
+        parts.append(f"unevenly (jitter {1000.0 * jitter:.3g} ms)")
+    gaps: Sequence[tuple[float, float]] = gaps_of(time)
+    if gaps:
+        longest = max(gaps, key=lambda gap: gap[1] - gap[0])
+        times = "1 gap" if len(gaps) == 1 else f"{len(gaps)} gaps, the longest"
+        parts.append(f"{times} from {longest[0]:.1f} to {longest[1]:.1f} s")
+    return f"{name}: {', '.join(parts)}."
+
+
+def is_noteworthy(remark: str) -> bool:
+    """Whether a remark says more than how often a topic was recorded, evenly and without gaps."""
+    return _EVEN.search(remark) is None

@@ -1,0 +1,77 @@
+"""What the commands let one expect of the motion, roughly: enough to tell signs, axes and powers of ten apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
+from cocorosim_ros.scenario.parts.platform import Platform
+
+Complex = NDArray[np.complex128]
+LONGEST_STEP, STEPS = 0.1, 20.0  # s, and how many make a coasting time
+HEAVE, YAW = 2, 3
+
+
+@dataclass(frozen=True)
+class Expected:
+    """Motion in still water: time (n,) [s]; push: horizontal force per mass, forward + i left (n,) [m/s^2; body].
+
+    dive (n,) [m/s; up] and spin (n,) [rad/s] of heave and yaw, each alone; drag: per mass [1/m].
+    """
+
+    time: Floats
+    push: Complex
+    dive: Floats
+    spin: Floats
+    drag: float
+
+    def course(self, angle: Floats, *, mirrored: bool = False) -> tuple[Complex, Complex]:
+        """(n,) velocity [m/s] and acceleration [m/s^2] x + iy [world] of a robot that heads along `angle` [rad].
+
+        m dV/dt = X - k |V| V with the force X that turns with the heading, and drag by the total speed. mirrored: left
+        and right of the force exchanged.
+        """
+        push = np.conj(self.push) if mirrored else self.push
+        world = push * np.exp(1j * angle)
+        velocity = _free_run(world, self.drag, float(self.time[1] - self.time[0]))
+        return velocity, np.asarray(world - self.drag * np.abs(velocity) * velocity)
+
+
+def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
+    """The platform under the commands of a log; None without commands.
+
+    The mean of the vertical force is taken away, because a robot that keeps its depth is in balance, however it is
+    trimmed.
+    """
+    if not len(log.command_time):
+        return None
+    last = max([float(log.command_time[-1]), *(float(stream.time[-1]) for stream in log.streams.values())])
+    coasting = coasting_time(platform)
+    step = min(LONGEST_STEP, coasting / STEPS) if coasting > 0.0 else LONGEST_STEP
+    time = np.arange(float(log.command_time[0]), last, step)
+    if len(time) < 2:
+        return None
+    held = log.command[np.searchsorted(log.command_time, time, side="right") - 1]
+    forward, reverse = platform.actuator_limits().T
+    force = np.where(held > 0.0, held * forward, held * reverse) @ platform.actuator_wrenches()
+    lift, torque = force[:, HEAVE] - force[:, HEAVE].mean(), force[:, YAW]
+    return Expected(
+        time,
+        np.asarray((force[:, 0] + 1j * force[:, 1]) / platform.mass),
+        _free_run(lift / platform.mass + 0j, platform.drag / platform.mass, step).real,
+        _free_run(torque / platform.yaw_inertia + 0j, platform.yaw_drag / platform.yaw_inertia, step).real,
+        platform.drag / platform.mass,
+    )
+
+
+def _free_run(push: Complex, drag: float, step: float) -> Complex:
+    """Velocity under `push` per mass with dV/dt = push - drag |V| V; the drag is implicit, so no step is too long."""
+    velocity, run = 0.0j, []
+    for acceleration in push.tolist():
+        velocity = (velocity + step * acceleration) / (1.0 + step * drag * abs(velocity))
+        run.append(velocity)
+    return np.array(run)

@@ -1,0 +1,86 @@
+"""How the axes of the IMU lie, by gravity, by the turning and by the accelerations that commands or poses show."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
+from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
+from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine
+from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of
+
+CERTAIN = float("inf")
+MARGIN = 10.0  # nats
+MIRRORED: Turned = (1, 0)
+OPPOSITE: Turned = (0, 2)
+UP = 2  # axis
+
+
+def inertial_axes(motion: Motion, gravity: tuple[int, float], gyro_nats: float) -> FrameSuspicion | None:
+    """The axes of the IMU, if they are not forward-left-up.
+
+    gravity: the axis along which it is felt, -1 for none, and its reading. gyro_nats: by how much the yaw rate of the
+    opposite sign fits better, 0 if it does not.
+    """
+    axis, reading = gravity
+    if axis >= 0 and axis != UP:
+        because = f"gravity is felt along its {'xyz'[axis]} axis, {reading:.2f} m/s^2"
+        words = ("the IMU is mounted with another axis than z upwards; turn its readings into body axes", because)
+        return FrameSuspicion("imu", *words, CERTAIN, None, np.zeros(4))
+    over, backwards = axis == UP and reading < 0.0, gyro_nats > 0.0
+    turned, nats = _horizontal(motion)
+    known = nats >= MARGIN or turned == SAME
+    if not (over or backwards or (known and turned != SAME)):
+        return None
+    if not known:  # what cannot be seen follows from what can: a whole turn over, or nothing
+        turned = MIRRORED if over and backwards else SAME
+    matrix = np.eye(4)
+    matrix[0, 0], matrix[3, 3] = (-1.0 if backwards else 1.0), (-1.0 if over else 1.0)
+    matrix[1:3, 1:3] = matrix_of(turned)
+    seen = [f"gravity reads {reading:.2f} m/s^2 along z"] if over else []
+    seen += ["its yaw rate has the opposite sign of the others'"] if backwards else []
+    seen += ["its accelerations fit the motion only so"] if known and turned != SAME else []
+    return affine("imu", (_words(turned, over, backwards), ", ".join(seen)), _sum(over, gyro_nats, nats), matrix)
+
+
+def _sum(over: bool, gyro_nats: float, nats: float) -> float:
+    return CERTAIN if over else gyro_nats + nats
+
+
+def _words(turned: Turned, over: bool, backwards: bool) -> str:
+    if turned == MIRRORED and over and backwards:
+        return "the IMU is in forward-right-down axes: the signs of y and z are flipped"
+    if turned == OPPOSITE and over and not backwards:
+        return "the accelerometer has the opposite sign: at rest it must read gravity upwards"
+    parts = []
+    if turned != SAME:
+        rows = matrix_of(turned)
+        axes = [f"{name} = {'-' if row.sum() < 0.0 else ''}{'xy'[int(np.abs(row).argmax())]}"
+                for name, row in zip("xy", rows, strict=True)]  # fmt: skip
+        parts.append(f"the horizontal axes of the accelerometer are turned ({', '.join(axes)})")
+    parts += ["the sign of its z axis is flipped"] if over else []
+    parts += ["the sign of the yaw rate is flipped"] if backwards else []
+    return ", and ".join(parts)
+
+
+def _horizontal(motion: Motion) -> tuple[Turned, float]:
+    """How the horizontal axes have to be turned, and by how many nats that is better than leaving them."""
+    seen = motion.force[:, 0] + 1j * motion.force[:, 1]
+    shown = motion.shove if np.isfinite(motion.shove).any() else _body_acceleration(motion)
+    scores = np.array([_score(seen, shown, turned) for turned in ALL_TURNED])
+    behind = nats_behind(scores, float(scores.max()), independent(shown, seen, motion.weight))
+    return ALL_TURNED[int(scores.argmax())], float(behind[0])
+
+
+def _score(seen: Complex, shown: Complex, turned: Turned) -> float:
+    mirrored, quarters = turned
+    found = correlation(1j**quarters * (np.conj(seen) if mirrored else seen), shown)
+    return float(max(found.real, 0.0) ** 2)
+
+
+def _body_acceleration(motion: Motion) -> Complex:
+    """(n,) [m/s^2; body] forward + i left, of the poses; over the same second as the mean of three readings."""
+    result = np.full(len(motion.course), np.nan + 0.0j)
+    result[1:-1] = (motion.course[2:] - motion.course[:-2]) / (2.0 * motion.width)
+    return np.asarray(result * np.exp(-1j * motion.yaw))

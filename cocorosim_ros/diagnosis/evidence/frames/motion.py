@@ -1,0 +1,183 @@
+"""One robot's streams on one coarse grid of time, as velocities and rates that can be compared with each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.frames.expected import Complex, Expected, expected_motion
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
+from cocorosim_ros.scenario.parts.platform import Platform
+
+NARROW, NARROWEST, WIDEST = 0.15, 0.1, 2.0  # of a bin: coasting times; s; s
+MEMORY, LEAST_MEMORY = 2.0, 1.0  # coasting times; s: what lies closer together is not independent
+READINGS = 2.0  # in a bin, of the slowest stream that gives rates
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Moments (n,) `width` apart [s], each worth `weight` of an independent one; NaN wherever a stream does not say.
+
+    course: velocity x + iy [world]; climb: of z; yaw [rad], turn: of yaw; heading [rad], swing: of the compass; gyro;
+    force (n, 3): accelerometer; through: u + iv of the velocity stream, lift: its w; sinking: rate of the pressure.
+
+    Of the commands, with the heading that is known best: advance: u + iv, shove: its acceleration [body], dive: w,
+    spin: r; by_yaw and by_compass: course [world] under either heading, as commanded and with left and right exchanged.
+    """
+
+    width: float
+    weight: float
+    course: Complex
+    climb: Floats
+    yaw: Floats
+    turn: Floats
+    heading: Floats
+    swing: Floats
+    gyro: Floats
+    force: Floats
+    through: Complex
+    lift: Floats
+    sinking: Floats
+    advance: Complex
+    shove: Complex
+    dive: Floats
+    spin: Floats
+    by_yaw: tuple[Complex, Complex]
+    by_compass: tuple[Complex, Complex]
+
+
+def motion_of(log: RobotLog, platform: Platform) -> Motion:
+    """The motion as each stream of the log tells it."""
+    bins = _Bins(log, NARROW * coasting_time(platform))
+    pose, pose_rate = bins.stream(log, "pose")
+    compass, compass_rate = bins.stream(log, "compass")
+    imu, _ = bins.stream(log, "imu")
+    velocity, _ = bins.stream(log, "velocity")
+    _, pressure_rate = bins.stream(log, "pressure")
+    expected = expected_motion(log, platform)
+    advance, shove = _in_body(bins, log, expected)
+    unknown = np.full(bins.count, np.nan)
+    return Motion(
+        width=bins.width,
+        weight=bins.width / max(LEAST_MEMORY, MEMORY * coasting_time(platform)),
+        course=np.asarray(pose_rate[:, 0] + 1j * pose_rate[:, 1]),
+        climb=pose_rate[:, 2],
+        yaw=pose[:, 3],
+        turn=pose_rate[:, 3],
+        heading=compass[:, 0],
+        swing=compass_rate[:, 0],
+        gyro=imu[:, 0],
+        force=imu[:, 1:],
+        through=np.asarray(velocity[:, 0] + 1j * velocity[:, 1]),
+        lift=velocity[:, 2],
+        sinking=pressure_rate[:, 0],
+        advance=advance,
+        shove=shove,
+        dive=bins.mean(expected.time, expected.dive) if expected else unknown,
+        spin=bins.mean(expected.time, expected.spin) if expected else unknown,
+        by_yaw=_by_heading(bins, log, expected, "pose", 3),
+        by_compass=_by_heading(bins, log, expected, "compass", 0),
+    )
+
+
+def motion_together(logs: Sequence[RobotLog], platform: Platform) -> Motion:
+    """The motions of several logs one behind the other."""
+    motions = [motion_of(log, platform) for log in logs]
+    if len(motions) == 1:
+        return motions[0]
+    parts = {
+        field.name: _behind_each_other([getattr(motion, field.name) for motion in motions])
+        for field in fields(Motion)
+        if field.name not in ("width", "weight")
+    }
+    width, weight = (float(np.median([getattr(motion, name) for motion in motions])) for name in ("width", "weight"))
+    return Motion(width=width, weight=weight, **parts)
+
+
+def _behind_each_other(parts: Sequence[Any]) -> Any:
+    if isinstance(parts[0], tuple):
+        return tuple(np.concatenate(same) for same in zip(*parts, strict=True))
+    return np.concatenate(parts)
+
+
+class _Bins:
+    """Bins of equal width over the whole log; what is compared stands at the edges between two of them."""
+
+    def __init__(self, log: RobotLog, narrow: float) -> None:
+        streams = list(log.streams.values())
+        slow = [np.median(np.diff(stream.time)) for stream in streams if len(stream.time) > 2]
+        widest = max([narrow, NARROWEST, *(READINGS * interval for interval in slow)])
+        self.width = float(min(widest, WIDEST))
+        self.start = min((float(stream.time[0]) for stream in streams), default=0.0)
+        end = max((float(stream.time[-1]) for stream in streams), default=0.0)
+        self.count = max(int((end - self.start) / self.width), 1)
+
+    def stream(self, log: RobotLog, topic: str) -> tuple[Floats, Floats]:
+        """(n, columns) the value and its rate at the edges; NaN if there is no such stream."""
+        if topic not in log.streams:
+            nothing = np.full((self.count, len(STREAMS[topic])), np.nan)
+            return nothing, nothing
+        stream = log.streams[topic]
+        means, slopes = zip(*(self._edges(stream.time, column) for column in stream.value.T), strict=True)
+        return np.column_stack(means), np.column_stack(slopes)
+
+    def mean(self, time: Floats, column: Floats) -> Floats:
+        """(n,) the value at the edges."""
+        return self._edges(time, column)[0]
+
+    def complex_mean(self, time: Floats, column: Complex) -> Complex:
+        """(n,) the value at the edges."""
+        return np.asarray(self.mean(time, column.real) + 1j * self.mean(time, column.imag))
+
+    def _edges(self, time: Floats, column: Floats) -> tuple[Floats, Floats]:
+        """The mean of two neighbouring bins, and the slope between their means."""
+        place = ((time - self.start) / self.width).astype(int)
+        chosen = (place >= 0) & (place <= self.count) & np.isfinite(column)
+        here = place[chosen]
+        size = np.bincount(here, minlength=self.count + 1).astype(float)
+        size[size == 0.0] = np.nan
+        moment = np.bincount(here, time[chosen], self.count + 1) / size
+        mean = np.bincount(here, column[chosen], self.count + 1) / size
+        return 0.5 * (mean[1:] + mean[:-1]), np.diff(mean) / np.diff(moment)
+
+
+def _by_heading(
+    bins: _Bins, log: RobotLog, expected: Expected | None, topic: str, column: int
+) -> tuple[Complex, Complex]:
+    angle = _angle(log, expected, topic, column)
+    if expected is None or angle is None:
+        unknown = np.full(bins.count, np.nan) + 0j
+        return unknown, unknown
+    plain = bins.complex_mean(expected.time, expected.course(angle)[0])
+    if not expected.push.imag.any():
+        return plain, plain
+    return plain, bins.complex_mean(expected.time, expected.course(angle, mirrored=True)[0])
+
+
+def _in_body(bins: _Bins, log: RobotLog, expected: Expected | None) -> tuple[Complex, Complex]:
+    """Velocity and acceleration that the commands let expect, in body axes."""
+    if expected is None:
+        unknown = np.full(bins.count, np.nan) + 0j
+        return unknown, unknown
+    angle = np.cumsum(expected.spin) * (expected.time[1] - expected.time[0])
+    for topic, column in (("compass", 0), ("pose", 3)):
+        known = _angle(log, expected, topic, column)
+        angle = angle if known is None else known
+    into_body = np.exp(-1j * angle)
+    velocity, acceleration = (part * into_body for part in expected.course(angle))
+    return bins.complex_mean(expected.time, velocity), bins.complex_mean(expected.time, acceleration)
+
+
+def _angle(log: RobotLog, expected: Expected | None, topic: str, column: int) -> Floats | None:
+    """(n,) the heading by a stream at the moments of the expected motion; None if the stream does not say."""
+    stream = log.streams.get(topic)
+    if stream is None or expected is None:
+        return None
+    given = np.isfinite(stream.value[:, column])
+    if not given.any():
+        return None
+    return np.asarray(np.interp(expected.time, stream.time[given], stream.value[given, column]))

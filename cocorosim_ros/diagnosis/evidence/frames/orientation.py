@@ -1,0 +1,168 @@
+"""Which horizontal axes and directions of turning the streams were recorded in: the fewest changes that reconcile all.
+
+Five things can be turned or mirrored: the positions, the yaw of the poses, the compass, the gyroscope and the
+commands. Each has a few candidates: e(v) = i^k v, or i^k conj(v) for a mirrored one, of directions as complex numbers.
+Between any two of the five some relation must hold: the course follows the yaw when thrusting, the compass shows the
+yaw, rates have one sign. All combinations are compared: nats by which the relations fail, and a price for every change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correlation, independent, nats_behind
+from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
+from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+
+PRICE = 10.0  # nats, of a change
+MARGIN = 10.0  # nats, by which the changed streams must be better after paying for it
+# What makes one stream likelier to be at fault than another, in prices of a change.
+LIKELIHOOD = {"position": 1.05, "yaw": 1.0, "compass": 0.95, "gyro": 1.0, "command": 1.3, "pose": 1.0, "both": 2.2}
+ODD = 0.05  # a change that nobody makes on purpose costs so much more than a usual one
+USUAL: dict[str, tuple[Turned, ...]] = {
+    "position": (SWAPPED, (1, 0), (1, 2)),
+    "yaw": (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2)),
+    "compass": (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2)),
+    "pose": (SWAPPED, (1, 0)),
+}
+
+
+@dataclass(frozen=True)
+class Orientation:
+    """What must be done to each of the five; SAME and False for those that are right.
+
+    nats: by how much all relations together hold better after it, less the price of the changes.
+    """
+
+    position: Turned = SAME
+    yaw: Turned = SAME
+    compass: Turned = SAME
+    gyro: bool = False
+    command: Turned = SAME
+    nats: float = 0.0
+
+
+def best_orientation(motion: Motion, *, upside_down: bool) -> Orientation:
+    """The changes that reconcile the streams, none if the data do not clearly ask for any.
+
+    upside_down: whether z has been found to point down, which makes north-east-down poses likelier.
+    """
+    relations = _Relations(motion)
+    nothing = relations.nats(Orientation())
+    if nothing < PRICE + MARGIN:
+        return Orientation()
+    best, cost = Orientation(), nothing
+    for candidate in _candidates(relations):
+        total = relations.nats(candidate) + PRICE * _changes(candidate, upside_down)
+        if total < cost - 1e-9:
+            best, cost = candidate, total
+    gain = nothing - cost
+    if gain < MARGIN:
+        return Orientation()
+    return Orientation(best.position, best.yaw, best.compass, best.gyro, best.command, gain)
+
+
+def _candidates(relations: _Relations) -> Iterator[Orientation]:
+    position = ALL_TURNED if relations.has_course else (SAME,)
+    yaw = ALL_TURNED if relations.has_yaw else (SAME,)
+    compass = ALL_TURNED if relations.has_compass else (SAME,)
+    gyro = (False, True) if relations.has_gyro else (False,)
+    command = ((0, 0), (1, 0), (0, 2), (1, 2)) if relations.has_command else (SAME,)
+    for chosen in product(position, yaw, compass, gyro, command):
+        yield Orientation(*chosen)
+
+
+def _changes(candidate: Orientation, upside_down: bool) -> float:
+    """The price of the changes, in those of a usual one."""
+    price = 0.0
+    if candidate.position == candidate.yaw != SAME:
+        price += _price("pose", candidate.yaw) - (0.5 if upside_down and candidate.yaw == SWAPPED else 0.0)
+    elif SAME not in (candidate.position, candidate.yaw):
+        price += LIKELIHOOD["both"]
+    elif candidate.position != SAME:
+        price += _price("position", candidate.position)
+    elif candidate.yaw != SAME:
+        price += _price("yaw", candidate.yaw)
+    if candidate.compass != SAME:
+        price += _price("compass", candidate.compass)
+    return price + candidate.gyro * LIKELIHOOD["gyro"] + (candidate.command != SAME) * LIKELIHOOD["command"]
+
+
+def _price(what: str, turned: Turned) -> float:
+    usual = USUAL[what]
+    return LIKELIHOOD[what] + ODD * (usual.index(turned) / len(usual) if turned in usual else 2.0)
+
+
+class _Relations:
+    """Nats by which the relations between the streams fail, for every combination of changes, computed once."""
+
+    def __init__(self, motion: Motion) -> None:
+        self.has_yaw, self.has_compass = _given(motion.yaw), _given(motion.heading)
+        self.has_course, self.has_gyro = _given(motion.course.real), _given(motion.gyro)
+        self.has_command = _given(motion.spin)
+        rates = {"yaw": motion.turn, "compass": motion.swing, "gyro": motion.gyro, "command": motion.spin}
+        self._course = {
+            "yaw": _course_table(motion, motion.by_yaw),
+            "compass": _course_table(motion, motion.by_compass),
+        }
+        self._headings = _heading_table(motion)
+        pairs = [(a, b) for a in rates for b in rates if a < b and {a, b} != {"yaw", "compass"}]
+        self._rates = {(a, b): _rate_table(rates[a], rates[b], motion.weight) for a, b in pairs}
+
+    def nats(self, turned: Orientation) -> float:
+        """By how much the relations fail under these changes, against the best that each could be."""
+        total = 0.0
+        for name, angle in (("yaw", turned.yaw), ("compass", turned.compass)):
+            table = self._course[name]
+            total += table[turned.position[0], angle[0], turned.command[0], self._quarter(turned, angle)]
+        quarter = (turned.yaw[1] - turned.compass[1]) % 4
+        total += self._headings[turned.yaw[0], turned.compass[0], quarter]
+        mirrored = {"yaw": turned.yaw[0], "compass": turned.compass[0], "gyro": int(turned.gyro)}
+        mirrored["command"] = turned.command[0]
+        for (a, b), table in self._rates.items():
+            total += table[(mirrored[a] + mirrored[b]) % 2]
+        return float(total)
+
+    def _quarter(self, turned: Orientation, angle: Turned) -> int:
+        return (turned.position[1] - angle[1] - turned.command[1]) % 4
+
+
+def _given(values: Floats) -> bool:
+    return bool(np.isfinite(values).any())
+
+
+def _course_table(motion: Motion, expected: tuple[Complex, Complex]) -> Floats:
+    """(2, 2, 2, 4) by mirrored course, angle, commands, and quarter turns of the course against both others.
+
+    Under a mirrored angle the expected course is the mirror image of that with left and right exchanged.
+    """
+    scores = np.zeros((2, 2, 2, 4))
+    for course, heading, command in product((0, 1), repeat=3):
+        left = np.conj(motion.course) if course else motion.course
+        right = np.conj(expected[1 - command]) if heading else expected[command]
+        found = correlation(left, right)
+        scores[course, heading, command] = [(found * 1j**quarter).real for quarter in range(4)]
+    count = independent(motion.course, expected[0], motion.weight)
+    return nats_behind(np.square(np.maximum(scores, 0.0)), float(scores.max(initial=0.0)) ** 2, count)
+
+
+def _heading_table(motion: Motion) -> Floats:
+    """(2, 2, 4) by mirrored yaw, mirrored compass, and quarter turns of the yaw against the compass."""
+    scores = np.zeros((2, 2, 4))
+    for yaw, compass in product((0, 1), repeat=2):
+        found = alignment(-motion.yaw if yaw else motion.yaw, -motion.heading if compass else motion.heading)
+        scores[yaw, compass] = [(found * 1j**quarter).real for quarter in range(4)]
+    return nats_behind(scores, float(scores.max()), independent(motion.yaw, motion.heading, motion.weight))
+
+
+def _rate_table(left: Floats, right: Floats, weight: float) -> Floats:
+    """(2,) for equal and for opposite signs."""
+    found = correlation(left, right).real
+    scores = np.array([found, -found])
+    return nats_behind(np.square(np.maximum(scores, 0.0)), found**2, independent(left, right, weight))

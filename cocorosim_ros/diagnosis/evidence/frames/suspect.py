@@ -1,0 +1,166 @@
+"""Which streams of a robot are in other axes, signs or units than the contract says, by how they fit each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.frames import units
+from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
+from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
+from cocorosim_ros.diagnosis.evidence.frames.orientation import Orientation, best_orientation
+from cocorosim_ros.diagnosis.evidence.frames.suspicion import COMMAND, FrameSuspicion, affine, corrected
+from cocorosim_ros.diagnosis.evidence.frames.through_water import velocity_axes
+from cocorosim_ros.diagnosis.evidence.frames.turned import (
+    SAME,
+    SWAPPED,
+    Turned,
+    angle_words,
+    matrix_of,
+    on_angle,
+    position_words,
+)
+from cocorosim_ros.diagnosis.evidence.frames.upright import (
+    MARGIN,
+    force_unit,
+    gravity_of,
+    height_upside_down,
+    lift_upside_down,
+)
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.scenario.parts.platform import Platform
+
+Found = list[FrameSuspicion]
+Logs = Sequence[RobotLog]
+
+
+def suspect_frames(logs: RobotLog | Sequence[RobotLog], platform: Platform) -> tuple[FrameSuspicion, ...]:
+    """Every suspicion that the data support by a clear margin, in the order in which `corrected` applies them.
+
+    Several logs are of robots that were recorded in the same way: what one is too short to show they show together.
+
+    Units come first, by magnitudes that no physics explains; then axes and directions of turning, by the fewest
+    changes that reconcile all streams with each other and with the commands. A world that is turned as a whole, poses
+    and compass alike, shows nowhere and is no error. Where two streams contradict each other and no third one is there
+    to decide, the likelier culprit is named.
+    """
+    together = [logs] if isinstance(logs, RobotLog) else list(logs)
+    found = _suspicions(together, platform)
+    if len([suspicion for suspicion in found if suspicion.nats < np.inf]) < 2:
+        return tuple(found)
+    # Several streams that contradict the commands in the same way are right, and the commands are not.
+    for turned in ((1, 0), (0, 2), (1, 2)):
+        commands = _commands(Orientation(command=turned, nats=min(suspicion.nats for suspicion in found)), platform)
+        rest = _suspicions(_all_corrected(together, commands), platform)
+        if commands[0].matrix is not None and len(rest) + 1 < len(found):
+            found = [*commands, *rest]
+    return tuple(found)
+
+
+def _suspicions(logs: Logs, platform: Platform) -> Found:
+    found = _units(logs, platform)
+    found += _axes(_all_corrected(logs, found), platform)
+    return found + _own_axes(_all_corrected(logs, found), platform)
+
+
+def _all_corrected(logs: Logs, found: Found) -> list[RobotLog]:
+    return [corrected(log, found) for log in logs]
+
+
+def _units(logs: Logs, platform: Platform) -> Found:
+    pressure = units.pressure_unit(logs, motion_together(logs, platform), platform)
+    motion = motion_together(_all_corrected(logs, [pressure] if pressure else []), platform)
+    expected = np.abs(motion.advance)
+    pose = units.length_unit("pose", np.abs(motion.course), expected, motion, "the commands let")
+    found = [
+        units.heading_in_degrees(logs, motion),
+        units.rate_in_degrees(motion),
+        pressure,
+        pose or units.height_unit(motion, platform),
+        units.length_unit("velocity", np.abs(motion.through), expected, motion, "the commands let"),
+        force_unit(logs, platform),
+    ]
+    return [suspicion for suspicion in found if suspicion]
+
+
+def _axes(logs: Logs, platform: Platform) -> Found:
+    """What the streams say of each other: poses, compass, commands; the gyroscope is judged with the IMU."""
+    motion = motion_together(logs, platform)
+    down = height_upside_down(motion)
+    turned = best_orientation(motion, upside_down=down > MARGIN)
+    found = [*_pose(turned, down), *_compass(turned), *_commands(turned, platform)]
+    motion = motion_together(_all_corrected(logs, found), platform)
+    imu = inertial_axes(motion, gravity_of(logs, platform), _gyro_nats(turned))
+    return [*found, *([imu] if imu else [])]
+
+
+def _own_axes(logs: Logs, platform: Platform) -> Found:
+    """The velocity stream, once everything else is right."""
+    motion = motion_together(logs, platform)
+    velocity = velocity_axes(motion, lift_upside_down(motion))
+    return [velocity] if velocity else []
+
+
+def _gyro_nats(turned: Orientation) -> float:
+    return turned.nats if turned.gyro else 0.0
+
+
+def _pose(turned: Orientation, down: float) -> Found:
+    upside_down = down > MARGIN
+    if turned.position == turned.yaw == SAME and not upside_down:
+        return []
+    matrix, offset = np.eye(4), np.zeros(4)
+    matrix[:2, :2] = matrix_of(turned.position)
+    matrix[2, 2] = -1.0 if upside_down else 1.0
+    matrix[3, 3], offset[3] = on_angle(turned.yaw)
+    nats = (down if upside_down else 0.0) + (turned.nats if (turned.position, turned.yaw) != (SAME, SAME) else 0.0)
+    because = "only so the poses agree with " + (
+        "pressure and pump" if turned.position == turned.yaw == SAME else "the other streams and the commands"
+    )
+    return [affine("pose", (_pose_words(turned.position, turned.yaw, upside_down), because), nats, matrix, offset)]
+
+
+def _pose_words(position: Turned, yaw: Turned, upside_down: bool) -> str:
+    if position == yaw == SWAPPED and upside_down:
+        return "the poses are in north-east-down axes: x and y swapped, z down, yaw clockwise from north"
+    parts = [position_words(position)] if position != SAME else []
+    parts += [f"as to the yaw, {angle_words(yaw)}"] if yaw != SAME else []
+    parts += ["z points down (depth counts positive)"] if upside_down else []
+    return "; ".join(parts)
+
+
+def _compass(turned: Orientation) -> Found:
+    if turned.compass == SAME:
+        return []
+    factor, summand = on_angle(turned.compass)
+    words = (f"as to the heading, {angle_words(turned.compass)}", "only so it agrees with the other streams")
+    return [affine("compass", words, turned.nats, np.array([[factor]]), np.array([summand]))]
+
+
+def _commands(turned: Orientation, platform: Platform) -> Found:
+    mirrored, quarters = turned.command
+    if turned.command == SAME:
+        return []
+    parts = ["forwards and backwards are exchanged"] if quarters else []
+    parts += ["left and right are exchanged"] if bool(mirrored) != bool(quarters) else []
+    exchange = _exchange(platform, forwards=bool(quarters), turning=bool(mirrored))
+    because = "only so the robot moves as it is commanded"
+    words = ", and ".join(parts) if parts else "the yaw moment is reversed"
+    return [FrameSuspicion(COMMAND, words, because, turned.nats, exchange, np.zeros(len(platform.actuators)))]
+
+
+def _exchange(platform: Platform, *, forwards: bool, turning: bool) -> Floats | None:
+    """Signed exchange of actuators that reverses surge or yaw moment and leaves the rest; None if there is none."""
+    wrenches = platform.actuator_wrenches() * platform.actuator_limits()[:, :1]
+    count = len(wrenches)
+    matrix = np.zeros((count, count))
+    goal = wrenches * np.array([-1.0 if forwards else 1.0, 1.0, 1.0, -1.0 if turning else 1.0])
+    for target in range(count):
+        for source, sign in ((source, sign) for source in range(count) for sign in (1.0, -1.0)):
+            if np.allclose(sign * wrenches[source], goal[target], rtol=1e-6, atol=1e-12):
+                matrix[source, target] = sign
+                break
+        else:
+            return None
+    return matrix

@@ -1,0 +1,58 @@
+"""Horizontal axes that are turned by quarters or mirrored: as a matrix, and in words."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+
+Turned = tuple[int, int]  # mirrored?, quarter turns: e(v) = i^quarters v, or i^quarters conj(v), for v = x + iy
+SAME: Turned = (0, 0)
+SWAPPED: Turned = (1, 1)  # x and y exchanged; an angle counted clockwise from north
+ALL_TURNED: tuple[Turned, ...] = tuple((mirrored, quarters) for mirrored in (0, 1) for quarters in range(4))
+
+_POSITION = {
+    (0, 1): "the horizontal axes are turned by 90 degrees: x = -y, y = x",
+    (0, 2): "the signs of x and y are flipped",
+    (0, 3): "the horizontal axes are turned by 90 degrees: x = y, y = -x",
+    (1, 0): "the sign of y is flipped",
+    (1, 1): "x and y are swapped",
+    (1, 2): "the sign of x is flipped",
+    (1, 3): "x and y are swapped and their signs flipped",
+}
+_ANGLE = {
+    (0, 1): "90 degrees have to be added to it",
+    (0, 2): "it is off by 180 degrees",
+    (0, 3): "90 degrees have to be taken from it",
+    (1, 0): "its sign is flipped (clockwise positive)",
+    (
+        1,
+        1,
+    ): "it counts clockwise from north (+y) instead of counter-clockwise from east: pi/2 minus the reading is right",
+    (1, 2): "it counts clockwise from west: pi minus the reading is right",
+    (1, 3): "it counts clockwise from south: -pi/2 minus the reading is right",
+}
+
+
+def matrix_of(turned: Turned) -> Floats:
+    """(2, 2) the same as a matrix on x, y."""
+    mirrored, quarters = turned
+    columns = [1j**quarters * (np.conj(axis) if mirrored else axis) for axis in (1.0 + 0.0j, 1.0j)]
+    return np.array([[column.real for column in columns], [column.imag for column in columns]]).round()
+
+
+def on_angle(turned: Turned) -> tuple[float, float]:
+    """Factor and summand [rad] by which an angle becomes right."""
+    mirrored, quarters = turned
+    summand = (quarters if quarters < 3 else -1) * np.pi / 2.0
+    return (-1.0 if mirrored else 1.0), summand
+
+
+def position_words(turned: Turned) -> str:
+    """What is wrong with positions that this puts right."""
+    return _POSITION[turned]
+
+
+def angle_words(turned: Turned) -> str:
+    """What is wrong with an angle that this puts right."""
+    return _ANGLE[turned]

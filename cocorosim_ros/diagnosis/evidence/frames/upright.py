@@ -1,0 +1,73 @@
+"""Which way is up, by pressure, pump and gravity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
+from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.scenario.parts.platform import Platform
+
+CERTAIN = float("inf")
+MARGIN = 10.0  # nats
+NEAR = 0.2  # of gravity
+
+
+def height_upside_down(motion: Motion) -> float:
+    """Nats by which z pointing down fits pressure and commanded heave better than up; negative the other way."""
+    return _opposite(motion.climb, -motion.sinking, motion.weight) + _opposite(motion.climb, motion.dive, motion.weight)
+
+
+def lift_upside_down(motion: Motion) -> float:
+    """The same for the velocity stream, by the poses and the commands."""
+    return _opposite(motion.lift, motion.climb, motion.weight) + _opposite(motion.lift, motion.dive, motion.weight)
+
+
+def gravity_of(logs: Sequence[RobotLog], platform: Platform) -> tuple[int, float]:
+    """The axis along which the accelerometer feels gravity, and what it reads there; (-1, 0) for none.
+
+    By REP 145 it is the third, and it reads + 9.81 m/s^2 at rest.
+    """
+    mean = _mean_force(logs)
+    axis = int(np.argmax(np.abs(mean))) if np.isfinite(mean).all() else -1
+    if axis < 0 or not abs(abs(mean[axis]) / platform.gravity - 1.0) < NEAR:
+        return -1, 0.0
+    return axis, float(mean[axis])
+
+
+def force_unit(logs: Sequence[RobotLog], platform: Platform) -> FrameSuspicion | None:
+    """Whether the accelerometer counts in g, or leaves gravity out."""
+    mean = _mean_force(logs)
+    if not np.isfinite(mean).all() or gravity_of(logs, platform)[0] >= 0:
+        return None
+    total = float(np.sqrt((mean**2).sum()))
+    if abs(total - 1.0) < NEAR:
+        because = f"at rest it reads {total:.3g} where gravity makes {platform.gravity:.2f} m/s^2"
+        factors = np.diag([1.0, *[platform.gravity] * 3])
+        return affine("imu", ("accelerations are in g instead of m/s^2", because), CERTAIN, factors)
+    if total < NEAR * platform.gravity:
+        because = f"its mean is {total:.2g} m/s^2 where gravity makes {platform.gravity:.2f}"
+        words = ("gravity is left out of the accelerations", because)
+        return affine("imu", words, CERTAIN, np.eye(4), np.array([0.0, 0.0, 0.0, platform.gravity]))
+    return None
+
+
+def _mean_force(logs: Sequence[RobotLog]) -> Floats:
+    """(3,) medians of the accelerometer; NaN where it says nothing."""
+    readings = [log.streams["imu"].value[:, 1:] for log in logs if "imu" in log.streams]
+    if not readings:
+        return np.full(3, np.nan)
+    given = [column[np.isfinite(column)] for column in np.vstack(readings).T]
+    return np.array([np.median(column) if column.size else np.nan for column in given])
+
+
+def _opposite(left: Floats, right: Floats, weight: float) -> float:
+    """Nats by which opposite signs fit better than equal ones."""
+    found = correlation(left, right).real
+    scores = np.square(np.maximum(np.array([found, -found]), 0.0))
+    equal, opposite = nats_behind(scores, found**2, independent(left, right, weight))
+    return float(equal - opposite)

@@ -1,0 +1,99 @@
+"""From recordings to evidence: every robot's streams and commands, clean, on one clock, with their noise."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.bursts import as_taken
+from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, timing_sentence
+from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
+from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
+from cocorosim_ros.diagnosis.evidence.robot_logs import robot_log, seconds
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, Recording, Stream, told_apart
+from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+
+
+def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
+    """What these recordings say of robots of this platform.
+
+    Raises CocorosimError where a file cannot be used: it is no recording, holds no topic of any robot, commands
+    actuators that the platform does not have, or says the same as another one. Where a usable file merely says too
+    little, nothing is raised: see `reasons_to_abstain`. Of several recordings every remark names its own.
+    """
+    recordings = [gather_recording(Path(bag), platform) for bag in bags]
+    for one, other in itertools.combinations(recordings, 2):
+        if _is_same(one, other):
+            raise CocorosimError(
+                f"{other.origin} says the same as {one.origin}, reading by reading; give every recording once, for "
+                "what is given twice would count twice as evidence."
+            )
+    return Evidence(platform, told_apart(recordings))
+
+
+def _is_same(one: Recording, other: Recording) -> bool:
+    """Whether two recordings hold the same robots with the same commands and readings."""
+    return [robot.name for robot in one.robots] == [robot.name for robot in other.robots] and all(
+        np.array_equal(mine.command, his.command)
+        and mine.streams.keys() == his.streams.keys()
+        and all(_is_same_stream(mine.streams[topic], his.streams[topic]) for topic in mine.streams)
+        for mine, his in zip(one.robots, other.robots, strict=True)
+    )
+
+
+def _is_same_stream(one: Stream, other: Stream) -> bool:
+    return np.array_equal(one.time, other.time) and np.array_equal(one.value, other.value, equal_nan=True)
+
+
+def gather_recording(path: Path, platform: Platform) -> Recording:
+    """What one recording says of robots of this platform. Raises CocorosimError as `gather_evidence`."""
+    bag = read_bag(path)
+    try:
+        topics, remarks = read_topic_rows(bag, platform.actuator_names)
+    except CocorosimError as error:
+        raise CocorosimError(f"{path}: {error}") from error
+    topics, clock_remarks = on_one_clock(topics)
+    remarks = [*([bag.summary.damage] if bag.summary.damage else []), *remarks, *clock_remarks]
+    skews = clock_skews(topics)
+    sentences = [skew_sentence(rows.name, skew) for rows, skew in zip(topics, skews, strict=True)]
+    remarks += [sentence for sentence in sentences if sentence]
+    clean = []
+    for rows in topics:
+        result = cleaned(rows)
+        taken, said = as_taken(result.rows)
+        clean.append(taken)
+        remarks += [*rows.remarks, *result.remarks, *said]
+    if not any(len(rows.stamp_ns) for rows in clean):
+        raise _nothing_usable(path, bag)
+    start = min(int(rows.stamp_ns[0]) for rows in clean if len(rows.stamp_ns))
+    duration = max((int(rows.stamp_ns[-1]) - start) / NANOSECONDS for rows in clean if len(rows.stamp_ns))
+    robots = []
+    for name in sorted({rows.robot for rows in clean}):
+        mine = [(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
+        log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
+        robots.append(log)
+        remarks += log_remarks
+    robots, identity_remarks = with_true_identities(robots, platform)
+    remarks += identity_remarks
+    remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]
+    return Recording(str(path), duration, tuple(robots), tuple(remarks))
+
+
+def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:
+    if bag.summary.damage:
+        return CocorosimError(
+            f"{path} holds no reading and no command of any robot, because {bag.summary.damage.rstrip('.')}; record "
+            "again or give another recording."
+        )
+    found = ", ".join(topic.topic for topic in bag.summary.topics if topic.count) or "none"
+    return CocorosimError(
+        f"{path} has no message of a robot's {', '.join([*STREAMS, COMMAND])}, and its topics are: {found}; "
+        "bring it into the contract with `cocorosim convert`, or give another recording."
+    )

@@ -1,0 +1,87 @@
+"""One robot's clean rows as its log: angles that go on counting, faulty readings out, the noise of each channel."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.cleaning import gaps_of
+from cocorosim_ros.diagnosis.evidence.clocks import Skew
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Floats, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
+from cocorosim_ros.diagnosis.evidence.streams.turning import period_of, turned_by_gyro, unwrapped
+from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
+from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+
+HEADINGS = {"pose": 3, "compass": 0}  # column of the angle
+HORIZONTAL = 2  # the first columns of a pose, whose leaps are judged by speed and not reading by reading
+
+
+def robot_log(
+    name: str, topics: Sequence[tuple[TopicRows, Skew]], start_ns: int, actuators: int
+) -> tuple[RobotLog, list[str]]:
+    """The log of a robot from its topics, time counting from `start_ns`, and what was left out, in sentences."""
+    commands = next((rows for rows, _ in topics if rows.topic == COMMAND and len(rows.stamp_ns)), None)
+    streams = {
+        rows.topic: Stream(seconds(rows, start_ns), rows.values, np.empty(0), skew.rate, skew.error)
+        for rows, skew in topics
+        if rows.topic != COMMAND and len(rows.stamp_ns)
+    }
+    remarks: list[str] = []
+    finished = {topic: _finished(f"{name}/{topic}", topic, streams, remarks) for topic in streams}
+    log = RobotLog(
+        name,
+        seconds(commands, start_ns) if commands else np.empty(0),
+        commands.values if commands else np.empty((0, actuators)),
+        finished,
+        gaps_of(finished["pose"].time) if "pose" in finished else (),
+    )
+    return log, remarks
+
+
+def seconds(rows: TopicRows, start_ns: int) -> Floats:
+    """(n,) stamps [s] since `start_ns`."""
+    return np.asarray((rows.stamp_ns - start_ns) / NANOSECONDS)
+
+
+def _finished(name: str, topic: str, streams: Mapping[str, Stream], remarks: list[str]) -> Stream:
+    stream = streams[topic]
+    value, period = stream.value.copy(), stream.full_turn
+    if topic in HEADINGS:
+        column = HEADINGS[topic]
+        period = period_of(value[:, column])
+        angle = unwrapped(stream.time, value[:, column], period)
+        turned = turned_by_gyro(stream.time, angle, streams.get("imu"))
+        value[:, column] = angle if turned is None else unwrapped(stream.time, angle, period, turned)
+    noise = np.array([noise_of(stream.time, column) for column in value.T])
+    _leave_out(name, topic, stream.time, value, noise, remarks)
+    if topic in HEADINGS:
+        _leave_out_leaps(name, stream.time, value[:, HEADINGS[topic]], float(noise[HEADINGS[topic]]), remarks)
+    kept = np.isfinite(value).any(axis=1)
+    return replace(stream, time=stream.time[kept], value=value[kept], noise=noise, full_turn=period)
+
+
+def _leave_out_leaps(name: str, time: Floats, heading: Floats, noise: float, remarks: list[str]) -> None:
+    """Write NaN over readings of a heading that leaps away and soon back."""
+    wrong = away(time, heading, noise)
+    if wrong.any():
+        heading[wrong] = np.nan
+        remarks.append(
+            f"{name}: the heading leaps away and back within half a second, first at {time[wrong][0]:.1f} s; the "
+            f"{np.count_nonzero(wrong)} readings in between were left out."
+        )
+
+
+def _leave_out(name: str, topic: str, time: Floats, value: Floats, noise: Floats, remarks: list[str]) -> None:
+    """Write NaN over faulty readings."""
+    for column in range(HORIZONTAL if topic == "pose" else 0, value.shape[1]):
+        wrong = outliers(value[:, column], float(noise[column]))
+        if wrong.any():
+            value[wrong, column] = np.nan
+            remarks.append(
+                f"{name}: {np.count_nonzero(wrong)} single readings of {STREAMS[topic][column]} are far off those "
+                f"before and after them, first at {time[wrong][0]:.1f} s; they were left out."
+            )

@@ -1,0 +1,83 @@
+"""Angles that go on counting where a reading jumps from one end of the circle to the other."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Floats, Stream
+
+FULL_TURN = 2.0 * np.pi
+CONTINUOUS = 0.2  # s between readings of a gyroscope that can be integrated
+STEP, FEWEST = 1.0, 10  # s over which turns are compared, how many of them
+FOLLOWS = 0.9  # correlation of gyroscope and heading, from which the one may bridge the other's gaps
+LONG = 0.5  # s without a reading, from which another stream is asked how far the robot turned
+
+
+def period_of(angle: Floats) -> float:
+    """Of a full turn in these readings: 2 pi, or 360 where they reach beyond any angle in radians."""
+    given = angle[np.isfinite(angle)]
+    beyond = given.size > 0 and np.abs(given).max() > FULL_TURN + 0.1
+    return 360.0 if beyond else FULL_TURN
+
+
+def unwrapped(
+    time: Floats, angle: Floats, period: float = FULL_TURN, turned: tuple[Floats, Floats] | None = None
+) -> Floats:
+    """(n,) the angle without jumps of a period; NaN where it is not given.
+
+    turned: times (m,) and the continuous angle (m,) of another stream, same unit; over a gap of the readings the
+    number of turns is the one that comes closest to it. Without, it is the shortest way.
+    """
+    result = np.full(angle.shape, np.nan)
+    given = np.isfinite(angle)
+    if not given.any():
+        return result
+    moments, wrapped = time[given], angle[given]
+    expected = np.zeros(moments.size - 1)
+    if turned is not None and len(turned[0]) > 1:
+        long = np.diff(moments) > LONG
+        other = np.interp(moments, *turned)
+        expected = np.where(long & _covered(moments, turned[0]), np.diff(other), 0.0)
+    steps = np.diff(wrapped)
+    steps = expected + (steps - expected + period / 2) % period - period / 2
+    result[given] = wrapped[0] + np.concatenate([[0.0], np.cumsum(steps)])
+    return result
+
+
+def _covered(moments: Floats, other: Floats) -> NDArray[np.bool_]:
+    """(n-1,) whether the other stream has readings throughout the interval between two moments."""
+    first, last = np.searchsorted(other, moments[:-1]), np.searchsorted(other, moments[1:])
+    inside = last - first
+    longest = np.zeros(inside.size)
+    for index in np.flatnonzero((np.diff(moments) > LONG) & (inside > 1)):
+        around = other[max(first[index] - 1, 0) : last[index] + 1]
+        longest[index] = np.diff(around).max()
+    return np.asarray((inside > 1) & (longest < LONG))
+
+
+def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> tuple[Floats, Floats] | None:
+    """Times and the angle [unit of `angle`] by the gyroscope, if the two agree where the angle has no gaps."""
+    given = np.isfinite(angle)
+    if imu is None or len(imu.time) < 3 or np.count_nonzero(given) < 3 or not np.isfinite(imu.value[:, 0]).all():
+        return None
+    time, angle = time[given], angle[given]
+    turned = _integral(imu)
+    moments = np.arange(max(time[0], imu.time[0]), min(time[-1], imu.time[-1]), STEP)
+    within = np.searchsorted(time, moments)
+    seen = np.array([np.diff(time[max(k - 1, 0) : m + 1]).max() < LONG for k, m in pairwise(within)], dtype=bool)
+    ours = np.diff(np.interp(moments, time, angle))[seen]
+    theirs = np.diff(np.interp(moments, imu.time, turned))[seen]
+    if len(ours) < FEWEST or not ours.std() * theirs.std() > 0.0:
+        return None
+    if abs(np.corrcoef(ours, theirs)[0, 1]) < FOLLOWS:
+        return None
+    return imu.time, float((ours * theirs).sum() / (theirs * theirs).sum()) * turned
+
+
+def _integral(imu: Stream) -> Floats:
+    steps, rate = np.diff(imu.time), imu.value[:, 0]
+    turns = 0.5 * (rate[1:] + rate[:-1]) * np.where(steps < CONTINUOUS, steps, 0.0)
+    return np.concatenate([[0.0], np.cumsum(turns)])

@@ -1,0 +1,19 @@
+"""How fast a platform is, and how long its motions last, roughly."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cocorosim_ros.scenario.parts.platform import Platform
+
+
+def full_speed(platform: Platform) -> float:
+    """Speed v [m/s] at which quadratic drag holds all horizontal thrust: v = sqrt(X / k)."""
+    thrust = np.abs(platform.actuator_wrenches()[:, :2]) * platform.actuator_limits().max(axis=1, keepdims=True)
+    return float(np.sqrt(thrust.sum(axis=0).max(initial=0.0) / max(platform.drag, 1e-9)))
+
+
+def coasting_time(platform: Platform) -> float:
+    """Time m / (k v) [s] in which it loses half of its full speed v; 0 where nothing pushes or nothing brakes."""
+    braking = platform.drag * full_speed(platform)
+    return platform.mass / braking if braking > 0.0 else 0.0

@@ -1,0 +1,61 @@
+"""Sums over all readings of products of slopes, by one thread and in one order, on every machine the same."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
+
+Floats = NDArray[np.float64]
+CHUNK = 1024  # readings at a time, so that they stay in the cache
+LANES = 8
+
+
+@kernel
+def _dot(left: Floats, right: Floats) -> float:
+    """Sum of products, in LANES sums beside each other."""
+    sums, total = stack_array(8), 0.0
+    whole = left.shape[0] - left.shape[0] % LANES
+    for begin in range(0, whole, LANES):
+        for lane in range(LANES):
+            sums[lane] += left[begin + lane] * right[begin + lane]
+    for index in range(whole, left.shape[0]):
+        total += left[index] * right[index]
+    for lane in range(LANES):
+        total += sums[lane]
+    return total
+
+
+@kernel
+def _is_nothing(values: Floats) -> bool:
+    for index in range(values.shape[0]):
+        if values[index] != 0.0:
+            return False
+    return True
+
+
+@allocating_kernel
+def _products(left: Floats, right: Floats, variance: Floats) -> Floats:
+    result, weighted = np.zeros((left.shape[0], right.shape[0])), np.empty(CHUNK)
+    nothing = np.zeros(right.shape[0], dtype=np.bool_)
+    for begin in range(0, variance.shape[0], CHUNK):
+        end = min(begin + CHUNK, variance.shape[0])
+        for j in range(right.shape[0]):
+            nothing[j] = _is_nothing(right[j, begin:end])
+        for i in range(left.shape[0]):
+            if _is_nothing(left[i, begin:end]):  # as those of other robots are
+                continue
+            for index in range(begin, end):
+                weighted[index - begin] = left[i, index] / variance[index]
+            for j in range(right.shape[0]):
+                if not nothing[j]:
+                    result[i, j] += _dot(weighted[: end - begin], right[j, begin:end])
+    return result
+
+
+def weighted_products(left: Floats, right: Floats, variance: Floats) -> Floats:
+    """(a, b) left^T diag(1 / variance) right of left (m, a), right (m, b), variance (m,)."""
+    few, many = (left, right) if left.shape[1] <= right.shape[1] else (right, left)
+    found: Floats = _products(np.ascontiguousarray(few.T), np.ascontiguousarray(many.T), variance)
+    return found if few is left else found.T

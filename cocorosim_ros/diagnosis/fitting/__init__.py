@@ -1,0 +1,1 @@
+"""Maximum likelihood fits of tracks: unknowns, recalibration, screening of candidates."""

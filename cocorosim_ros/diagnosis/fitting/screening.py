@@ -1,0 +1,179 @@
+"""Rao's score test of every candidate, orthogonal to recalibration: what each could explain, and what could be seen.
+
+The derivative of the innovations by an amplitude, gains held, is projected off those by the laws already in the model;
+what is left of it, weighted by the variance of the innovations, is its information; its correlation with the
+innovations is its score. Evidence in nats is the logarithm of the Bayes factor with a normal prior of one `large`
+around nothing: gain / (information + 1) less half the logarithm of the determinant of (information + 1).
+Source: Rao, Proc. Camb. Phil. Soc. 44 (1948) 50; Kass and Raftery, JASA 90 (1995) 773.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.catalogue.entry import Scene
+from cocorosim_ros.diagnosis.filter.products import weighted_products
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
+from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes, solve
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Screened:
+    """A candidate at the best point of its shapes."""
+
+    candidate: Candidate
+    values: dict[str, float]  # shapes and what is given, by column
+    q: Floats  # (amplitudes,) of the linear solution
+    nats: float  # evidence
+    information: Floats  # (amplitudes, amplitudes) orthogonal to the model, without prior
+    z: Floats  # (amplitudes,) each one's score over its standard deviation
+
+
+class Screen:
+    """The model against which candidates are tested, its information computed once."""
+
+    def __init__(self, fit: Fit, scene: Scene) -> None:
+        self.fit, self.scene = fit, scene
+        self.known: Information = information(fit)
+        self._last: _Tested | None = None
+
+    def slopes(self, candidate: Candidate, values: dict[str, float], unknowns: Sequence[Unknown]) -> tuple[Floats, ...]:
+        """Per track (m, unknowns) at these shapes."""
+        neutral = np.zeros(len(unknowns))
+        rows = write_values(candidate.write(self.fit.rows, values), unknowns, neutral)
+        return slopes(replace(self.fit, rows=rows), unknowns, neutral)
+
+    def test(self, candidate: Candidate) -> Screened:
+        """The candidate at the best of its shapes."""
+        unknowns = candidate.amplitudes()
+        if self._last is None or not self._last.covers(candidate):
+            self._last = _Tested(self, candidate, unknowns)
+        if not self._last.settings:
+            return _impossible(candidate, len(unknowns))
+        lower = np.array([unknown.bounds[0] for unknown in unknowns])
+        best: Screened | None = None
+        for values, own, own_score in self._last.of(unknowns):
+            q, nats = _evidence(own, own_score, lower)
+            if best is None or nats > best.nats:
+                z = own_score / np.sqrt(np.maximum(np.diag(own), 1e-300))
+                best = Screened(candidate, values, q, nats, own, z)
+        assert best is not None
+        return replace(best, nats=best.nats - math.log(len(self._last.settings)) - candidate.entry.prior_nats)
+
+
+class _Tested:
+    """What is known of an entry's amplitudes at all points of its shapes; it serves a part of its robots as well."""
+
+    def __init__(self, screen: Screen, candidate: Candidate, unknowns: Sequence[Unknown]) -> None:
+        self._candidate, self._unknowns = candidate, list(unknowns)
+        self.settings = list(candidate.settings(screen.scene))
+        directions = _Directions(screen, candidate, unknowns)
+        parts = [directions.parts(values) for values in self.settings]
+        products = _Products(screen, directions.slopes)
+        self._found = [products.mixed(weighted) for weighted in parts]
+
+    def covers(self, other: Candidate) -> bool:
+        """Whether the other one is the same for robots that are among these."""
+        mine = self._candidate
+        return other.entry is mine.entry and other.known == mine.known and set(other.robots) <= set(mine.robots)
+
+    def of(self, unknowns: Sequence[Unknown]) -> Iterator[tuple[dict[str, float], Floats, Floats]]:
+        """Shapes, and information (n, n) and score (n,) of these amplitudes there, orthogonal to the model."""
+        chosen = [self._unknowns.index(unknown) for unknown in unknowns]
+        for values, (own, score) in zip(self.settings, self._found, strict=True):
+            yield values, own[np.ix_(chosen, chosen)], score[chosen]
+
+
+def _impossible(candidate: Candidate, amplitudes: int) -> Screened:
+    """What these recordings cannot tell of at all."""
+    nothing = np.zeros(amplitudes)
+    return Screened(candidate, {}, nothing, -math.inf, np.zeros((amplitudes, amplitudes)), nothing)
+
+
+class _Products:
+    """Information and score of directions, orthogonal to the laws of the model: of those pairs that are asked for."""
+
+    def __init__(self, screen: Screen, directions: Sequence[tuple[Floats, ...]]) -> None:
+        self._fit, self._known, self._directions = screen.fit, screen.known, directions
+        self._cross = [self._with_laws(moved) for moved in directions]
+        self._absorbed = [solve(screen.known.matrix, cross) for cross in self._cross]
+        self._found: dict[tuple[int, int], Floats] = {}
+
+    def mixed(self, parts: Sequence[tuple[int, float]]) -> tuple[Floats, Floats]:
+        """Information (n, n) and score (n,) of a weighted sum of directions."""
+        own = sum(one * other * self._pair(i, j) for i, one in parts for j, other in parts)
+        score = sum(weight * self._score(number) for number, weight in parts)
+        return 0.5 * np.asarray(own + np.transpose(own)), np.asarray(score)
+
+    def _score(self, number: int) -> Floats:
+        innovations = tuple(part.innovation[:, None] for part in self._fit.passes)
+        return -self._sum(self._directions[number], innovations)[:, 0] - self._absorbed[number].T @ self._known.score
+
+    def _pair(self, i: int, j: int) -> Floats:
+        if (i, j) not in self._found:
+            own = self._sum(self._directions[i], self._directions[j]) - self._cross[i].T @ self._absorbed[j]
+            self._found[i, j], self._found[j, i] = own, own.T
+        return self._found[i, j]
+
+    def _with_laws(self, moved: tuple[Floats, ...]) -> Floats:
+        """(laws, n) the information that a direction shares with the laws of the model."""
+        shared = np.zeros((len(self._known.matrix), moved[0].shape[1]))
+        for own, other, part in zip(self._known.own, moved, self._fit.passes, strict=True):
+            shared[own.laws] += weighted_products(own.slopes, other, part.variance)
+        return shared
+
+    def _sum(self, left: tuple[Floats, ...], right: tuple[Floats, ...]) -> Floats:
+        """Over all readings of all tracks, by the variance of the innovations."""
+        total = np.zeros((left[0].shape[1], right[0].shape[1]))
+        for one, other, part in zip(left, right, self._fit.passes, strict=True):
+            total += weighted_products(one, other, part.variance)
+        return total
+
+
+class _Directions:
+    """The slopes of a candidate at the few shapes of which those at all others are sums."""
+
+    def __init__(self, screen: Screen, candidate: Candidate, unknowns: Sequence[Unknown]) -> None:
+        self._screen, self._candidate, self._unknowns = screen, candidate, unknowns
+        self._found: dict[tuple[tuple[str, float], ...], int] = {}
+        self.slopes: list[tuple[Floats, ...]] = []
+
+    def parts(self, values: dict[str, float]) -> list[tuple[int, float]]:
+        """Which slopes make up that at these shapes, and their weights."""
+        basis = self._candidate.entry.basis
+        wanted = basis(values) if basis is not None and values else [(values, 1.0)]
+        return [(self._number(shapes), weight) for shapes, weight in wanted]
+
+    def _number(self, values: dict[str, float]) -> int:
+        key = tuple(sorted(values.items()))
+        if key not in self._found:
+            self._found[key] = len(self.slopes)
+            self.slopes.append(self._screen.slopes(self._candidate, values, self._unknowns))
+        return self._found[key]
+
+
+def _evidence(matrix: Floats, score: Floats, lower: Floats) -> tuple[Floats, float]:
+    """q (n,) and nats; amplitudes that would pass a bound stay at it. A model that runs away is no evidence."""
+    if not (np.isfinite(matrix).all() and np.isfinite(score).all()):
+        return np.zeros(len(score)), -math.inf
+    free = np.ones(len(score), dtype=bool)
+    while True:
+        q = np.where(free, 0.0, np.where(lower > 0, lower, 0.0))
+        bounded = matrix[np.ix_(free, free)] + np.eye(int(free.sum()))
+        q[free] = np.linalg.solve(bounded, score[free]) if free.any() else q[free]
+        wrong = free & (q < lower)
+        if not wrong.any():
+            break
+        free &= ~wrong
+    if not free.any():
+        return np.zeros(len(score)), 0.0
+    gain = float(score[free] @ q[free]) - 0.5 * float(q[free] @ bounded @ q[free])
+    return q, gain - 0.5 * float(np.linalg.slogdet(bounded)[1])

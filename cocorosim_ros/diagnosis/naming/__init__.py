@@ -1,0 +1,1 @@
+"""Which effects are missing: contest, held-out test, pruning, what the recordings could show."""

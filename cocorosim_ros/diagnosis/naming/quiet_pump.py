@@ -1,0 +1,50 @@
+"""Evidence for a pump's own behaviour counts only where the pump was moved by more than the water could ask for.
+
+Whoever holds a depth moves the pump a little in answer to what the water does, and may see it sooner or better than
+the sensors that were recorded. Such a command tells of the water, and then an innocent pump looks weak or late, and an
+innocent pressure sensor late: likelihoods given the commands hold only for commands that follow from what was recorded
+(Ljung, System Identification, 1999, section 13.4). A pulse, a ramp or a new depth moves the pump by far more than the
+water does.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter1d, minimum_filter1d
+
+from cocorosim_ros.diagnosis.filter.layout import ACCEL_Z, POSE_Z, PRESSURE, VELOCITY_W
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.track import Pass, Track
+
+Floats = NDArray[np.float64]
+UPRIGHT = (POSE_Z, PRESSURE, ACCEL_Z, VELOCITY_W)
+MEMORY = 5.0  # s for which a movement of the pump tells of it
+LOUD = 20.0  # times the random force
+
+
+def quiet_gain(base: Fit, more: Fit) -> float:
+    """Nats that `more` gains over `base` on vertical readings while the pump was hardly moved, if it gains any."""
+    gain = 0.0
+    rows = more.filled  # a pump's fault that is not yet in the model passes for random force there
+    for track, row, one, other in zip(base.tracks, rows, base.passes, more.passes, strict=True):
+        chosen = np.isin(track.readings.kind, UPRIGHT) & ~_is_loud(track, row)
+        gain += float(np.sum((_nats(other) - _nats(one))[chosen]))
+    return max(gain, 0.0)
+
+
+def _is_loud(track: Track, row: Floats) -> NDArray[np.bool_]:
+    """(m,) whether the force of the pumps has changed much in the time before each reading."""
+    force = track.pump_force(row)
+    width = max(1, round(MEMORY / track.readings.step))
+    back = {"size": width, "origin": (width - 1) // 2, "mode": "nearest"}  # the window ends at each point
+    change = maximum_filter1d(force, **back) - minimum_filter1d(force, **back)
+    loud = change > LOUD * np.exp(row[COLUMN["random.heave_force"]])
+    point = np.rint((track.readings.stamp - track.readings.begin) / track.readings.step).astype(np.int64)
+    return np.asarray(loud[np.clip(point, 0, len(loud) - 1)])
+
+
+def _nats(part: Pass) -> Floats:
+    """(m,) log-likelihood of each reading, up to a constant."""
+    return np.asarray(-0.5 * (part.innovation**2 / part.variance + np.log(part.variance)))

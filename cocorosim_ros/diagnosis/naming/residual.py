@@ -1,0 +1,112 @@
+"""The random force that a model needs, over time, and what it looks like: its swings, typical sizes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.signal import find_peaks, periodogram
+
+from cocorosim_ros.diagnosis.catalogue.entry import Scene
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.tracks.surroundings import FAR
+from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
+from cocorosim_ros.world.vehicle_model.vehicles import MASS
+
+Floats = NDArray[np.float64]
+FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
+IN_BODY = ("surge", "sway")
+PEAKS = 3
+SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
+SHORTEST_PERIOD = 5.0  # s
+CHANGES = 3
+STEADY = 15.0  # s before and after a change that are compared
+
+
+def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
+    """The most likely course of every track."""
+    filled = fit.filled
+    return tuple(of_each_track(lambda number: fit.tracks[number].smoothed(filled[number]), len(fit.tracks)))
+
+
+def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
+    """What the recordings span, and how the residual force swings."""
+    places = np.concatenate([course.mean[:, :3] for course in courses])
+    seen = np.concatenate([course.mean for course in courses])
+    lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
+    duration = max(float(course.time[-1]) for course in courses)
+    forces = {name: [course.mean[:, column] for course in courses] for name, column in FORCE_COLUMNS.items()}
+    forces |= {name: [_in_body(course.mean)[axis] for course in courses] for axis, name in enumerate(IN_BODY)}
+    periods = {name: _periods(courses, force) for name, force in forces.items()}
+    return Scene(
+        tuple(lower.tolist()),
+        tuple(upper.tolist()),
+        duration,
+        tracks[0].hull,
+        tracks[0].arm,
+        periods,
+        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_COLUMNS["heave"]])),
+        _scales(tracks[0], seen, duration),
+        _driven(tracks, seen),
+    )
+
+
+def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
+    """Whether the thrust is greater than the random force in the level plane, by root mean squares."""
+    thrust = np.concatenate([track.nominal_force() for track in tracks])
+    return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_COLUMNS["world_x"] : FORCE_COLUMNS["world_y"] + 1] ** 2))
+
+
+def _in_body(mean: Floats) -> tuple[Floats, Floats]:
+    """The force (points,) forwards and to the left [N]."""
+    sine, cosine = np.sin(mean[:, 3]), np.cos(mean[:, 3])
+    return mean[:, 8] * cosine + mean[:, 9] * sine, mean[:, 9] * cosine - mean[:, 8] * sine
+
+
+def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
+    """At which a force (points,) by course swings most, strongest first, and the longest that a recording shows [s]."""
+    longest = max(courses, key=lambda course: len(course.time))
+    duration = float(longest.time[-1] - longest.time[0])
+    total: Floats = np.zeros(0)
+    for course, force in zip(courses, forces, strict=True):
+        step = float(course.time[1] - course.time[0])
+        frequency, power = periodogram(force, fs=1.0 / step, nfft=4 * len(longest.time))
+        total = power if len(total) == 0 else total + power
+    wanted = (frequency > SWINGS / duration) & (frequency < 1.0 / SHORTEST_PERIOD)
+    peaks, _ = find_peaks(np.where(wanted, total, 0.0))
+    strongest = peaks[np.argsort(total[peaks])[::-1][:PEAKS]]
+    return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS)
+
+
+def _changes(time: Floats, force: Floats) -> list[float]:
+    """Moments [s] at which a force (points,) changes most from what it was to what it then stays at."""
+    width = round(STEADY / float(time[1] - time[0]))
+    if len(time) < 2 * width + 1:
+        return []
+    total = np.concatenate([[0.0], np.cumsum(force)])
+    middle = np.arange(width, len(time) - width)
+    change = np.abs(total[middle + width] - 2.0 * total[middle] + total[middle - width]) / width
+    peaks, _ = find_peaks(change, distance=width)
+    strongest = peaks[np.argsort(change[peaks])[::-1][:CHANGES]]
+    return [float(time[middle[peak]]) for peak in strongest]
+
+
+def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
+    """Root mean squares of the regressors, full forces by equation, the mass."""
+    rms = np.sqrt(np.mean(seen**2, axis=0))
+    force = np.maximum(track.force_scale, 1e-9)
+    full = full_forces(track)
+    return {
+        **dict(zip(("x", "y", "z", "yaw", "u", "v", "w", "r"), np.maximum(rms[:8], 1e-6).tolist(), strict=True)),
+        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)),
+        "thrust": 0.5 * float(max(force[0], force[1])), "yaw_command": 0.3 * float(force[3]),
+        "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
+        "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
+        "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
+        "surge_force": full.across, "heave_force": full.random_heave, "yaw_force": full.yaw,
+        "mass": float(track.platform_row[MASS]),
+    }  # fmt: skip

@@ -1,0 +1,81 @@
+"""Stretches of the recording that no fit saw, and what each model makes of them from their beginning alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from markupsafe import Markup
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.findings import FreeRun
+from cocorosim_ros.diagnosis.report.figure_style import (
+    AFTER,
+    BEFORE,
+    MEASURED,
+    NOMINAL,
+    Drawing,
+    Margins,
+    labelled,
+    largest,
+    style_axes,
+)
+from cocorosim_ros.diagnosis.report.number_text import handy_scale
+
+Floats = NDArray[np.float64]
+
+MODELS = (("nominal", NOMINAL), ("recalibrated", BEFORE), ("augmented", AFTER))
+CHANNEL_UNITS = {"position": "m", "heading": "rad", "depth": "m"}
+MODEL_WORDS = {"nominal": "platform file", "recalibrated": "recalibrated", "augmented": "with the effects"}
+
+
+def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmented: bool) -> Markup:
+    """A row per stretch: seen from above, and the error of every channel that the recording shows."""
+    shown = [name for name in CHANNEL_UNITS if name in channels]
+    if not runs or not shown:
+        return Markup("")
+    models = MODELS if augmented else MODELS[:2]
+    above = "position" in shown
+    with Drawing(len(runs), len(shown) + above, 0.75 + 2.6 * len(runs), Margins(top=0.62)) as drawing:
+        for row, run in zip(drawing.axes, runs, strict=True):
+            if above:
+                _from_above(row[0], run, models)
+            for axes, channel in zip(row[above:], shown, strict=True):
+                _over_time(axes, run, models, channel)
+        for axes in drawing.axes[-1]:
+            axes.set_xlabel("time [s]")
+        if above:
+            drawing.axes[-1, 0].set_xlabel("x [m]")
+        drawing.legend()
+    return drawing.svg
+
+
+def _from_above(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]]) -> None:
+    axes.plot(run.measured[:, 0], run.measured[:, 1], color=MEASURED, linewidth=3.5, alpha=0.6, label="measured")
+    for name, colour in models:
+        path = getattr(run, name)
+        axes.plot(path[:, 0], path[:, 1], color=colour, linewidth=1.3, label=MODEL_WORDS[name])
+        axes.plot(path[-1:, 0], path[-1:, 1], "o", color=colour, markersize=3.5)
+    axes.plot(run.measured[:1, 0], run.measured[:1, 1], "o", color=MEASURED, markersize=5, fillstyle="none")
+    style_axes(axes, ticks=4)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set(ylabel="y [m]", title=f"{run.robot}, from {run.time[0]:.0f} s")
+
+
+def _over_time(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]], channel: str) -> None:
+    errors = {name: _error(getattr(run, name), run.measured, channel) for name, _ in models}
+    scale = handy_scale(max(largest(error) for error in errors.values()), CHANNEL_UNITS[channel])
+    for name, colour in models:
+        axes.plot(run.time, errors[name] * scale.factor, color=colour, linewidth=1.3, label=MODEL_WORDS[name])
+    style_axes(axes, ticks=4)
+    axes.set_title(labelled(f"error of {channel}", scale))
+    axes.margins(x=0.01)
+
+
+def _error(path: Floats, measured: Floats, channel: str) -> Floats:
+    if channel == "position":
+        return np.asarray(np.hypot(*(path[:, :2] - measured[:, :2]).T))
+    if channel == "depth":
+        return np.asarray(np.abs(path[:, 2] - measured[:, 2]))
+    return np.asarray(np.abs(np.mod(path[:, 3] - measured[:, 3] + np.pi, 2 * np.pi) - np.pi))

@@ -1,0 +1,152 @@
+"""The advised manoeuvres as scenarios that `cocorosim run` drives."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
+from cocorosim_ros.world.controllers.programme import ROWS
+from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
+
+LEAST_DURATION = 600.0  # s; ten minutes are good for a diagnosis
+LONG = 1800.0  # s
+DEPTH = 4.0  # m of water
+SIDE, LEAST_SIDE = 100.0, 6.0  # s at full speed; m
+ALONG_AXIS = 0.3  # of a thruster's direction that counts as pushing along an axis
+
+
+class Row(NamedTuple):
+    """For `seconds`: how strongly to go ahead, turn counter-clockwise and rise, -1..1."""
+
+    seconds: float
+    ahead: float = 0.0
+    turn: float = 0.0
+    rise: float = 0.0
+
+
+VARIED = (Row(10, 0.9), Row(6), Row(4, 0.0, 0.4), Row(6), Row(6, 0.5, -0.1), Row(4, 0, 0, -0.3), Row(4, 0, 0, 0.3),
+          Row(8, -0.5), Row(6), Row(4, 0.0, -0.4), Row(6))  # fmt: skip
+AHEAD_AND_BACK = (Row(15, 0.8), Row(8), Row(15, -0.8), Row(8))
+PROGRAMMES: dict[str, tuple[Row, ...]] = {
+    "coast_down": (Row(10, 1.0), Row(15), Row(10, 0.6), Row(15), Row(10, 0.3), Row(15), Row(6, 0.0, 0.4), Row(8)),
+    "zig_zag": (Row(6, 1.0, 0.3), Row(6, 1.0, -0.3), Row(6, 0.6, 0.3), Row(6, 0.6, -0.3), Row(6, 0.3, 0.2),
+                Row(6, 0.3, -0.2), Row(6)),
+    "four_headings": (Row(12, 0.7), Row(15), Row(3, 0.0, 0.4), Row(6)),
+    "along_wall": AHEAD_AND_BACK,
+    "follow_neighbour": AHEAD_AND_BACK,
+    "steps": (Row(3, 1.0), Row(2), Row(2, 0.5), Row(4), Row(1.5, 0.5, 0.5), Row(3), Row(1.5, 0.5, -0.5), Row(3)),
+    "ramps_through_zero": (Row(20, 0.2, -0.2), Row(20, -0.2, 0.2), Row(10), Row(20, 0.2, 0.2), Row(20, -0.2, -0.2),
+                           Row(10)),
+    "thrust_staircase": (Row(10, 0.2), Row(10, 0.4), Row(10, 0.6), Row(10, 0.8), Row(10, 1.0), Row(15),
+                         Row(6, 0.0, 0.4), Row(8)),
+    "reverse_steps": (Row(8, 0.8), Row(8), Row(8, -0.8), Row(8), Row(8, 0.4), Row(8), Row(8, -0.4), Row(8)),
+    "repeat_at_end": VARIED,
+    "depth_staircase": (Row(3, 0, 0, -0.3), Row(20)) * 4 + (Row(3, 0, 0, 0.3), Row(20)) * 4,
+    "pump_triangle": (Row(10, 0, 0, 0.2), Row(10, 0, 0, -0.2), Row(6, 0, 0, 0.5), Row(6, 0, 0, -0.5), Row(3, 0, 0, 1),
+                      Row(3, 0, 0, -1), Row(5)),
+    "slow_turns": (Row(60, 0.0, 0.1), Row(10), Row(60, 0.0, -0.1), Row(10)),
+    "surface_touch": (Row(20, 0, 0, 0.5), Row(5), Row(10, 0, 0, -0.5), *VARIED),
+    "rest": (Row(60), *VARIED),
+    "ruler": AHEAD_AND_BACK,
+}  # fmt: skip
+RAMPED = ("ramps_through_zero", "pump_triangle")
+
+
+def can_be_driven(platform: Platform) -> bool:
+    """Whether the controller `programme` can command all of its actuators."""
+    return len(platform.actuators) <= DIRECT_LIMIT
+
+
+def scenario_of(name: str, platform: Platform, reference: str) -> str:
+    """YAML of a scenario that drives a manoeuvre; `reference` is how it names the platform: a name or a file.
+
+    Raises CocorosimError for a platform with more actuators than can be commanded directly.
+    """
+    if not can_be_driven(platform):
+        raise CocorosimError(
+            f"{platform.origin}: 'actuators' has {len(platform.actuators)}, and {DIRECT_LIMIT} are the most that a "
+            "programme of commands can drive; drive the manoeuvre with a controller of your own."
+        )
+    side = max(LEAST_SIDE, math.ceil(SIDE * full_speed(platform)))
+    poses = "\n".join(
+        f"        - [{x:g} m, {y:g} m, -{DEPTH / 2:g} m, 0 deg]" for x, y in _places(name, platform, side)
+    )
+    settings = "\n".join(f"      {key}: {value}" for key, value in _overrides(name, platform).items())
+    return f"""# {MANOEUVRES[name][0].upper()}{MANOEUVRES[name][1:]}. Make the tank yours.
+name: next_manoeuvre
+description: {MANOEUVRES[name].replace(":", ",")}
+seed: 1
+tick: 0.5 s
+duration: {_duration(name):g} s
+
+tank:
+  size: [{side:g} m, {side:g} m, {DEPTH:g} m]
+
+integrator:
+  name: rk4
+  step: 0.05 s
+  contact: inelastic
+
+swarm:
+  - platform: {reference}
+    prefix: robot
+    controller: programme
+    overrides:
+{settings}
+    start:
+      poses:
+{poses}
+
+lockstep:
+  silent_controller: thrusters_off
+  patience: 10 s
+
+recording:
+  topics: all
+"""
+
+
+def _duration(name: str) -> float:
+    """Whole rounds of the programme that last long enough [s]."""
+    once = sum(row.seconds for row in PROGRAMMES[name])
+    return once * math.ceil((LONG if name == "repeat_at_end" else LEAST_DURATION) / once)
+
+
+def _places(name: str, platform: Platform, side: float) -> list[tuple[float, float]]:
+    """Where robots start [m; world]: one in the middle, and whoever the manoeuvre needs beside it."""
+    length = platform.hull.length
+    if name == "along_wall":
+        return [(0.0, 0.0), (0.0, 0.5 * side - length)]
+    if name == "follow_neighbour":
+        return [(0.0, 0.0), (-2.0 * length, 0.0), (0.0, 0.25 * side)]
+    return [(0.0, 0.0)]
+
+
+def _overrides(name: str, platform: Platform) -> dict[str, str]:
+    """The settings of the controller `programme`."""
+    found = {"ramps": "true" if name in RAMPED else "false"}
+    for number, shares in enumerate(_shares(platform), 1):
+        for motion, share in zip(("ahead", "turn", "rise"), shares, strict=True):
+            found[f"actuator_{number}_{motion}"] = f"{share:g}"
+    for number, row in enumerate(PROGRAMMES[name][:ROWS], 1):
+        found[f"row_{number}_time"] = f"{row.seconds:g} s"
+        found |= {f"row_{number}_{motion}": f"{getattr(row, motion):g}" for motion in ("ahead", "turn", "rise")}
+    return found
+
+
+def _shares(platform: Platform) -> list[tuple[float, float, float]]:
+    """By actuator: which command -1, 0 or 1 makes the robot go ahead, turn counter-clockwise, rise."""
+    shares = []
+    for actuator, wrench in zip(platform.actuators, platform.actuator_wrenches(), strict=True):
+        if isinstance(actuator, BuoyancyPump):
+            shares.append((0.0, 0.0, 1.0))
+            continue
+        ahead, rise = (math.copysign(1.0, part) if abs(part) > ALONG_AXIS else 0.0 for part in wrench[[0, 2]])
+        turn = math.copysign(1.0, wrench[3]) if wrench[3] else 0.0
+        shares.append((float(ahead), turn, float(rise)))
+    return shares

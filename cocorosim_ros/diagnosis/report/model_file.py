@@ -1,0 +1,167 @@
+"""The model that a diagnosis arrives at, as a platform file: refitted parameters and the effects that were missing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.report.effect_keys import (
+    fixed_numbers,
+    parameters_beside,
+    platform_effect,
+    platform_parameters,
+    section_of,
+    unit_in_file,
+)
+from cocorosim_ros.diagnosis.report.words import parameter_unit
+from cocorosim_ros.scenario.parts.platform import Effects, Platform
+from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, sourced_tree
+from cocorosim_ros.scenario.reading.yaml_file import yaml_text
+
+Tree = dict[str, Any]
+PLATFORM_KEYS = {"inertia": "yaw_inertia"}
+"""Keys of the platform file that are called otherwise than the parameters of a diagnosis."""
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a model comes from: the platform that was diagnosed, the recordings, the robots in them.
+
+    duration: of the longest recording [s].
+    """
+
+    platform: Platform
+    recordings: tuple[str, ...]
+    robots: tuple[str, ...]
+    duration: float
+
+    @property
+    def source(self) -> str:
+        """What stands in the file as the source of the numbers that were found."""
+        return f"diagnosis of {', '.join(Path(recording).name for recording in self.recordings)}"
+
+
+def model_yaml(diagnosis: Diagnosis, origin: Origin) -> str:
+    """The text of the platform file, which `load_platform` reads."""
+    return yaml_text(model_tree(diagnosis, origin))
+
+
+def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
+    """The platform file as nested plain values.
+
+    What holds for every robot of the recordings stands at the top; what was found for some of them alone stands
+    below `robots`, by name. Of what each robot has numbers of its own for, the top holds the mean.
+    """
+    platform = origin.platform
+    tree = sourced_tree(Path(platform.origin))
+    tree |= {"name": platform.name, "description": f"{platform.description}; {origin.source}"}
+    robots: dict[str, Tree] = {name: dict(part) for name, part in tree.pop("robots", {}).items()}
+    for name, own in platform.robots.items():
+        if own.effect_quantities != platform.effect_quantities:
+            written = robots.get(name, {}).get("effects", {})
+            robots.setdefault(name, {})["effects"] = _known_effects(own.effect_quantities, written)
+        if own.frame_corrections != platform.frame_corrections:
+            robots.setdefault(name, {})["frame_corrections"] = dict(own.frame_corrections)
+    tree["effects"] = _known_effects(platform.effect_quantities, tree.get("effects", {}))
+    if platform.frame_corrections:
+        tree["frame_corrections"] = dict(platform.frame_corrections)
+    _put_parameters(diagnosis.all_recalibrated or diagnosis.recalibrated, origin, tree, robots)
+    _put_effects(diagnosis.effects, origin, tree, robots)
+    return tree | {"robots": robots} if robots else tree
+
+
+def _put_parameters(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
+    for parameter in dict.fromkeys(each.parameter for each in found):
+        key = PLATFORM_KEYS.get(parameter, parameter)
+        values = [each for each in found if each.parameter == parameter]
+        for each in values:
+            number = _number(each.estimate, origin.source)
+            everywhere = [tree, *(part for part in robots.values() if key in part)]
+            for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
+                target[key] = number
+        covered = {robot for each in values for robot in each.robots}
+        if len(values) > 1 and covered >= set(origin.robots):
+            mean = _mean([each.estimate for each in values])
+            tree[key] = _number(mean, f"{origin.source}, mean of {len(values)} robots")
+
+
+def _put_effects(found: Sequence[FoundEffect], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
+    shared = [each for each in found if _of_all(each.robots, origin)]
+    for each in shared:
+        key = section_of(each)
+        # What a robot has of its own replaces what all have in common, so it holds that too.
+        for part in [tree, *(part for part in robots.values() if key in part)]:
+            part[key] = _with_effect(part.get(key, {}), each, origin)
+    own = [each for each in found if each not in shared]
+    for each in own:
+        key = section_of(each)
+        for part in _own(each.robots, robots):
+            known = part[key] if key in part else tree.get(key, {})
+            part[key] = _with_effect(known, each, origin)
+    # Last, so that no robot with numbers of its own takes over the mean.
+    for identity in dict.fromkeys((each.id, each.topic) for each in own):
+        alike = [each for each in own if (each.id, each.topic) == identity and each.correction is None]
+        if alike and {robot for each in alike for robot in each.robots} >= set(origin.robots):
+            mean = replace(alike[0], parameters=_mean_parameters(alike))
+            tree["effects"] = _with_effect(tree["effects"], mean, origin)
+
+
+def _mean_parameters(alike: Sequence[FoundEffect]) -> dict[str, Estimate]:
+    return {name: _mean([each.parameters[name] for each in alike]) for name in alike[0].parameters}
+
+
+def _with_effect(known: Tree, found: FoundEffect, origin: Origin) -> Tree:
+    """A copy of the section of a platform file that an effect belongs to, with the effect."""
+    if found.correction is not None:
+        topic = found.topic or "pose"
+        before = [words for words in known.get(topic, "").split("; ") if words and words != found.correction]
+        return known | {topic: "; ".join([*before, found.correction])}
+    name = platform_effect(found, known)
+    numbers = {key: _number(estimate, origin.source) for key, estimate in platform_parameters(found).items()}
+    for key, value in fixed_numbers(found, origin.duration).items():
+        unit = unit_in_file(parameter_unit(name, key))
+        numbers[key] = {"value": value, "unit": unit, "source": origin.source, "confidence": "derived"}
+    found_beside = {
+        effect: known.get(effect, {}) | {key: _number(each, origin.source) for key, each in parameters.items()}
+        for effect, parameters in parameters_beside(found).items()
+    }
+    return known | found_beside | {name: known.get(name, {}) | numbers}
+
+
+def _known_effects(effects: Effects, written: Tree) -> Tree:
+    """The effects that the diagnosis took as known, with the source that their file gives, if it is this one."""
+    known: Tree = {}
+    for effect, parameters in effects.items():
+        known[effect] = {}
+        for name, part in parameters.items():
+            own = written.get(effect, {}).get(name)
+            stated = {"value": part.value, "unit": part.unit, "source": "taken as known"}
+            known[effect][name] = own if own is not None else stated
+    return known
+
+
+def _of_all(robots: tuple[str, ...], origin: Origin) -> bool:
+    return set(robots or origin.robots) >= set(origin.robots)
+
+
+def _own(names: Sequence[str], robots: dict[str, Tree]) -> list[Tree]:
+    return [robots.setdefault(name, {}) for name in names]
+
+
+def _number(estimate: Estimate, source: str) -> Tree:
+    return fitted_number(estimate.value, unit_in_file(estimate.unit), (estimate.low, estimate.high), source)
+
+
+def _mean(estimates: Sequence[Estimate]) -> Estimate:
+    """The mean weighted by precision; every estimate counts alike if one has no width."""
+    widths = [each.high - each.low for each in estimates]
+    certain = all(math.isfinite(width) and width > 0 for width in widths)
+    weights = [width**-2 if certain else 1.0 for width in widths]
+    total = sum(weights)
+    value = sum(weight * each.value for weight, each in zip(weights, estimates, strict=True)) / total
+    half = total**-0.5 / 2 if certain else math.nan
+    return Estimate(value, value - half, value + half, estimates[0].unit)

@@ -1,0 +1,65 @@
+"""The folder of a diagnosis: its files appear together and whole, or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from cocorosim_ros.foundation.errors import CocorosimError
+
+FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
+
+
+def check_folder(folder: Path, *, force: bool) -> None:
+    """Nothing, if the files of a diagnosis can go there.
+
+    Raises CocorosimError if the folder is a file or holds a diagnosis already (without `force`).
+    """
+    if folder.exists() and not folder.is_dir():
+        raise CocorosimError(f"{folder} is a file; give a folder with --out.")
+    there = [name for name in FILES if (folder / name).exists()]
+    if there and not force:
+        raise CocorosimError(f"{folder / there[0]} exists already; give another folder with --out, or --force.")
+
+
+def write_folder(folder: Path, texts: Mapping[str, str]) -> None:
+    """Write the files, by name, into the folder, which is made if need be; older ones of FILES are taken away.
+
+    Raises CocorosimError if that fails; then everything is as it was.
+    """
+    made = _missing(folder)
+    partial = {folder / f".{name}.partial": folder / name for name in texts}
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for path, text in zip(partial, texts.values(), strict=True):
+            path.write_text(text, "utf-8")
+        for path, final in partial.items():
+            os.replace(path, final)
+        for name in FILES:
+            if name not in texts:
+                (folder / name).unlink(missing_ok=True)
+    except OSError as error:
+        _take_away(partial, made)
+        raise CocorosimError(
+            f"The folder {folder} cannot be written: {error.strerror}; give another one with --out."
+        ) from error
+    except BaseException:
+        _take_away(partial, made)
+        raise
+
+
+def _missing(folder: Path) -> list[Path]:
+    """The folder and those above it that do not exist, innermost first."""
+    return [each for each in (folder, *folder.parents) if not each.exists()]
+
+
+def _take_away(partial: Mapping[Path, Path], made: list[Path]) -> None:
+    for path in partial:
+        try:
+            path.unlink(missing_ok=True)
+        except OSError:
+            continue  # it was never there: the folder is none
+    for folder in made:
+        if folder.is_dir() and not any(folder.iterdir()):
+            folder.rmdir()

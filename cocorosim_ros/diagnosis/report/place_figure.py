@@ -1,0 +1,105 @@
+"""The missing force over the tank, seen from above, before and after."""
+
+from __future__ import annotations
+
+import numpy as np
+from markupsafe import Markup
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.findings import ResidualForce
+from cocorosim_ros.diagnosis.report.binned_means import mean_map
+from cocorosim_ros.diagnosis.report.figure_style import INK, QUIET, Drawing, Margins, labelled, largest, style_axes
+from cocorosim_ros.diagnosis.report.number_text import handy_scale
+from cocorosim_ros.diagnosis.report.regressors import residual_of
+from cocorosim_ros.diagnosis.report.residual_figures import Pair
+
+Floats = NDArray[np.float64]
+
+_CELLS = 12
+_LEAST_SAMPLES = 8
+_LEAST_EXTENT = 1e-3  # m
+# Transparent in the middle: nothing missing shows as the page itself, light or dark.
+_STRONG, _MIDDLE = 1.0, 0.6
+_COLOURS = LinearSegmentedColormap.from_list(
+    "missing",
+    [
+        (0.13, 0.40, 0.67, _STRONG),
+        (0.26, 0.58, 0.76, _MIDDLE),
+        (0.50, 0.50, 0.50, 0.0),
+        (0.84, 0.38, 0.30, _MIDDLE),
+        (0.70, 0.09, 0.17, _STRONG),
+    ],
+)
+
+
+def over_place(pair: Pair, equation: str) -> Markup:
+    """Colours: mean residual of the equation in cells of the tank; arrows: of the horizontal force, world axes."""
+    edges = _cells(pair.before)
+    if edges is None:
+        return Markup("")
+    maps = [(_map_of(residual, equation, edges), label) for residual, _, label in pair.both]
+    found = residual_of(equation, pair.before)
+    scale = handy_scale(largest(maps[0][0][..., 0]), found[2] if found else "N")
+    # What lies within the error bands is to look pale and short.
+    longest = max(_usual_length(maps[0][0]), 1.96 * float(np.median(pair.before.spread[:, 0])))
+    top = max(largest(maps[0][0][..., 0]), 1.96 * float(np.median(found[1])) if found else 0.0) * scale.factor or 1.0
+    with Drawing(1, len(maps), 4.2, Margins(right=1.05)) as drawing:
+        for axes, (cells, label) in zip(drawing.axes[0], maps, strict=True):
+            mesh = axes.pcolormesh(*edges, cells[..., 0] * scale.factor, cmap=_COLOURS, vmin=-top, vmax=top)
+            _arrows(axes, cells, edges, longest)
+            axes.plot(*_path(pair.before), color=QUIET, linewidth=0.4, alpha=0.6)
+            axes.set_aspect("equal")
+            style_axes(axes)
+            axes.set(title=label, xlabel="x [m]", ylabel="y [m]")
+        bar = drawing.figure.colorbar(mesh, cax=drawing.figure.add_axes((0.915, 0.2, 0.016, 0.65)))
+        bar.set_label(labelled(f"{equation.replace('_', ' ')}, missing", scale))
+        bar.outline.set_visible(False)
+    return drawing.svg
+
+
+def _cells(residual: ResidualForce) -> tuple[Floats, Floats] | None:
+    """Edges of square cells along x and y over where the robot was; None if it was nowhere."""
+    place = residual.place[np.isfinite(residual.place[:, :2]).all(axis=1), :2]
+    if not len(place):
+        return None
+    low, high = place.min(axis=0), place.max(axis=0)
+    side = max(float(np.max(high - low)), _LEAST_EXTENT) / _CELLS
+    counts = np.maximum(np.ceil((high - low) / side), 1).astype(int)
+    return tuple(
+        start + side * np.arange(count + 1) + (stop - start - side * count) / 2
+        for start, stop, count in zip(low, high, counts, strict=True)
+    )
+
+
+def _map_of(residual: ResidualForce, equation: str, edges: tuple[Floats, Floats]) -> Floats:
+    """(rows, columns, 3) mean residual of the equation, and of the force along x and y of the world."""
+    found = residual_of(equation, residual)
+    along = found[0] if found else np.full(len(residual.time), np.nan)
+    east, north = (residual_of(name, residual) for name in ("world_x", "world_y"))
+    values = np.stack([along, east[0] if east else along, north[0] if north else along], axis=1)
+    return mean_map(residual.place[:, :2], values, edges, _LEAST_SAMPLES)
+
+
+def _arrows(axes: Axes, cells: Floats, edges: tuple[Floats, Floats], longest: float) -> None:
+    if longest == 0.0:
+        return
+    side = float(edges[0][1] - edges[0][0])
+    x, y = np.meshgrid(*((edge[1:] + edge[:-1]) / 2 for edge in edges))
+    axes.quiver(
+        x, y, cells[..., 1], cells[..., 2], color=INK, angles="xy", scale_units="xy", scale=longest / side,
+        width=0.004, pivot="middle",
+    )  # fmt: skip
+
+
+def _usual_length(cells: Floats) -> float:
+    """What nine of ten arrows stay below."""
+    lengths = np.hypot(cells[..., 1], cells[..., 2])
+    known = lengths[np.isfinite(lengths)]
+    return float(np.quantile(known, 0.9)) if known.size else 0.0
+
+
+def _path(residual: ResidualForce) -> tuple[Floats, Floats]:
+    every = max(1, len(residual.time) // 1500)
+    return residual.place[::every, 0], residual.place[::every, 1]

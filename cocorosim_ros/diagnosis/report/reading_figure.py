@@ -1,0 +1,48 @@
+"""What a sensor shows beside what the model expects it to show."""
+
+from __future__ import annotations
+
+import numpy as np
+from markupsafe import Markup
+
+from cocorosim_ros.diagnosis.findings import ResidualReading
+from cocorosim_ros.diagnosis.report.binned_means import binned_means
+from cocorosim_ros.diagnosis.report.figure_style import (
+    AFTER,
+    BEFORE,
+    QUIET,
+    Drawing,
+    Margins,
+    labelled,
+    largest,
+    style_axes,
+)
+from cocorosim_ros.diagnosis.report.number_text import handy_scale
+
+_DOTS = 600
+_UNITS = {"yaw": "rad", "t": "s", "z": "m", "x": "m", "y": "m", "r": "rad/s", "u": "m/s", "v": "m/s", "w": "m/s"}
+
+
+def reading_figure(reading: ResidualReading) -> Markup:
+    """Deviation of the readings over what it depends on, before and after."""
+    y_scale = handy_scale(largest(reading.before), reading.unit)
+    x_scale = handy_scale(largest(reading.against), _UNITS.get(reading.regressor, "1"))
+    x = reading.against * x_scale.factor
+    every = max(1, len(x) // _DOTS)
+    with Drawing(1, 1, 3.0, Margins(top=0.1)) as drawing:
+        axes = drawing.axes[0, 0]
+        for values, colour, label in (
+            (reading.before, BEFORE, "recalibrated"),
+            (reading.after, AFTER, "with the effects"),
+        ):
+            y = values * y_scale.factor
+            if not np.isfinite(y).any():
+                continue
+            axes.scatter(x[::every], y[::every], s=5, color=colour, alpha=0.25, linewidths=0)
+            means = binned_means(x, y)
+            axes.plot(means.centre, means.mean, "o-", color=colour, markersize=3.5, linewidth=1.2, label=label)
+        axes.axhline(0.0, color=QUIET, linewidth=0.8)
+        axes.set(xlabel=labelled(reading.regressor, x_scale), ylabel=labelled(f"{reading.topic}, deviation", y_scale))
+        style_axes(axes)
+        axes.legend(loc="upper right")
+    return drawing.svg

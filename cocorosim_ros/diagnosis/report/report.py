@@ -1,0 +1,244 @@
+"""The page about a diagnosis: report.html, which needs no other file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from cocorosim_ros import __version__
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
+from cocorosim_ros.diagnosis.report.equation_text import typeset
+from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
+from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
+from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.number_text import (
+    NONE,
+    estimate_words,
+    handy_scale,
+    in_unit_of,
+    plain_number,
+    quantity_words,
+)
+from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_unit
+from cocorosim_ros.diagnosis.report.place_figure import over_place
+from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
+from cocorosim_ros.diagnosis.report.regressors import EQUATIONS, law_of, residual_of
+from cocorosim_ros.diagnosis.report.residual_figures import Pair, against_regressor, by_conditions, over_time, pairs_of
+from cocorosim_ros.diagnosis.report.words import (
+    CHANNELS,
+    NOISES,
+    READING_WORDS,
+    TIERS,
+    VERDICTS,
+    check_words,
+    effect_words,
+    nothing_missing_words,
+    odds_words,
+    parameter_unit,
+)
+from cocorosim_ros.study.pictures.page import page_template
+
+MOST_ROBOTS = 3  # whose pictures are shown
+MOST_LOCATED = 3  # whose residual is drawn against its regressor, per robot
+MOST_FREE_RUNS = 3
+MOST_READINGS = 4
+
+Context = dict[str, Any]
+
+
+def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
+    """The page as text."""
+    template = page_template(Path(__file__).parent, "report.html.jinja")
+    return template.render(
+        diagnosis=diagnosis,
+        origin=origin,
+        version=__version__,
+        verdict=VERDICTS[diagnosis.verdict],
+        manoeuvre=_clause(diagnosis.next_manoeuvre),
+        **_where(diagnosis, origin),
+        **_what(diagnosis),
+        **_fit(diagnosis),
+        **_blind(diagnosis),
+    )
+
+
+def _clause(sentence: str | None) -> str:
+    """A sentence as it stands after a colon."""
+    return sentence[:1].lower() + sentence[1:].rstrip(".") if sentence else ""
+
+
+def _where(diagnosis: Diagnosis, origin: Origin) -> Context:
+    pairs = pairs_of(diagnosis)
+    shown = list(zip(pairs, _titles([pair.before.robot for pair in pairs], origin), strict=True))[:MOST_ROBOTS]
+    return {
+        "located": [_located(each) for each in diagnosis.mismatch],
+        "robots": [_pictures(pair, diagnosis) | {"title": title} for pair, title in shown],
+        "more": _more([pair.before.robot for pair in pairs]),
+        "readings": [(reading_figure(each), each) for each in diagnosis.readings[:MOST_READINGS]],
+        "readings_first": bool(diagnosis.mismatch) and diagnosis.mismatch[0].equation not in EQUATIONS,
+        "reading_words": READING_WORDS,
+    }
+
+
+def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
+    """What tells the courses of these robots apart; a robot of several recordings comes in their order."""
+    titles = []
+    for place, robot in enumerate(robots):
+        number, count = robots[:place].count(robot), robots.count(robot)
+        in_all = count == len(origin.recordings)
+        which = f" in {origin.recordings[number]}" if in_all else f", {number + 1} of its {count} recordings"
+        titles.append(robot + which if count > 1 else robot)
+    return titles
+
+
+def _more(robots: Sequence[str]) -> str:
+    """Of whom there are no pictures; empty if there are of all."""
+    others = set(robots[MOST_ROBOTS:]) - set(robots[:MOST_ROBOTS])
+    if others:
+        return f"{len(others)} more robot{'s' if len(others) > 1 else ''}"
+    hidden = len(robots[MOST_ROBOTS:])
+    return f"{hidden} more recording{'s' if hidden > 1 else ''}" if hidden else ""
+
+
+def _located(found: Located) -> Context:
+    start, end = found.when
+    equation, regressor = law_of(found.equation, found.regressor)
+    return {
+        "equation": equation.replace("_", " "),
+        "regressor": typeset(regressor) if regressor != "1" else "nothing: it is constant",
+        "size": quantity_words(found.size, found.unit),
+        "z": plain_number(found.z),
+        "where": found.where,
+        "when": f"{start:.0f} to {end:.0f}\u00a0s" if math.isfinite(start + end) else NONE,
+        "robots": ", ".join(found.robots),
+    }
+
+
+def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
+    mine = [each for each in diagnosis.mismatch if not each.robots or pair.before.robot in each.robots]
+    laws = [law_of(each.equation, each.regressor)[0] for each in mine]
+    equations = [name for name in laws if residual_of(name, pair.before)] or ["surge", "yaw"]
+    leading = equations[0]
+    drawn = [(against_regressor(pair, each), each) for each in mine[:MOST_LOCATED]]
+    return {
+        "robot": pair.before.robot,
+        "paired": pair.after is not None,
+        "over_time": over_time(pair),
+        "against": [(svg, *law_of(each.equation, each.regressor)) for svg, each in drawn if svg],
+        "leading": leading.replace("_", " "),
+        "over_place": over_place(pair, leading) if "position" in diagnosis.fit or not diagnosis.fit else "",
+        "by_conditions": by_conditions(pair, equations[:2]),
+    }
+
+
+def _what(diagnosis: Diagnosis) -> Context:
+    return {
+        "effects": [_effect(each) for each in diagnosis.effects],
+        "nothing_missing": nothing_missing_words(diagnosis),
+        "nats_bars": bars_of_nats(diagnosis),
+        "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),
+        "needed": math.isfinite(diagnosis.needed_nats),
+    }
+
+
+def _effect(found: FoundEffect) -> Context:
+    return {
+        "id": found.id,
+        "name": found.name,
+        "topic": found.topic,
+        "equation": typeset(found.equation) if found.equation else "",
+        "numbers": [(name, estimate_words(each)) for name, each in found.parameters.items()],
+        "correction": found.correction,
+        "robots": ", ".join(found.robots),
+        "tier": found.tier,
+        "tier_words": TIERS[found.tier],
+        "nats": plain_number(found.nats),
+        "held_out_nats": plain_number(found.held_out_nats) if math.isfinite(found.held_out_nats) else "",
+        "check": check_words(found.id),
+        "rivals": [
+            {
+                "name": effect_words(each.id),
+                "nats": plain_number(each.nats_behind, 2),
+                "odds": odds_words(each.nats_behind),
+            }
+            for each in found.ambiguous_with
+        ],
+    }
+
+
+def _fit(diagnosis: Diagnosis) -> Context:
+    parameters = diagnosis.all_recalibrated or diagnosis.recalibrated
+    augmented = bool(diagnosis.effects)
+    return {
+        "fit": [
+            {"channel": CHANNELS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
+        ],
+        "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
+        "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
+        "parameters": [_parameter(each) for each in parameters],
+        "shifts": shifts(parameters),
+        "noise": [(NOISES.get(name, name), estimate_words(each)) for name, each in diagnosis.noise.items()],
+    }
+
+
+def _chosen_runs(runs: Sequence[FreeRun]) -> list[FreeRun]:
+    """A few stretches, of as many robots as possible."""
+    own = [sum(other.robot == run.robot for other in runs[:index]) for index, run in enumerate(runs)]
+    order = sorted(range(len(runs)), key=lambda index: own[index])
+    return [runs[index] for index in sorted(order[:MOST_FREE_RUNS])]
+
+
+def _held_out(found: HeldOut) -> list[Context]:
+    """The cells of a row of the table, all in one unit; the best model's is marked."""
+    models = {name: getattr(found, name) for name in ("nominal", "recalibrated", "augmented", "noise_floor")}
+    errors = sorted(models[name] for name in ("nominal", "recalibrated", "augmented") if math.isfinite(models[name]))
+    scale = handy_scale(errors[-1] if errors else math.nan, found.unit)
+    cells = []
+    for name, value in models.items():
+        low, high = (end * scale.factor for end in found.intervals.get(name, (math.nan, math.nan)))
+        cells.append(
+            {
+                "value": number_with_unit(plain_number(value * scale.factor), scale.unit),
+                "interval": f"{plain_number(low)} to {plain_number(high)}" if math.isfinite(low + high) else "",
+                "best": len(errors) > 1 and value == errors[0] and value < 0.9 * errors[1],
+            }
+        )
+    return cells
+
+
+def _parameter(found: Recalibrated) -> Context:
+    value, interval = estimate_words(found.estimate)
+    low, high = found.estimate.low, found.estimate.high
+    return {
+        "name": found.parameter.replace("_", " "),
+        "nominal": in_unit_of(found.nominal, found.estimate),
+        "value": value,
+        "interval": interval,
+        "moved": math.isfinite(low + high) and not found.estimate.holds(found.nominal),
+        "robots": ", ".join(found.robots),
+    }
+
+
+def _blind(diagnosis: Diagnosis) -> Context:
+    least = {each.id: _least(each.id, each.detectable) for each in diagnosis.screened}
+    needing_more = [name for name in diagnosis.not_shown if least and name not in least]
+    return {
+        "blind": [
+            {"name": effect_words(name), "least": least.get(name, "")}
+            for name in diagnosis.not_shown
+            if name not in needing_more
+        ],
+        "needing_more": [effect_words(name) for name in needing_more],
+        "detectable": [{"name": effect_words(name), "least": words} for name, words in sorted(least.items())],
+    }
+
+
+def _least(effect: str, detectable: Any) -> str:
+    shown = [
+        f"{name.replace('_', ' ')} {quantity_words(value, parameter_unit(effect, name))}"
+        for name, value in detectable.items()
+        if math.isfinite(value)
+    ]
+    return ", ".join(shown)

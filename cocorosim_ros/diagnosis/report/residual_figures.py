@@ -1,0 +1,202 @@
+"""Where the model lacks force: over time, against what it is proportional to, by heading, speed, depth and command."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from markupsafe import Markup
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Located, ResidualForce
+from cocorosim_ros.diagnosis.report.binned_means import binned_means
+from cocorosim_ros.diagnosis.report.figure_style import (
+    AFTER,
+    BEFORE,
+    INK,
+    QUIET,
+    Drawing,
+    Margins,
+    labelled,
+    largest,
+    style_axes,
+    thinned,
+)
+from cocorosim_ros.diagnosis.report.number_text import Scale, handy_scale
+from cocorosim_ros.diagnosis.report.regressors import EQUATIONS, law_of, regressor_of, residual_of
+
+Floats = NDArray[np.float64]
+
+_DOTS = 600
+_CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")
+_CONDITION_NAMES = {
+    "yaw": "heading", "z": "height z", "thrust": "thrust command", "yaw_command": "torque command",
+    "pump": "pump command",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The residual of one robot, of the recalibrated model and of the model with the effects (None: no effects)."""
+
+    before: ResidualForce
+    after: ResidualForce | None
+
+    @property
+    def both(self) -> tuple[tuple[ResidualForce, str, str], ...]:
+        """Residual, colour and label of each."""
+        first = (self.before, BEFORE, "recalibrated model")
+        if self.after is None:
+            return (first,)
+        return first, (self.after, AFTER, "with the effects")
+
+
+def pairs_of(diagnosis: Diagnosis) -> list[Pair]:
+    """The residuals before and after, robot by robot; those with a finding come first."""
+    after = list(diagnosis.residual_after)
+    accused = {robot for located in diagnosis.mismatch for robot in located.robots}
+    accused |= {robot for effect in diagnosis.effects for robot in effect.robots}
+    pairs = []
+    for before in diagnosis.residual_before:
+        match = next((each for each in after if each.robot == before.robot), None)
+        after = [each for each in after if each is not match]
+        pairs.append(Pair(before, match))
+    return sorted(pairs, key=lambda pair: pair.before.robot not in accused)
+
+
+def over_time(pair: Pair) -> Markup:
+    """A panel per degree of freedom that the recording shows: the residual with its 95 % band."""
+    shown = [name for name, (column, _) in EQUATIONS.items() if largest(pair.before.force[:, column]) > 0.0]
+    if not shown:
+        return Markup("")
+    with Drawing(len(shown), 1, 0.86 + 1.3 * len(shown), Margins(down=0.22)) as drawing:
+        for axes, name in zip(drawing.axes[:, 0], shown, strict=True):
+            _panel_over_time(axes, pair, name)
+        for axes in drawing.axes[:-1, 0]:
+            axes.tick_params(labelbottom=False)
+        drawing.axes[-1, 0].set_xlabel("time [s]")
+        drawing.legend()
+    return drawing.svg
+
+
+def _panel_over_time(axes: Axes, pair: Pair, equation: str) -> None:
+    column, unit = EQUATIONS[equation]
+    scale = handy_scale(largest(thinned(pair.before.force[:, column])), unit)
+    for residual, colour, label in pair.both:
+        time, middle, spread = (thinned(part) for part in (
+            residual.time, residual.force[:, column] * scale.factor, residual.spread[:, column] * scale.factor
+        ))  # fmt: skip
+        axes.fill_between(time, middle - 1.96 * spread, middle + 1.96 * spread, color=colour, alpha=0.22, linewidth=0)
+        axes.plot(time, middle, color=colour, linewidth=1.0, label=label)
+    axes.axhline(0.0, color=INK, linewidth=0.7)
+    axes.set_ylabel(labelled(equation, scale, between="\n"))
+    style_axes(axes)
+    axes.margins(x=0.01)
+
+
+def against_regressor(pair: Pair, located: Located) -> Markup:
+    """The residual of an equation over what it is proportional to; empty if the recording's residual lacks either."""
+    law = law_of(located.equation, located.regressor)
+    if _points(pair.before, *law) is None:
+        return Markup("")
+    with Drawing(1, len(pair.both), 3.2, Margins(across=0.85)) as drawing:
+        top = 0.0
+        for axes, (residual, colour, label) in zip(drawing.axes[0], pair.both, strict=True):
+            points = _points(residual, *law)
+            if points is not None:
+                top = max(top, _scatter(axes, points, law, colour))
+            axes.set_title(label)
+        for axes in drawing.axes[0]:
+            axes.set_ylim(-top, top)
+    return drawing.svg
+
+
+def _points(residual: ResidualForce, equation: str, regressor: str) -> tuple[Floats, str, Floats, str] | None:
+    missing, along = residual_of(equation, residual), regressor_of(regressor, residual)
+    if missing is None or along is None:
+        return None
+    if regressor == "1":
+        along = residual.time, "s"
+    return along[0], along[1], missing[0], missing[2]
+
+
+def _scatter(axes: Axes, points: tuple[Floats, str, Floats, str], law: tuple[str, str], colour: str) -> float:
+    """Draws a cloud, its means in classes, and gives the height that both panels need."""
+    along, along_unit, missing, unit = points
+    x_scale, y_scale = _scale_along(law[1], along, along_unit), handy_scale(_size(missing), unit)
+    x, y = along * x_scale.factor, missing * y_scale.factor
+    every = max(1, len(x) // _DOTS)
+    axes.scatter(x[::every], y[::every], s=5, color=colour, alpha=0.3, linewidths=0, rasterized=False)
+    _draw_means(axes, x, y, INK)
+    axes.axhline(0.0, color=QUIET, linewidth=0.8)
+    equation, regressor = law
+    name = "time" if regressor == "1" else regressor.replace("*", "\u00b7")
+    axes.set_xlabel(labelled(name, x_scale))
+    axes.set_ylabel(labelled(f"{equation.replace('_', ' ')}, missing", y_scale))
+    style_axes(axes)
+    return 1.15 * _size(missing) * y_scale.factor
+
+
+def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
+    """Mean residual of some equations by heading, speed, height and command, as far as they vary."""
+    columns = [name for name in _CONDITIONS if _varies(pair.before, name)]
+    rows = [name for name in dict.fromkeys(equations) if residual_of(name, pair.before) is not None]
+    if not rows or not columns:
+        return Markup("")
+    with Drawing(len(rows), len(columns), 0.4 + 2.15 * len(rows), Margins(bottom=0.66, down=0.72)) as drawing:
+        for row, equation in zip(drawing.axes, rows, strict=True):
+            for axes, condition in zip(row, columns, strict=True):
+                _condition_panel(axes, pair, equation, condition)
+            row[0].set_ylabel(_equation_label(pair, equation))
+            low, high = min(axes.get_ylim()[0] for axes in row), max(axes.get_ylim()[1] for axes in row)
+            for axes in row:
+                axes.set_ylim(low, high)
+        drawing.legend()
+    return drawing.svg
+
+
+def _condition_panel(axes: Axes, pair: Pair, equation: str, condition: str) -> None:
+    first = residual_of(equation, pair.before)
+    factor = handy_scale(_size(first[0]), first[2]).factor if first else 1.0
+    scale = None
+    for residual, colour, label in pair.both:
+        missing, along = residual_of(equation, residual), regressor_of(condition, residual)
+        if missing is not None and along is not None:
+            values = np.mod(along[0] + np.pi, 2 * np.pi) - np.pi if condition == "yaw" else along[0]
+            scale = scale or _scale_along(condition, values, along[1])
+            _draw_means(axes, values * scale.factor, missing[0] * factor, colour, label)
+    axes.axhline(0.0, color=QUIET, linewidth=0.8)
+    if scale is not None:
+        axes.set_xlabel(labelled(_CONDITION_NAMES.get(condition, condition), scale, between="\n"))
+    style_axes(axes, ticks=3)
+
+
+def _equation_label(pair: Pair, equation: str) -> str:
+    missing = residual_of(equation, pair.before)
+    name = equation.replace("_", " ")
+    return labelled(name, handy_scale(_size(missing[0]), missing[2]), between="\n") if missing else name
+
+
+def _draw_means(axes: Axes, x: Floats, y: Floats, colour: str, label: str | None = None) -> None:
+    means = binned_means(x, y)
+    bars = np.nan_to_num(means.half_width, nan=0.0)
+    axes.plot(means.centre, means.mean, "o-", color=colour, markersize=3.5, linewidth=1.0, label=label)
+    axes.vlines(means.centre, means.mean - bars, means.mean + bars, color=colour, linewidth=1.0)
+
+
+def _scale_along(regressor: str, values: Floats, unit: str) -> Scale:
+    """Places are in metres on every picture, everything else in a unit that is handy."""
+    return Scale(1.0, unit) if regressor in ("x", "y", "z") else handy_scale(largest(values), unit)
+
+
+def _varies(residual: ResidualForce, condition: str) -> bool:
+    found = regressor_of(condition, residual)
+    return found is not None and float(np.ptp(found[0])) > 0.0
+
+
+def _size(values: Floats) -> float:
+    """What nearly all values stay below, in magnitude."""
+    finite = np.abs(values[np.isfinite(values)])
+    return float(np.quantile(finite, 0.995)) if finite.size else 0.0

@@ -1,0 +1,73 @@
+"""A diagnosis in the terminal: what was found, with its numbers, and how much better the model is now."""
+
+from __future__ import annotations
+
+import math
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
+from cocorosim_ros.diagnosis.report.number_text import (
+    NONE,
+    estimate_words,
+    handy_scale,
+    in_unit_of,
+    plain_number,
+    with_unit,
+)
+
+
+def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
+    """Tables of effects, moved parameters and held-out errors; those that would be empty are left out."""
+    tables = [_effects(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
+    shown: list[RenderableType] = [table for table in tables if table.row_count]
+    if diagnosis.next_manoeuvre:
+        shown.append(Text(f"next: {diagnosis.next_manoeuvre}"))
+    return Group(*shown)
+
+
+def _effects(diagnosis: Diagnosis) -> Table:
+    table = _table("what is missing", ("effect", "robots", "parameter", "value", "95 % interval", "nats", "rivals"))
+    for found in diagnosis.effects:
+        rivals = ", ".join(f"{rival.id} (\u2212{plain_number(rival.nats_behind, 2)})" for rival in found.ambiguous_with)
+        first = [f"{_name(found)}, {found.tier}", ", ".join(found.robots)]
+        numbers = [(name, *estimate_words(each)) for name, each in found.parameters.items()]
+        if found.correction is not None:
+            numbers.append(("correction", found.correction, ""))
+        for index, number in enumerate(numbers or [("", "", "")]):
+            start, end = (first, [plain_number(found.nats), rivals or NONE]) if index == 0 else (["", ""], ["", ""])
+            table.add_row(*(Text(cell) for cell in (*start, *number, *end)))
+    return table
+
+
+def _parameters(diagnosis: Diagnosis) -> Table:
+    table = _table("recalibrated", ("parameter", "robots", "platform", "fitted", "95 % interval"))
+    for found in diagnosis.recalibrated:
+        nominal = in_unit_of(found.nominal, found.estimate)
+        cells = (found.parameter, ", ".join(found.robots), nominal, *estimate_words(found.estimate))
+        table.add_row(*(Text(cell) for cell in cells))
+    return table
+
+
+def _errors(diagnosis: Diagnosis) -> Table:
+    headings = ("channel", "platform", "recalibrated", "with the effects", "noise floor")
+    table = _table("error of free runs on data that no fit saw", headings)
+    for channel, found in diagnosis.fit.items():
+        numbers = (found.nominal, found.recalibrated, found.augmented, found.noise_floor)
+        scale = handy_scale(max((each for each in numbers if math.isfinite(each)), default=0.0), found.unit)
+        cells = (with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers)
+        table.add_row(*(Text(cell) for cell in (channel, *cells)))
+    return table
+
+
+def _table(title: str, headings: tuple[str, ...]) -> Table:
+    table = Table(title=title, title_justify="left")
+    for heading in headings:
+        table.add_column(heading)
+    return table
+
+
+def _name(found: FoundEffect) -> str:
+    return f"{found.id} of {found.topic}" if found.topic else found.id

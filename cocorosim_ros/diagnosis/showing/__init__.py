@@ -1,0 +1,1 @@
+"""What was found, as facts: estimates, residuals, location, free runs."""

@@ -1,0 +1,126 @@
+"""Free runs through the last part of each recording, by models fitted to the first part alone.
+
+Every run starts where the smoother saw the robot, with no random force, and heeds no reading for as long as a vehicle
+of its agility can be foretold. The floor is what the random force of the water and the error of the readings alone
+would make of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, with_noise
+from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
+from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
+from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.world.state.state import YAW, YAW_RATE, X, Y, Z
+
+Floats = NDArray[np.float64]
+SEEN = 0.6  # of each recording is fitted
+WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
+MOST_TURNED = 30.0  # rad in a window, at the usual turn rate: after five turns a heading is anybody's guess
+CHANNELS = {"position": "m", "heading": "rad", "depth": "m"}
+MODELS = ("nominal", "recalibrated", "augmented")
+FEWEST_POINTS = 10  # of a window
+
+
+@dataclass(frozen=True)
+class Window:
+    """Squared errors (points, 3: position, heading, depth) of each model, and of the floor; paths for pictures."""
+
+    squared: dict[str, Floats]
+    run: FreeRun
+
+
+def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple[FreeRun, ...]]:
+    """Errors by channel, and some windows to look at."""
+    tracks = tuple(track.until(SEEN) for track in base.tracks)
+    fits = {"recalibrated": _refitted(base, tracks), "augmented": _refitted(final, tracks)}
+    nominal_rows = base.rows
+    best = final.filled
+    windows: list[Window] = []
+    courses = [track.smoothed(row) for track, row in zip(base.tracks, best, strict=True)]
+    seconds = window_length(courses)
+    for number, (track, course) in enumerate(zip(base.tracks, courses, strict=True)):
+        rows = {"nominal": nominal_rows[number], **{name: fit.filled[number] for name, fit in fits.items()}}
+        windows += _windows(track, course, rows, seconds)
+    if not windows:
+        return {}, ()
+    models = {"nominal": nominal_rows, **{name: fit.filled for name, fit in fits.items()}}
+    streams = held_out_streams(base.tracks, courses, models, (SEEN, seconds))
+    return {**_table(windows, base.tracks, seconds), **streams}, tuple(part.run for part in windows)
+
+
+def window_length(courses: Sequence[Smoothed]) -> float:
+    """The longest of WINDOWS [s] in which these robots turn by no more than MOST_TURNED."""
+    turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
+    rate = float(np.sqrt(np.mean(turned**2)))
+    return next((seconds for seconds in WINDOWS if seconds * rate <= MOST_TURNED), WINDOWS[-1])
+
+
+def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
+    """The fit to the first part of the recordings alone."""
+    start = evaluated(replace(fit, tracks=tracks))
+    return improved(with_noise(improved(start, 2), 1, WATER_NOISE), 3)
+
+
+def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
+    first = round(SEEN * track.readings.points)
+    length = min(round(seconds / track.readings.step), (track.readings.points - first - 1) // 2)
+    if length < FEWEST_POINTS:
+        return []
+    found = []
+    for begin in range(first, track.readings.points - length, length):
+        start = course.mean[begin, :8]
+        paths = {name: track.free_run(row, start, begin, length) for name, row in rows.items()}
+        measured = course.mean[begin : begin + length, :8]
+        squared = {name: _squared(path, measured) for name, path in paths.items()}
+        squared["noise_floor"] = _floor(track, rows["augmented"], course, begin, length)
+        time = course.time[begin : begin + length]
+        shown = (X, Y, Z, YAW)
+        run = FreeRun(track.name, time, measured[:, shown], *(paths[name][:, shown] for name in MODELS))
+        found.append(Window(squared, run))
+    return found
+
+
+def _squared(path: Floats, measured: Floats) -> Floats:
+    """(points, 3) squared errors of position [m^2], heading [rad^2] and depth [m^2]."""
+    off = path - measured
+    turn = off[:, YAW] - 2.0 * np.pi * np.round(off[:, YAW] / (2.0 * np.pi))
+    return np.column_stack([off[:, X] ** 2 + off[:, Y] ** 2, turn**2, off[:, Z] ** 2])
+
+
+def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int) -> Floats:
+    """(points, 3) expected squared errors of a model that is right, by one run with the smoothed random force added."""
+    start = course.mean[begin, :8]
+    free = track.free_run(row, start, begin, length)
+    pushed = track.free_run(row, start, begin, length, course.mean[begin : begin + length, 8:])
+    return _squared(free, pushed)
+
+
+def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -> dict[str, HeldOut]:
+    shown = {
+        "position": any(track.sees("pose_x") for track in tracks),
+        "heading": any(track.sees("pose_yaw", "compass") for track in tracks),
+        "depth": any(track.sees("pose_z", "pressure") for track in tracks),
+    }
+    rng = np.random.default_rng(0)  # which windows the bootstrap draws
+    table = {}
+    for index, (channel, unit) in enumerate(CHANNELS.items()):
+        if not shown[channel]:
+            continue
+        means = {
+            name: np.array([part.squared[name][:, index].mean() for part in windows])
+            for name in (*MODELS, "noise_floor")
+        }
+        draws = drawn(rng, len(windows))
+        intervals = {name: interval_of_root(values, draws) for name, values in means.items()}
+        values = {name: float(np.sqrt(part.mean())) for name, part in means.items()}
+        table[channel] = HeldOut(**values, unit=unit, intervals=intervals, seconds=seconds)
+    return table

@@ -1,0 +1,72 @@
+"""Errors of what the models expect sensors to show, on the last part of each recording, which no fit saw."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
+from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, UNITS, deviation
+from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+
+Floats = NDArray[np.float64]
+
+TOPICS = ("compass", "pressure", "imu")
+"""Streams that are no channel of the free runs."""
+
+
+def held_out_streams(
+    tracks: Sequence[Track],
+    courses: Sequence[Smoothed],
+    models: Mapping[str, Floats],
+    part: tuple[float, float],
+) -> dict[str, HeldOut]:
+    """Root mean square of reading less expectation on the most likely course, by topic.
+
+    models: rows (tracks, columns) of 'nominal', 'recalibrated' and 'augmented'. part: the share of each recording that
+    the fits saw, and the length of the stretches [s] that the intervals take for independent.
+    """
+    table = {}
+    for topic in TOPICS:
+        kind = KIND_OF_TOPIC[topic]
+        seen = [number for number, track in enumerate(tracks) if np.any(track.readings.kind == kind)]
+        means = {
+            name: [
+                mean
+                for number in seen
+                for mean in _stretches(tracks[number], courses[number], rows[number], (kind, *part))
+            ]
+            for name, rows in models.items()
+        }
+        if not seen or not means["nominal"]:
+            continue
+        floor = math.sqrt(np.mean([_noise(tracks[number], topic) for number in seen]))
+        values = {name: math.sqrt(np.mean(squared)) for name, squared in means.items()}
+        intervals = {name: _interval(np.array(squared)) for name, squared in means.items()}
+        table[topic] = HeldOut(**values, noise_floor=floor, unit=UNITS[kind], intervals=intervals)
+    return table
+
+
+def _noise(track: Track, topic: str) -> float:
+    """Variance of a reading as the filter takes them, by the stream's differences alone."""
+    share = track.readings.share[track.readings.kind == KIND_OF_TOPIC[topic]]
+    return float(track.log.streams[topic].noise[0] ** 2 * share.mean())
+
+
+def _stretches(track: Track, course: Smoothed, row: Floats, wanted: tuple[int, float, float]) -> list[float]:
+    """Mean squared deviation of every stretch after the part that was seen; wanted: kind, share seen, length [s]."""
+    kind, share, length = wanted
+    chosen = track.readings.kind == kind
+    stamp = track.readings.stamp[chosen]
+    squared = deviation(track, chosen, course, row) ** 2
+    begin = course.time[0] + share * (course.time[-1] - course.time[0])
+    number = np.floor((stamp - begin) / length).astype(int)
+    return [float(squared[number == each].mean()) for each in np.unique(number[number >= 0])]
+
+
+def _interval(squared: Floats) -> tuple[float, float]:
+    return interval_of_root(squared, drawn(np.random.default_rng(0), len(squared)))

@@ -1,0 +1,26 @@
+"""How strongly the water pushes at random, and how far readings scatter, as the fit has them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.findings import Estimate
+from cocorosim_ros.diagnosis.fitting.fit import Fit, noise_covariance
+from cocorosim_ros.diagnosis.showing.estimates import Z95
+
+UNITS = {
+    "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
+    "random.smoothness": "1",
+    "reading.pose_xy": "m", "reading.pose_z": "m", "reading.pose_yaw": "rad", "reading.compass": "rad",
+    "reading.pressure": "Pa", "reading.gyro_z": "rad/s", "reading.accel": "m/s^2", "reading.velocity": "m/s",
+}  # fmt: skip
+
+
+def noise_levels(fit: Fit) -> dict[str, Estimate]:
+    """By name: standard deviations, and the correlation time of the random forces; of the first robot."""
+    spread = np.sqrt(np.diag(noise_covariance(fit)))
+    found: dict[str, Estimate] = {}
+    for unknown, q, width in zip(fit.noise, fit.q_noise, spread, strict=True):
+        low, value, high = np.exp(unknown.value(float(q)) + Z95 * float(width) * np.array([-1.0, 0.0, 1.0])).tolist()
+        found.setdefault(unknown.column, Estimate(value, low, high, UNITS[unknown.column]))
+    return found

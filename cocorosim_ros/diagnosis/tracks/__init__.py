@@ -1,0 +1,1 @@
+"""One robot in one recording: its readings on a grid, and the filter's pass over them."""

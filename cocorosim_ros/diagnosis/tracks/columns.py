@@ -1,0 +1,50 @@
+"""The numbers of a model in one row: those of the simulator's physics, of sensors, stamps and random forces."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM, SENSOR_COLUMNS
+from cocorosim_ros.world.sensors.law import SENSOR_LAWS
+from cocorosim_ros.world.vehicle_model.hooks import bits
+from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAMETER_COLUMNS, neutral_row
+
+Floats = NDArray[np.float64]
+
+# Logarithms of N, N, N m, s and 1.
+WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
+# Readings that are equally good share one number: log of the standard deviation of a single reading.
+READING_NOISE_OF_KIND = tuple(
+    {"pose_x": "pose_xy", "pose_y": "pose_xy", "accel_x": "accel", "accel_y": "accel", "accel_z": "accel"}.get(
+        name, name if not name.startswith("velocity") else "velocity"
+    )
+    for name in KIND_NAMES
+)
+READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
+LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
+SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
+READING_LAWS = {f"{place}.{part.name}": part.neutral for place, parts in SENSOR_LAWS.items() for part in parts}
+
+NAMES: tuple[str, ...] = (
+    *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS
+)  # fmt: skip
+COLUMN: dict[str, int] = {name: column for column, name in enumerate(NAMES)}
+PHYSICS = slice(0, len(PARAMETER_COLUMNS))
+SENSORS = slice(COLUMN[SENSOR_COLUMNS[0]], COLUMN[SENSOR_COLUMNS[-1]] + 1)
+WATER = slice(COLUMN[WATER_NOISE[0]], COLUMN[WATER_NOISE[-1]] + 1)
+READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_OF_KIND])
+ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
+BIT: NDArray[np.int64] = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
+TIMING = slice(COLUMN[LATENCY[0]], COLUMN[SKEW[-1]] + 1)
+ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, GAINS))
+NEUTRAL = np.zeros(len(NAMES))  # what each number is where nothing is out of the ordinary
+NEUTRAL[PHYSICS] = neutral_row()
+NEUTRAL[COLUMN["camera_scale.scale"]] = 1.0
+for _name, _value in READING_LAWS.items():
+    NEUTRAL[COLUMN[_name]] = _value
+
+
+def active_effects(row: Floats) -> int:
+    """Bits of the effects of which a number is not neutral."""
+    return int(np.bitwise_or.reduce(BIT[row != NEUTRAL]))

@@ -1,0 +1,65 @@
+"""How much of everything a vehicle has beside a Lily: what is large for a Lily is small for a ship."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.world.vehicle_model.vehicles import MASS, PARAMETER_COLUMNS, YAW_INERTIA
+
+# The Lily that the sizes of the catalogue belong to: N, N m, kg, kg m^2, m/s, rad/s.
+LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48}
+ACROSS = 0.1  # of the full force in heave
+ARM = 0.02  # m, of the full force across
+
+
+class FullForces(NamedTuple):
+    """What is strong for a vehicle across [N], in heave [N] and yaw [N m]: its actuators at their limits."""
+
+    across: float
+    heave: float
+    yaw: float
+
+    @property
+    def random_heave(self) -> float:
+        """What would be strong in heave if the water did it [N]: a tenth of what a pump can, or the force across."""
+        return max(ACROSS * self.heave, self.across)
+
+
+def full_forces(track: Track) -> FullForces:
+    """Where no actuator acts, what the others let expect: a vehicle that cannot turn itself is turned all the same."""
+    surge, sway, heave, yaw = track.force_scale.tolist()
+    across = max(surge, sway) or ACROSS * heave or LILY["force"]
+    return FullForces(across, heave, yaw or ARM * across)
+
+
+def sizes(track: Track) -> Mapping[str, float]:
+    """By unit of an amplitude: the factor that makes what is large for a Lily large for this vehicle."""
+    row = track.platform_row
+    force, _, moment = full_forces(track)
+    drag, yaw_drag = float(row[PARAMETER_COLUMNS["drag"]]), float(row[PARAMETER_COLUMNS["yaw_drag"]])
+    size = {
+        "force": force,
+        "moment": moment,
+        "mass": float(row[MASS]),
+        "inertia": float(row[YAW_INERTIA]),
+        "speed": math.sqrt(force / drag) if drag > 0.0 else LILY["speed"],
+        "turn": math.sqrt(moment / yaw_drag) if yaw_drag > 0.0 else LILY["turn"],
+    }
+    share = {name: size[name] / LILY[name] if size[name] > 0.0 else 1.0 for name in LILY}
+    return {
+        "N": share["force"],
+        "N m": share["moment"],
+        "N s/m": share["force"] / share["speed"],
+        "N m s": share["moment"] / share["turn"],
+        "N/m": share["force"],
+        "kg": share["mass"],
+        "kg m^2": share["inertia"],
+        "m/s": share["speed"],
+        "1/s": share["speed"],
+        "s/m": 1.0 / share["speed"],
+        "m/s^2": share["force"] / share["mass"],
+        "rad/s": share["turn"],
+    }

@@ -1,0 +1,1 @@
+"""What everything else stands on: errors, output files, units, compiled code. Nothing here knows robots."""

@@ -1,0 +1,1 @@
+"""How hot loops are compiled: kernels and their cache, tables of functions, vectors of four, angles with fixed bits."""

@@ -1,0 +1,24 @@
+"""Whether a file may be written, asked before the work that fills it: one answer for every command."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from cocorosim_ros.foundation.errors import CocorosimError
+
+
+def check_file(file: Path | None, *, force: bool) -> None:
+    """Nothing, if the file can be written, or if there is none to write.
+
+    Raises CocorosimError if it exists (without `force`), is a folder, lies in none, or may not be written.
+    """
+    if file is None:
+        return
+    if file.is_dir() or not file.absolute().parent.is_dir():
+        wrong = "is a folder" if file.is_dir() else "lies in a folder that does not exist"
+        raise CocorosimError(f"{file} {wrong}; give the name of a file in a folder that exists.")
+    if file.exists() and not force:
+        raise CocorosimError(f"{file} exists already and is not overwritten; choose another name, or --force.")
+    if not os.access(file if file.exists() else file.absolute().parent, os.W_OK):
+        raise CocorosimError(f"{file} may not be written by you; give a file in a folder of your own.")

@@ -1,0 +1,1 @@
+"""Units as powers of their symbols."""

@@ -1,0 +1,1 @@
+"""The ROS node graph, and the same run in one process."""

@@ -1,0 +1,119 @@
+"""controller_node: one robot's controller, in a simulation or on a real robot.
+
+In a simulation it answers every complete set of readings. With `period` it works by the wall clock: every period
+it takes the latest readings, drops what is older than `stale_after`, and commands. Its namespace is the robot's
+name.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Sequence
+from typing import Any
+
+from rclpy.node import Node
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.nodes.controller_shell import ControllerShell
+from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
+from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
+from cocorosim_ros.graph.nodes.wiring import LONGEST_WAIT, Waiter
+from cocorosim_ros.scenario.parts.controller_file import ControllerDescription, load_controller
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.scenario import RobotDescription, load_scenario
+
+PARAMETERS = (
+    NodeParameter("scenario", "", "scenario that has this robot; empty: `platform` and `controller` say what it is"),
+    NodeParameter("platform", "lily", "platform of the robot: a name in config/platforms, or a file"),
+    NodeParameter("controller", "boids_blt", "controller: a name in config/controllers, or a file"),
+    NodeParameter("period", 0.0, "s of wall clock between commands; 0: answer every complete set", (0.0, 3600.0)),
+    NodeParameter("stale_after", 2.0, "s after which a reading is no longer used (with period)", (0.0, 3600.0)),
+    NodeParameter("listeners", 1, "subscriptions to wait for before the first command", (0, 1000)),
+)
+USAGE = f"""{__doc__}
+Usage: controller_node --ros-args -r __ns:=/lily_01 [-p NAME:=VALUE ...]
+Parameters (beside those of the controller, as controller.NAME, with the ranges of its file):
+{usage_lines(PARAMETERS)}"""
+
+
+def robot_of(node: Node, values: dict[str, Any]) -> RobotDescription:
+    """The robot that the node's namespace and parameters name. Raises CocorosimError."""
+    name = node.get_namespace().strip("/")
+    if not name:
+        raise CocorosimError(
+            "controller_node has no namespace, which must be its robot's name; add '--ros-args -r __ns:=/lily_01'."
+        )
+    if not values["scenario"]:
+        platform, controller = load_platform(values["platform"]), load_controller(values["controller"])
+        return RobotDescription(name, platform, adjusted(node, controller), external=False)
+    robots = {robot.name: robot for robot in load_scenario(values["scenario"]).robots}
+    if name not in robots:
+        raise CocorosimError(
+            f"controller_node in namespace /{name}: the scenario '{values['scenario']}' has no such robot; "
+            f"its robots are {', '.join(robots)}."
+        )
+    robot = robots[name]
+    return RobotDescription(name, robot.platform, adjusted(node, robot.controller), external=False)
+
+
+def adjusted(node: Node, controller: ControllerDescription) -> ControllerDescription:
+    """The controller with the numbers that were given as ROS parameters controller.NAME."""
+    given = {}
+    for name, parameter in controller.parameters.items():
+        span = None if isinstance(parameter.value, bool) else (parameter.minimum, parameter.maximum)
+        words = f"{parameter.description} [{parameter.unit}]"
+        declared = NodeParameter(f"controller.{name}", parameter.value, words, span)
+        given[name] = declare(node, (declared,))[f"controller.{name}"]
+    return controller.with_overrides(given)
+
+
+def answer_sets(shell: ControllerShell, waiter: Waiter) -> None:
+    """Answer every complete set of readings until told to stop."""
+    while not shell.stop:
+        shell.take()
+        if not shell.answer_complete_set():
+            waiter.wait(shell.missing(), LONGEST_WAIT)
+
+
+def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, Any]) -> None:
+    """Answer every period of the wall clock until told to stop; says which readings are missing when that changes."""
+    start, cycle, absent = time.monotonic(), 0, None
+    while not shell.stop:
+        cycle = max(cycle + 1, math.ceil((time.monotonic() - start) / values["period"]))  # what is missed is left out
+        time.sleep(max(0.0, start + cycle * values["period"] - time.monotonic()))
+        now = time.time_ns()
+        shell.take()
+        missing = shell.forget_stale(now - int(values["stale_after"] * 1e9))
+        if missing != absent:
+            absent = missing
+            words = f"no recent {', '.join(missing)}" if missing else "all readings are there"
+            node.get_logger().info(words)
+        shell.answer(now, cycle * values["period"])
+
+
+def run_controller(node: Node, described: RobotDescription | None = None) -> None:
+    """The node's life, until it is told to stop; `described`, read already, is given by a supervisor."""
+    values = declare(node, PARAMETERS)
+    robot = robot_of(node, values) if described is None else described
+    warn_of_unknown(node)
+    waiter = Waiter(node, 16)
+    shell = ControllerShell(node, robot)
+    on_termination(lambda: setattr(shell, "stop", True), supervised=described is not None)
+    if values["period"] > 0.0:
+        answer_periodically(shell, node, values)
+    else:
+        shell.wait_until_heard(values["listeners"])
+        answer_sets(shell, waiter)
+
+
+def controller(arguments: Sequence[str]) -> None:
+    """Run the node until it is told to stop. Raises CocorosimError."""
+    with ros_node("controller_node", arguments, services=True) as node:
+        run_controller(node)
+
+
+def main() -> None:
+    """Entry point of `ros2 run cocorosim_ros controller_node`."""
+    sys.exit(run_main(controller, USAGE))

@@ -1,0 +1,102 @@
+"""The controller node's doings: gather one robot's readings, decide, answer."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+from rclpy.node import Node
+
+from cocorosim_ros.graph.nodes.complaints import tell_on_terminal
+from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.scenario.scenario import RobotDescription
+from cocorosim_ros.wire.cdr.stamps import stamp_ns
+from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.wire.topics.observations import AnswerEncoder, ObservationDecoder
+from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
+from cocorosim_ros.world.controllers.conduct import blank_memory, conduct_one
+from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE
+from cocorosim_ros.world.tick.assembly import build_crew
+
+SILENCE = 5.0  # s of waiting without a word
+
+
+class ControllerShell:
+    """One robot's controller on its topics."""
+
+    def __init__(self, node: Node, robot: RobotDescription) -> None:
+        self.body = describe_body(robot)
+        self._crew = build_crew([robot])
+        self._memory = blank_memory(1, 1)[0, 0]
+        self._command = np.zeros(len(self.body.actuators))
+        self._said = np.zeros(MESSAGE_SIZE)
+        self._decoder = ObservationDecoder(self.body, HEARING_LIMIT)
+        self._encoder = AnswerEncoder(self.body)
+        self._listeners = {
+            name: Listener(
+                node,
+                ROBOT_TOPICS[name].type_name,
+                robot_topic(self.body.name, name),
+                ROBOT_TOPICS[name].quality,
+            )
+            for name in self.body.topics
+        }
+        self._speakers = {
+            name: Speaker(
+                node,
+                ROBOT_TOPICS[name].type_name,
+                robot_topic(self.body.name, name),
+                ROBOT_TOPICS[name].quality,
+            )
+            for name in self.body.answers
+        }
+        self._latest: dict[str, bytes] = {}
+        self._stamps: dict[str, int] = dict.fromkeys(self.body.topics, -1)
+        self._answered = -1
+        self.stop = False
+
+    def wait_until_heard(self, listeners: int) -> None:
+        """Return when every publisher has that many subscriptions, or when told to stop."""
+        start, told = time.monotonic(), False
+        while not self.stop and any(speaker.subscribers < listeners for speaker in self._speakers.values()):
+            if not told and time.monotonic() - start > SILENCE:
+                told = True
+                tell_on_terminal(f"{self.body.name}: nobody, or not everybody, hears its commands yet; waiting")
+            time.sleep(0.005)
+
+    def take(self) -> None:
+        """Take everything that has come in; of each topic the newest is kept."""
+        for name, listener in self._listeners.items():
+            while (data := listener.take()) is not None:
+                self._latest[name] = data
+                self._stamps[name] = stamp_ns(listener.type_name, data) or 0
+
+    def answer_complete_set(self) -> bool:
+        """Answer if all topics show one and the same moment that is not answered yet; True if it did."""
+        stamps = set(self._stamps.values())
+        if len(stamps) != 1 or (stamp := stamps.pop()) <= self._answered:
+            return False
+        self._answered = stamp
+        self.answer(stamp, stamp * 1e-9)
+        return True
+
+    def missing(self) -> list[Listener]:
+        """The topics to wait for: those behind the newest, or the one that is published last."""
+        newest = max(self._stamps.values())
+        behind = [self._listeners[name] for name, stamp in self._stamps.items() if stamp < newest]
+        return behind or [self._listeners[self.body.topics[-1]]]
+
+    def forget_stale(self, oldest_ns: int) -> list[str]:
+        """Drop what was measured before `oldest_ns`; return the topics that show nothing now."""
+        for name, stamp in self._stamps.items():
+            if stamp < oldest_ns:
+                self._latest.pop(name, None)
+        return [name for name in self.body.topics if name not in self._latest]
+
+    def answer(self, stamp: int, moment: float) -> None:
+        """Run one control cycle on the latest readings and publish command and message, stamped `stamp` [ns]."""
+        observation = self._decoder.observation(moment, self._latest)
+        conduct_one(self._crew, 0, observation, self._memory, self._command, self._said)
+        if self.body.speaks:
+            self._speakers[self.body.talk].publish(self._encoder.said(stamp, self._said))
+        self._speakers["thruster_command"].publish(self._encoder.command(stamp, self._command))

@@ -1,0 +1,64 @@
+"""What a node graph consists of, and the ROS arguments of each of its nodes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
+from cocorosim_ros.scenario.scenario import Scenario
+
+
+@dataclass(frozen=True)
+class GraphPlan:
+    """One run of a scenario as a node graph."""
+
+    scenario: Scenario
+    source: str  # what `load_scenario` was given
+    out: Path  # folder of the run; exists
+    rate: float = 0.0  # seconds of simulation per second of wall clock; 0: lock-step
+    wait: float = 60.0  # s of wall clock that controllers and recorder get to appear
+
+    @property
+    def controlled_here(self) -> list[str]:
+        """The robots whose controller belongs to this graph."""
+        return [robot.name for robot in self.scenario.robots if not robot.external]
+
+    def physics_arguments(self) -> list[str]:
+        """ROS arguments of the physics node."""
+        return ros_arguments({"recorded": True, "rate": float(self.rate), "wait": float(self.wait), **self._run()})
+
+    def metrics_arguments(self) -> list[str]:
+        """ROS arguments of the metrics node."""
+        values = {
+            "out": str(self.out / "bag"),
+            "summary": str(self.out / "live_metrics.json"),
+            "lock_step": self.rate == 0.0,
+            **self._run(),
+        }
+        return ros_arguments(values)
+
+    def controller_arguments(self, robot: str) -> list[str]:
+        """ROS arguments of one robot's controller node, which physics and recorder must hear."""
+        values = {"scenario": self.source, "listeners": 2}
+        return [*ros_arguments(values), "-r", f"__ns:=/{robot}"]
+
+    def _run(self) -> dict[str, Any]:
+        external = " ".join(robot.name for robot in self.scenario.robots if robot.external)
+        return {
+            "scenario": self.source,
+            "seed": self.scenario.seed,
+            "external": external,
+            "duration": nanoseconds_text(self.scenario.duration_ns),
+        }
+
+
+def ros_arguments(values: Mapping[str, Any]) -> list[str]:
+    """The values as ROS arguments; texts are quoted, because ROS reads values as YAML."""
+    arguments = ["--ros-args"]
+    for name, value in values.items():
+        arguments += ["-p", f"{name}:={json.dumps(value)}"]
+    return arguments

@@ -1,0 +1,163 @@
+"""metrics_node: records every topic of a run into a bag and measures the shoal, live on /shoal_statistics.
+
+With `scenario` it knows robots and topics from there; with `robots` it records real robots of `platform`.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rclpy.node import Node
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.nodes.arrival_recorder import ArrivalRecorder
+from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
+from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
+from cocorosim_ros.graph.nodes.physics_node import scenario_of
+from cocorosim_ros.graph.nodes.recorder_link import RecorderMouth
+from cocorosim_ros.graph.nodes.tick_recorder import TickRecorder
+from cocorosim_ros.graph.nodes.wiring import Waiter
+from cocorosim_ros.graph.runs.results import recording_metadata
+from cocorosim_ros.graph.runs.run_record import RunRecord, Selection
+from cocorosim_ros.scenario.parts.controller_file import load_controller
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
+from cocorosim_ros.wire.topics.body import BodyDescription, describe_body
+
+PARAMETERS = (
+    NodeParameter("scenario", "", "scenario of the run; empty: `robots` and `platform` say what is there"),
+    NodeParameter("seed", -1, "seed of the run; -1: the scenario's own", (-1, 2**63 - 1)),
+    NodeParameter("external", "", "robots that somebody else controls, separated by spaces"),
+    NodeParameter("duration", "", "length of the run such as '60 s'; empty: the scenario's own"),
+    NodeParameter("robots", "", "names of the robots to record without a scenario, separated by spaces"),
+    NodeParameter("platform", "lily", "platform of these robots"),
+    NodeParameter("out", "bag", "folder of the recording; must not exist"),
+    NodeParameter("force", False, "replace a recording that is there"),
+    NodeParameter("summary", "", "file for the statistics of the run as JSON, replaced if it is there; empty: none"),
+    NodeParameter("lock_step", True, "with a scenario in lock-step: write whole ticks, hold the physics node back"),
+    NodeParameter("period", 0.5, "s between measurements of poses whose stamps do not coincide", (0.001, 3600.0)),
+)
+USAGE = f"""{__doc__}
+Usage: metrics_node [--ros-args -p NAME:=VALUE ...]
+Parameters:
+{usage_lines(PARAMETERS)}"""
+POLL = 0.02  # s; the recorder sleeps so long between draining its topics
+QUIET = 1.0  # s without any message after which a recorder that was told to stop closes
+LAST_ARRIVALS = 3.0  # s after which it closes although real robots go on publishing
+LAST_ANSWERS = 0.3  # s; the last commands of external controllers may come after the end of the run
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What is recorded."""
+
+    bodies: tuple[BodyDescription, ...]
+    origin: dict[str, str]  # what the bag says of where it comes from
+    external: tuple[str, ...] = ()
+    selection: Selection = "all"
+
+
+def subject_of(values: dict[str, Any], scenario: Scenario | None) -> Subject:
+    """What the parameters say is there; `scenario` if it was read already. Raises CocorosimError."""
+    if values["scenario"]:
+        scenario = scenario or scenario_of(values)
+        bodies = tuple(describe_body(robot) for robot in scenario.robots)
+        return Subject(bodies, recording_metadata(scenario), scenario.external, scenario.recording.topics)
+    names = values["robots"].split()
+    if not names:
+        raise CocorosimError("metrics_node: give 'scenario', or 'robots' with the names of the robots to record.")
+    platform, idle = load_platform(values["platform"]), load_controller("idle")
+    robots = [RobotDescription(name, platform, idle, external=True) for name in names]
+    return Subject(tuple(describe_body(robot) for robot in robots), {"robots": " ".join(names)})
+
+
+class _Life:
+    """Whether the node has been told to stop, and since when nothing has come in."""
+
+    def __init__(self, *, supervised: bool) -> None:
+        self.stop = False
+        self._heard = self._told = time.monotonic()
+        on_termination(self._end, supervised=supervised)
+
+    def note(self, *, heard: bool) -> None:
+        """Note that the topics were looked at, and whether something was there."""
+        if heard:
+            self._heard = time.monotonic()
+
+    def quiet_for(self, seconds: float) -> bool:
+        """Whether nothing has come in for so long."""
+        return time.monotonic() - self._heard > seconds
+
+    def stopped_for(self, seconds: float) -> bool:
+        """Whether it was told to stop so long ago."""
+        return self.stop and time.monotonic() - self._told > seconds
+
+    def _end(self) -> None:
+        self.stop = True
+        self._told = time.monotonic()
+
+
+def record_ticks(node: Node, record: RunRecord, life: _Life, external: Sequence[str]) -> None:
+    """Record a lock-step run to its end, or until told to stop and quiet."""
+    recorder, waiter = TickRecorder(node, record, external), Waiter(node, 1)
+    while not recorder.is_complete and not (life.stop and life.quiet_for(QUIET)):
+        ready = recorder.announce_when_connected()
+        life.note(heard=recorder.drain())
+        waiter.wait([recorder.clock], POLL if ready else 0.005)
+        time.sleep(POLL if ready and recorder.announced is None else 0.0)
+    while external and not life.quiet_for(LAST_ANSWERS):
+        life.note(heard=recorder.drain())
+        time.sleep(POLL)
+    recorder.write_rest()
+
+
+def record_arrivals(node: Node, record: RunRecord, life: _Life, period: float) -> None:
+    """Record whatever comes until the run has ended or until told to stop, and quiet."""
+    recorder, mouth = ArrivalRecorder(node, record, period=period), RecorderMouth(node)
+    ready = False
+    while not life.stopped_for(LAST_ARRIVALS) and not (
+        (life.stop or recorder.announced is not None) and life.quiet_for(QUIET)
+    ):
+        if not ready and mouth.is_heard and recorder.connected():
+            mouth.say(0)
+            ready = True
+        life.note(heard=recorder.drain())
+        time.sleep(POLL)
+    recorder.finish()
+
+
+def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
+    """The node's life: the bag is closed and valid at its end, however it comes.
+
+    `scenario`, read already, is given by a supervisor.
+    """
+    values = declare(node, PARAMETERS)
+    warn_of_unknown(node)
+    subject = subject_of(values, scenario)
+    life = _Life(supervised=scenario is not None)
+    folder = Path(values["out"])
+    record = RunRecord(folder, subject.bodies, subject.origin, selection=subject.selection, force=values["force"])
+    if values["lock_step"] and values["scenario"]:
+        record_ticks(node, record, life, subject.external)
+    else:
+        record_arrivals(node, record, life, values["period"])
+    record.close()
+    if values["summary"]:
+        Path(values["summary"]).write_text(json.dumps(record.summary(), indent=2, allow_nan=False) + "\n", "utf-8")
+
+
+def metrics(arguments: Sequence[str]) -> None:
+    """Run the node until the run has ended or it is told to stop. Raises CocorosimError."""
+    with ros_node("metrics_node", arguments, services=True) as node:
+        run_metrics(node)
+
+
+def main() -> None:
+    """Entry point of `ros2 run cocorosim_ros metrics_node`."""
+    sys.exit(run_main(metrics, USAGE))

@@ -1,0 +1,112 @@
+"""physics_node: the bodies and the water of one scenario, in lock-step with its controllers or by the wall clock."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rclpy.node import Node
+
+from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
+from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
+from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell, Terms
+from cocorosim_ros.graph.nodes.wiring import Waiter
+from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+
+PARAMETERS = (
+    NodeParameter("scenario", "eleven_lilys", "name of a scenario in config/scenarios, or path of a file"),
+    NodeParameter("seed", -1, "seed of the run; -1: the scenario's own", (-1, 2**63 - 1)),
+    NodeParameter("external", "", "robots that somebody else controls, separated by spaces"),
+    NodeParameter("duration", "", "length of the run such as '60 s'; empty: the scenario's own"),
+    NodeParameter("rate", 0.0, "seconds of simulation per second of wall clock; 0: lock-step", (0.0, 1e6)),
+    NodeParameter("recorded", False, "a metrics_node belongs to the run: wait for it, do not outrun it in lock-step"),
+    NodeParameter("wait", 60.0, "s of wall clock that controllers and recorder get to appear", (0.0, 86400.0)),
+)
+USAGE = f"""{__doc__}
+
+Usage: physics_node [--ros-args -p NAME:=VALUE ...]
+Parameters:
+{usage_lines(PARAMETERS)}"""
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Supervision:
+    """What a supervised node has from its supervisor beside its parameters."""
+
+    scenario: Scenario  # the same as the parameters name, read already
+    report: Progress
+    dead: Callable[[], list[int]]
+
+
+def scenario_of(values: dict[str, Any]) -> Scenario:
+    """The scenario that the parameters name. Raises CocorosimError."""
+    return load_scenario(
+        values["scenario"],
+        seed=None if values["seed"] < 0 else values["seed"],
+        duration=values["duration"] or None,
+        external=values["external"].split() or None,
+    )
+
+
+def run_lock_step(shell: PhysicsShell, progress: Progress) -> None:
+    """All ticks, each as soon as every answer to the one before is there."""
+    while not shell.stop and shell.simulation.tick < shell.scenario.ticks:
+        shell.publish_tick()
+        shell.gather()
+        shell.advance()
+        progress(shell.simulation.tick, shell.missing_answers)
+
+
+def run_by_the_clock(shell: PhysicsShell, rate: float, progress: Progress) -> None:
+    """All ticks at `rate` seconds of simulation per second; who has not answered by the next tick is late."""
+    start = time.monotonic()
+    period = shell.scenario.tick_ns * 1e-9 / rate
+    while not shell.stop and shell.simulation.tick < shell.scenario.ticks:
+        shell.publish_tick()
+        shell.gather_until(start + (shell.simulation.tick + 1) * period)
+        shell.simulation.advance()
+        progress(shell.simulation.tick, shell.missing_answers)
+
+
+def run_physics(node: Node, supervision: Supervision | None = None) -> None:
+    """The node's life, from its parameters to the end of the run."""
+    values = declare(node, PARAMETERS)
+    warn_of_unknown(node)
+    scenario = scenario_of(values) if supervision is None else supervision.scenario
+    waiter = Waiter(node, 2 * len(scenario.robots) + 1)
+
+    def idle(listeners: Sequence[Any], seconds: float) -> None:
+        if listeners:
+            waiter.wait(listeners, seconds)
+        else:
+            time.sleep(seconds)
+
+    terms = Terms(values["recorded"], values["wait"], dead=list if supervision is None else supervision.dead)
+    shell = PhysicsShell(node, scenario, idle, terms)
+    progress: Progress = (lambda ticks, missing: None) if supervision is None else supervision.report
+    on_termination(shell.request_stop, supervised=supervision is not None)
+    try:
+        shell.wait_until_connected()
+        if values["rate"] > 0.0:
+            run_by_the_clock(shell, values["rate"], progress)
+        else:
+            run_lock_step(shell, progress)
+    finally:
+        shell.end()
+        shell.linger()
+
+
+def physics(arguments: Sequence[str]) -> None:
+    """Run the node until the scenario has ended. Raises CocorosimError."""
+    with ros_node("physics_node", arguments, services=True) as node:
+        run_physics(node)
+
+
+def main() -> None:
+    """Entry point of `ros2 run cocorosim_ros physics_node`."""
+    sys.exit(run_main(physics, USAGE))

@@ -1,0 +1,244 @@
+"""The physics node's doings: publish a tick, gather the answers, advance the world."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from rclpy.node import Node
+
+from cocorosim_ros.graph.nodes.answers import Answers
+from cocorosim_ros.graph.nodes.complaints import Complaints, tell_on_terminal
+from cocorosim_ros.graph.nodes.recorder_link import RECORDED_AHEAD, RecorderEar
+from cocorosim_ros.graph.nodes.start_line import StartLine
+from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.graph.runs.body_side import BodySide
+from cocorosim_ros.graph.runs.latency import check_latency
+from cocorosim_ros.graph.runs.run_error import RunError
+from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, run_topics
+from cocorosim_ros.scenario.checks.seeding import start_poses
+from cocorosim_ros.scenario.parts.corruption import longest_delay
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
+from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.wire.topics.observations import write_payload
+from cocorosim_ros.wire.topics.topics import TOPICS
+from cocorosim_ros.world.tick.assembly import build_world
+from cocorosim_ros.world.tick.simulation import Simulation
+from cocorosim_ros.world.tick.step_barrier import COMMAND, RADIO_MESSAGE, StepBarrier
+
+LAST_ANSWERS = 1.0  # s, wall clock, that a tick gets to be completed when the run is to stop
+LAST_WORDS = 5.0  # s, wall clock
+RECORDER_PATIENCE = 20.0  # s, wall clock
+Idle = Callable[[Sequence[Listener], float], None]
+
+
+@dataclass(frozen=True)
+class Terms:
+    """What a run is told beside its scenario."""
+
+    recorded: bool  # a recorder belongs to the run
+    wait: float = 60.0  # s of wall clock that controllers and recorder get to appear
+    dead: Callable[[], list[int]] = list  # robots whose controller is known to have died
+    tell: Callable[[str], None] = tell_on_terminal  # says what goes wrong to whoever runs the node
+
+
+class PhysicsShell:
+    """One run of a scenario on topics.
+
+    `idle(listeners, seconds)` is called when there is nothing to do until one of the listeners has a message.
+    """
+
+    def __init__(self, node: Node, scenario: Scenario, idle: Idle, terms: Terms) -> None:
+        """Raises CocorosimError for a scenario that nodes cannot keep."""
+        check_latency(scenario)
+        self.scenario = scenario
+        self.bodies = [describe_body(robot) for robot in scenario.robots]
+        self.simulation = Simulation(build_world(scenario), start_poses(scenario)[None])
+        self.barrier = StepBarrier(len(self.bodies), [i for i, body in enumerate(self.bodies) if body.speaks])
+        self.stop = False
+        self._idle = idle
+        self._terms = terms
+        self._side = BodySide(self.bodies, longest_delay(scenario.corruption))
+        self._recorder = RecorderEar(node) if terms.recorded else None
+        self._speakers = {
+            topic: Speaker(node, TOPICS[row].type_name, topic, TOPICS[row].quality)
+            for topic, row in run_topics(self.bodies).items()
+            if row not in ANSWERS and topic != STATISTICS_TOPIC
+        }
+        self._complaints = Complaints(self._speakers[STATUS_TOPIC], terms.tell)
+        self._answers = [Answers(node, body, self.complain) for body in self.bodies]
+        self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
+        self._missing = [0] * len(self.bodies)
+        self._mourned: set[int] = set()
+
+    @property
+    def missing_answers(self) -> int:
+        """How many answers of controllers were late or missing so far."""
+        return sum(self._missing)
+
+    @property
+    def patience(self) -> float:
+        """How long a missing answer is waited for [s, wall clock]."""
+        return self.scenario.lockstep.patience
+
+    def request_stop(self) -> None:
+        """Let the run end after the present tick."""
+        self.stop = True
+
+    def complain(self, robot: str, words: str) -> None:
+        """Say on `/diagnostics` and on the terminal what is wrong with a robot, each sentence once."""
+        self._complaints.about(robot, words, self.simulation.time_ns)
+
+    def wait_until_connected(self) -> None:
+        """Return when everybody who belongs to the run is there; robots that are missing are dealt with.
+
+        Raises RunError if the recorder is missing, a robot has two controllers, or a controller is missing and the
+        scenario says to stop then.
+        """
+        deadline = time.monotonic() + self._terms.wait
+        while not self.stop and not self._start_line.everybody_is_there(self._terms.dead()):
+            if time.monotonic() > deadline:
+                self._give_up_waiting()
+                return
+            self._idle([], 0.01)
+
+    def publish_tick(self) -> None:
+        """Publish everything of the present tick."""
+        for topic, data in self._side.tick(self.simulation):
+            self._speakers[topic].publish(data)
+        self.simulation.said[0, :, 0] = 0.0
+        self.barrier.begin_tick()
+
+    def gather(self) -> None:
+        """Wait for the answers to the present tick; raises RunError if one is missing and that means stop."""
+        start = time.monotonic()
+        deadline = start + self.patience
+        while not (self.stop and time.monotonic() > start + LAST_ANSWERS):
+            self.take_answers(held=False)
+            waiting = self.barrier.waiting_for()
+            if not waiting:
+                break
+            died = [robot for robot in self._terms.dead() if robot in waiting and robot not in self._mourned]
+            if died:
+                self._mourned.update(died)
+                self._no_answer(died, "its controller has died")
+            elif time.monotonic() > deadline:
+                self._no_answer(waiting, f"nothing was heard for {self.patience:g} s")
+            else:
+                self._idle(self._answers[waiting[0]].listeners(), deadline - time.monotonic())
+        self._note_missing()
+
+    def gather_until(self, moment: float) -> None:
+        """Take answers until `moment` [s, monotonic clock]; the last command of each robot holds."""
+        everybody = [listener for answers in self._answers for listener in answers.listeners()]
+        while not self.stop and (left := moment - time.monotonic()) > 0.0:
+            self.take_answers(held=True)
+            self._idle(everybody, left)
+        self.take_answers(held=True)
+        for robot in () if self.stop else self.barrier.unanswered():
+            self._missing[robot] += 1
+        for body, answers in zip(self.bodies, self._answers, strict=True):
+            if answers.commands.publishers > 1:
+                self.complain(body.name, "it has more than one controller and obeys whichever spoke last")
+
+    def take_answers(self, *, held: bool) -> None:
+        """Take what has come in. In lock-step only answers to the present tick count; `held`: late ones too."""
+        for robot, answers in enumerate(self._answers):
+            while (command := answers.take_command()) is not None:
+                stamp, fractions = command
+                if self._is_answer(robot, stamp, COMMAND, held=held):
+                    self.simulation.command[0, robot, : len(fractions)] = fractions
+            while (said := answers.take_radio()) is not None:
+                owed = self.barrier.owes(robot, RADIO_MESSAGE)
+                if not owed or self._is_answer(robot, said.stamp_ns, RADIO_MESSAGE, held=held):
+                    write_payload(self.simulation.said[0, robot], said.payload)
+                    self._side.say(robot, said)
+
+    def advance(self) -> None:
+        """Move the world on by one tick; wait first if the recorder is too far behind."""
+        self.simulation.advance()
+        deadline = time.monotonic() + RECORDER_PATIENCE
+        while self._recorder is not None and not self.stop:
+            if self.simulation.tick - self._recorder.recorded() < RECORDED_AHEAD:
+                return
+            if time.monotonic() > deadline:
+                raise RunError(
+                    f"The recorder has written nothing for {RECORDER_PATIENCE:g} s, so the run ends at tick "
+                    f"{self.simulation.tick}; look at the metrics node."
+                )
+            self._idle([self._recorder.listener], 0.05)
+
+    def end(self) -> None:
+        """Say that the run has ended, and whose answers were missing."""
+        for body, missing in zip(self.bodies, self._missing, strict=True):
+            if missing:
+                self.complain(body.name, f"{missing} of {self.simulation.tick} answers came late or not at all")
+        last = max(0, self.simulation.time_ns - self.scenario.tick_ns)
+        self._speakers[STATUS_TOPIC].publish(end_of_run(last, self.simulation.tick, self.missing_answers))
+
+    def linger(self) -> None:
+        """Stay until the recorder has everything (without one: until everybody has), but not for long."""
+        deadline = time.monotonic() + LAST_WORDS
+        while time.monotonic() < deadline:
+            recorded = self._recorder is not None and self._recorder.recorded() >= self.simulation.tick
+            speakers = [self._speakers[STATUS_TOPIC]] if recorded else self._speakers.values()
+            if all(speaker.all_received() for speaker in speakers):
+                return
+
+    def _is_answer(self, robot: int, stamp: int, part: str, *, held: bool) -> bool:
+        """Whether what came is to be used; raises RunError if a robot turns out to have two controllers."""
+        now = self.simulation.time_ns
+        if stamp == now:
+            if self.barrier.answered(robot, part) or held:
+                return True
+            raise RunError(
+                f"{self.bodies[robot].name} has given two answers to the tick at {now / 1e9:g} s, so the run ends: two "
+                "controllers command it, or one answers twice; see to it that there is one answer, and run again."
+            )
+        if held and stamp < now:
+            return True
+        if not held:
+            self._start_line.refuse_second_controllers()
+        when = "the past" if stamp < now else "the future"
+        self.complain(
+            self.bodies[robot].name,
+            f"a {part} from {when} is not used; stamp it with the time of the readings it answers",
+        )
+        self.barrier.heard(robot, in_time=now - self.scenario.tick_ns <= stamp < now)
+        return False
+
+    def _no_answer(self, waiting: Sequence[int], reason: str) -> None:
+        """Do as the scenario says with robots that give no answer."""
+        names = ", ".join(self.bodies[robot].name for robot in waiting)
+        late = f"no answer at tick {self.simulation.tick}, {reason}"
+        if self.scenario.lockstep.silent_controller == "stop":
+            raise RunError(f"The run ends: {names}: {late} (the scenario's 'lockstep.silent_controller' is 'stop').")
+        for robot in waiting:
+            self.simulation.command[0, robot] = 0.0
+            self.barrier.declare_silent(robot)
+            self.complain(self.bodies[robot].name, f"{late}: its thrusters are off until it is heard again")
+
+    def _note_missing(self) -> None:
+        """Tell the recorder whose answers it need not wait for at this tick, and leave their actuators off."""
+        missing = self.barrier.unanswered()
+        for robot in missing:
+            self._missing[robot] += not self.stop
+            self.simulation.command[0, robot] = 0.0
+        if missing:
+            names = " ".join(self.bodies[robot].name for robot in missing)
+            words = "answers are missing at this tick"
+            self._speakers[STATUS_TOPIC].publish(
+                status_bytes(self.simulation.time_ns, WARN, "cocorosim: answers", words, {"missing": names})
+            )
+
+    def _give_up_waiting(self) -> None:
+        if self._recorder is not None and not self._recorder.is_ready():
+            raise RunError(
+                f"The recorder was not there within {self._terms.wait:g} s, so the run does not start; look at the "
+                "metrics node."
+            )
+        if absent := self._start_line.absent():
+            self.barrier.begin_tick()
+            self._no_answer(absent, f"it was not there within {self._terms.wait:g} s")

@@ -1,0 +1,49 @@
+"""A scenario without ROS: the same ticks, the same bytes, the same bag as the node graph gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from cocorosim_ros.graph.runs.body_side import BodySide
+from cocorosim_ros.graph.runs.run_record import STATUS_TOPIC, RunRecord
+from cocorosim_ros.scenario.checks.seeding import start_poses
+from cocorosim_ros.scenario.parts.corruption import longest_delay
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.wire.cdr.radio_messages import RadioMessage
+from cocorosim_ros.wire.cdr.status import end_of_run
+from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.wire.topics.observations import AnswerEncoder, read_payload
+from cocorosim_ros.wire.topics.topics import robot_topic
+from cocorosim_ros.world.tick.assembly import build_world
+from cocorosim_ros.world.tick.simulation import Simulation
+
+
+def run_in_process(
+    scenario: Scenario, record: RunRecord, progress: Callable[[int], bool] = lambda tick: True, run: int = 0
+) -> int:
+    """Run all ticks of a scenario and record them; return how many were run.
+
+    `run` is the number of the run, which with the scenario's seed decides its random numbers.
+    `progress(tick)` is called after every tick and ends the run by returning False. Does not close the record.
+    """
+    bodies = [describe_body(robot) for robot in scenario.robots]
+    encoders = [AnswerEncoder(body) for body in bodies]
+    side = BodySide(bodies, longest_delay(scenario.corruption))
+    simulation = Simulation(build_world(scenario, first_run=run), start_poses(scenario, run)[None])
+    going = True
+    while going and simulation.tick < scenario.ticks:
+        stamp = simulation.time_ns
+        messages = dict(side.tick(simulation))
+        simulation.decide()
+        for robot, (body, encoder) in enumerate(zip(bodies, encoders, strict=True)):
+            command, said = simulation.command[0, robot], simulation.said[0, robot]
+            messages[robot_topic(body.name, "thruster_command")] = encoder.command(stamp, command)
+            if body.speaks:
+                messages[robot_topic(body.name, body.talk)] = encoder.said(stamp, said)
+                side.say(robot, RadioMessage(stamp, body.frame, body.name, read_payload(said)))
+        record.write_tick(stamp, messages)
+        simulation.advance()
+        going = progress(simulation.tick)
+    last = max(0, simulation.time_ns - scenario.tick_ns)
+    record.write(STATUS_TOPIC, last, end_of_run(last, simulation.tick, 0))
+    return simulation.tick

@@ -1,0 +1,118 @@
+"""What a run leaves behind: what made it, its statistics as JSON, its picture."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Mapping
+from contextlib import suppress
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from cocorosim_ros import __version__
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.tank import Box, Sphere
+from cocorosim_ros.scenario.scenario import Scenario, parse_scenario
+from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples, sample_tracks
+from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
+from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
+from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.tracks import read_poses
+from cocorosim_ros.wire.topics.topics import robot_topic
+from cocorosim_ros.world.state.pose_track import PoseTrack
+
+_TOPICS_SHOWN = 5
+_LIBRARIES = ("numpy", "numba", "ros-jazzy-rclpy")
+
+
+def recording_metadata(scenario: Scenario) -> dict[str, str]:
+    """What made a recording: scenario text, seed, versions."""
+    versions = {"cocorosim_ros": __version__, "python": platform.python_version()}
+    for library in _LIBRARIES:
+        try:
+            versions[library] = version(library)
+        except PackageNotFoundError:
+            versions[library] = "not installed"
+    return {
+        "scenario_name": scenario.name,
+        "scenario": scenario.to_yaml(),
+        "seed": str(scenario.seed),
+        "versions": json.dumps(versions, sort_keys=True),
+    }
+
+
+def measure_recording(
+    bag: Bag | Path, interval_ns: int | None = None
+) -> tuple[dict[str, PoseTrack], SampledTracks, ShoalMonitor]:
+    """Tracks, common moments and statistics of any recording that has poses. Raises CocorosimError if it has none."""
+    opened = bag if isinstance(bag, Bag) else read_bag(bag)
+    tracks: dict[str, PoseTrack] = dict(read_poses(opened))
+    if not any(track.stamp_ns.size for track in tracks.values()):
+        raise CocorosimError(no_poses(opened, list(tracks)))
+    samples = sample_tracks(tracks, interval_ns)
+    return tracks, samples, measure_samples(samples)
+
+
+def no_poses(bag: Bag, robots: list[str]) -> str:
+    """The sentence for a recording that has no usable poses of `robots`, those that have a topic for them."""
+    others = [f"{topic} ({type_name})" for topic, type_name in bag.summary.types.items()]
+    if robots:
+        there = f"its topics {', '.join(robot_topic(robot, 'pose') for robot in robots)} have no usable message"
+    else:
+        there = f"it has {', '.join(others[:_TOPICS_SHOWN])}" if others else "it has no topics"
+        there += f" and {len(others) - _TOPICS_SHOWN} more" if len(others) > _TOPICS_SHOWN else ""
+    damage = f" ({bag.summary.damage.rstrip('.')})" if bag.summary.damage else ""
+    return (
+        f"{bag.path} holds no poses: {there}{damage}; there must be a topic NAMESPACE/pose of type "
+        "geometry_msgs/msg/PoseStamped for each robot."
+    )
+
+
+def summary_of(bag: Bag, samples: SampledTracks, monitor: ShoalMonitor) -> dict[str, Any]:
+    """The statistics of a recording and what was found on the way, ready for JSON."""
+    summary = monitor.summary()
+    damage = [bag.summary.damage] if bag.summary.damage else []
+    return {
+        "recording": bag.path.resolve().name,
+        "digest": bag.summary.metadata.get("cocorosim", {}).get("digest"),
+        "robots": list(samples.names),
+        "start_ns": int(samples.stamp_ns[0]),
+        "end_ns": int(samples.stamp_ns[-1]),
+        "findings": [*damage, *samples.findings, *summary["notes"]],
+        **{key: value for key, value in summary.items() if key not in ("robots", "notes")},
+    }
+
+
+def write_json(path: Path, content: dict[str, Any]) -> None:
+    """Write `content` as indented JSON; NaN cannot occur in it. Raises CocorosimError if there is no room."""
+    text = json.dumps(content, indent=2, allow_nan=False) + "\n"
+    provisional = path.with_name(path.name + ".part")
+    try:
+        provisional.write_text(text, "utf-8")
+        provisional.replace(path)
+    except OSError as error:
+        with suppress(OSError):
+            provisional.unlink(missing_ok=True)
+        raise CocorosimError(f"{path} cannot be written: {error.strerror}; choose another place.") from error
+
+
+def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, PoseTrack], monitor: ShoalMonitor) -> None:
+    """The run's picture; the tank's walls are drawn where the recording knows its scenario."""
+    facts = scenario_facts(bag)
+    draw_shoal(path, tracks, MetricSeries(monitor.stamps_ns, monitor.series), facts, force=True)
+
+
+def scenario_facts(bag: Bag) -> ScenarioFacts:
+    """Name, seed, tank and obstacles, where the recording knows its scenario."""
+    made_from = bag.summary.metadata.get("cocorosim", {})
+    if "scenario" not in made_from:
+        return ScenarioFacts(bag.path.name)
+    scenario = parse_scenario(made_from["scenario"], str(bag.path))
+    tank = scenario.tank
+    spheres = tuple((*solid.centre, solid.radius) for solid in tank.obstacles if isinstance(solid, Sphere))
+    boxes = tuple(solid.corners() for solid in tank.obstacles if isinstance(solid, Box))
+    return ScenarioFacts(
+        scenario.name, scenario.seed, tank.lower_corner(), tank.upper_corner(), spheres=spheres, boxes=boxes
+    )

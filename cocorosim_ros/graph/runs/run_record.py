@@ -1,0 +1,128 @@
+"""Writes a run into a bag, tick by tick, and measures the shoal as it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.study.metrics import METRICS
+from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
+from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
+from cocorosim_ros.wire.bags.tracks import decode_poses
+from cocorosim_ros.wire.cdr import type_store
+from cocorosim_ros.wire.cdr.packed import PackedMessage
+from cocorosim_ros.wire.topics.body import BodyDescription
+from cocorosim_ros.wire.topics.topics import TOPICS, robot_topic
+
+STATISTICS_TOPIC = "/shoal_statistics"
+STATUS_TOPIC = "/diagnostics"
+ANSWERS = ("thruster_command", "radio_tx", "blue_light_tx")  # what controllers publish; the rest is from the bodies
+Selection = Literal["all"] | tuple[str, ...]  # topics to record: their names in the table of topics, or in full
+
+
+def run_topics(bodies: Sequence[BodyDescription]) -> dict[str, str]:
+    """Every topic of a run and the row of the topics table that it belongs to, in the order of recording."""
+    topics = {"/clock": "/clock", "/tf": "/tf"}
+    for body in bodies:
+        talk = ("thruster_command", body.talk) if body.talk else ("thruster_command",)
+        for name in ("pose", *body.topics, *talk):
+            topics[robot_topic(body.name, name)] = name
+    return {**topics, STATISTICS_TOPIC: STATISTICS_TOPIC, STATUS_TOPIC: STATUS_TOPIC}
+
+
+def owed_topics(bodies: Sequence[BodyDescription]) -> set[str]:
+    """The topics that have a message at every tick of a lock-step run, beside the statistics."""
+    owed = {robot_topic(body.name, name) for body in bodies for name in ("pose", *body.topics, *body.answers)}
+    return owed | {"/clock", "/tf"}
+
+
+def selected_topics(topics: Mapping[str, str], selection: Selection) -> dict[str, str]:
+    """Those of `topics` (see run_topics) that `selection` names.
+
+    Raises CocorosimError for a name that fits none of them, and if no poses are left to measure.
+    """
+    if selection == "all":
+        return dict(topics)
+    known = {*topics, *topics.values()}
+    for name in selection:
+        if name not in known:
+            raise CocorosimError(
+                f"The scenario's 'recording.topics' has '{name}', which is no topic of this run; give 'all', or names "
+                f"out of {', '.join(dict.fromkeys(topics.values()))}."
+            )
+    chosen = {topic: row for topic, row in topics.items() if topic in selection or row in selection}
+    if {topic for topic, row in topics.items() if row == "pose"} - chosen.keys():
+        raise CocorosimError(
+            "The scenario's 'recording.topics' has no poses, which statistics and picture are made from; add 'pose'."
+        )
+    return chosen
+
+
+def statistics_message() -> PackedMessage:
+    """`/shoal_statistics`: one value per metric of the table."""
+    values = {
+        "name": list(METRICS),
+        "unit": [metric.unit for metric in METRICS.values()],
+        "value": [0.0] * len(METRICS),
+    }
+    template = type_store.build("cocorosim_msgs/msg/ShoalStatistics", values)
+    return PackedMessage([template], [f"value[{name}]" for name in METRICS])
+
+
+class RunRecord:
+    """The bag and the statistics of one run. Not for several threads at once."""
+
+    def __init__(
+        self,
+        folder: Path,
+        bodies: Sequence[BodyDescription],
+        metadata: Mapping[str, str],
+        *,
+        selection: Selection = "all",
+        force: bool = False,
+    ) -> None:
+        """`selection`: which topics are recorded. Raises CocorosimError if the folder exists or cannot be written."""
+        self.topics = run_topics(bodies)
+        self.owed = owed_topics(bodies)
+        self.monitor = ShoalMonitor(len(bodies))
+        # In the order of the names, as in the statistics of a finished recording.
+        self.pose_topics = [robot_topic(name, "pose") for name in sorted(body.name for body in bodies)]
+        self._statistics = statistics_message()
+        self._selected = selected_topics(self.topics, selection)
+        rows = {topic: TOPICS[row] for topic, row in self._selected.items()}
+        channels = [Channel(topic, row.type_name, row.quality) for topic, row in rows.items()]
+        self.writer = BagWriter(folder, channels, metadata=metadata, force=force)
+
+    def write_tick(self, stamp_ns: int, messages: Mapping[str, bytes]) -> bytes:
+        """Record the messages of one tick, measure the shoal, record that too; return the statistics' bytes.
+
+        Messages are written in the order of the topics, whatever the order in which they came.
+        """
+        write = self.writer.write
+        for topic in self._selected:
+            if topic in messages:
+                write(topic, stamp_ns, stamp_ns, messages[topic])
+        statistics = self.measure(stamp_ns, [messages[topic] for topic in self.pose_topics])
+        self.write(STATISTICS_TOPIC, stamp_ns, statistics)
+        return statistics
+
+    def write(self, topic: str, stamp_ns: int, data: bytes) -> None:
+        """Record one message, if its topic is to be recorded."""
+        if topic in self._selected:
+            self.writer.write(topic, stamp_ns, stamp_ns, data)
+
+    def measure(self, stamp_ns: int, poses: Sequence[bytes | None]) -> bytes:
+        """The bytes of the statistics for the poses of all robots at one moment; None for a robot that is absent."""
+        position, yaw = decode_poses([pose or b"" for pose in poses])
+        values = self.monitor.update(stamp_ns, position, yaw, [pose is not None for pose in poses])
+        return self._statistics.encode(stamp_ns, values[None])[0]
+
+    def close(self, extra: Mapping[str, str] | None = None) -> str:
+        """Complete the bag; return its digest."""
+        return self.writer.close(extra)
+
+    def summary(self) -> dict[str, Any]:
+        """The statistics of the whole run, ready for JSON."""
+        return self.monitor.summary()

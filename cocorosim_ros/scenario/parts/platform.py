@@ -1,0 +1,206 @@
+"""A kind of robot, as a platform file describes it: everything about the body, nothing about the run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
+from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors
+from cocorosim_ros.scenario.reading.based_on import with_base
+from cocorosim_ros.scenario.reading.config_files import find_config
+from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
+from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of, read_any_quantity
+from cocorosim_ros.scenario.reading.ranges import Ranges, collect_ranges, ranges_tree, read_ranges
+from cocorosim_ros.scenario.reading.records import TEXT, list_of, nested, quantity, read_record, record_tree, stored
+from cocorosim_ros.scenario.reading.sources import require_sources
+from cocorosim_ros.scenario.reading.yaml_file import load_yaml
+
+Effects = Mapping[str, Mapping[str, Quantity]]
+
+
+def _read_effects(entry: Entry) -> Effects:
+    return {
+        effect: {name: read_any_quantity(value) for name, value in parameters.mapping().items()}
+        for effect, parameters in entry.mapping().items()
+    }
+
+
+def _effects_tree(effects: Effects) -> dict[str, Any]:
+    return {
+        effect: {name: f"{part.value!r} {part.unit}" for name, part in parameters.items()}
+        for effect, parameters in effects.items()
+    }
+
+
+def _read_words(entry: Entry) -> dict[str, str]:
+    return {name: part.text() for name, part in entry.mapping().items()}
+
+
+@dataclass(frozen=True)
+class Platform:
+    """One kind of robot; SI units, body axes forward-left-up, moves in surge, sway, heave and yaw.
+
+    mass [kg], yaw_inertia [kg m^2], drag: rho*A*Cd/2 for the total speed [kg/m], yaw_drag [N m s^2],
+    water_density [kg/m^3], gravity [m/s^2]. `thrust_gain`, `yaw_torque_gain`, `buoyancy_gain`: what the thrusters push
+    together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `ranges`:
+    between what the numbers lie that are not known exactly, by dotted key (mass, actuators.left.maximum).
+    `frame_corrections`: how axes, signs or units of a recorded stream are mixed up, by topic, in the words of a
+    diagnosis. `robots`: those of this kind that differ, by name. `origin` is the file it came from.
+    """
+
+    name: str = field(metadata=TEXT)
+    description: str = field(metadata=TEXT)
+    hull: Hull = field(metadata=nested(Hull))
+    mass: float = field(metadata=quantity("mass", "positive"))
+    yaw_inertia: float = field(metadata=quantity("moment of inertia", "positive"))
+    drag: float = field(metadata=quantity("quadratic drag", "not negative"))
+    yaw_drag: float = field(metadata=quantity("quadratic yaw drag", "not negative"))
+    water_density: float = field(metadata=quantity("density", "positive"))
+    gravity: float = field(metadata=quantity("acceleration", "not negative"))
+    actuators: tuple[Actuator, ...] = field(metadata=list_of(ACTUATORS))
+    sensors: Sensors = field(metadata=nested(Sensors))
+    operating_system: OperatingSystem | None = field(default=None, metadata=nested(OperatingSystem))
+    effect_quantities: Effects = field(
+        default_factory=dict, hash=False, metadata=stored(_read_effects, _effects_tree, key="effects")
+    )
+    thrust_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
+    yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
+    buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
+    ranges: Ranges = field(default_factory=dict, hash=False, metadata=stored(read_ranges, ranges_tree))
+    frame_corrections: Mapping[str, str] = field(default_factory=dict, hash=False, metadata=stored(_read_words, dict))
+    robots: Mapping[str, Platform] = field(default_factory=dict, hash=False)
+    origin: str = field(default="", compare=False)
+
+    @property
+    def effects(self) -> dict[str, dict[str, float]]:
+        """The effects beyond the basic physics, in SI units: {effect id: {parameter: value}}."""
+        return {
+            effect: {name: part.value for name, part in parameters.items()}
+            for effect, parameters in self.effect_quantities.items()
+        }
+
+    def of_robot(self, name: str) -> Platform:
+        """What this platform says of the robot of that name: its own numbers where it has some."""
+        return self.robots.get(name, self)
+
+    @property
+    def actuator_names(self) -> tuple[str, ...]:
+        """The names of the actuators in the order of all arrays about them."""
+        return tuple(actuator.name for actuator in self.actuators)
+
+    def actuator_wrenches(self) -> NDArray[np.float64]:
+        """(n_actuators, 4) body force x, y, z [N/N] and moment about z [N m/N] per newton of each."""
+        return np.array([_wrench(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 4)
+
+    def actuator_limits(self) -> NDArray[np.float64]:
+        """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range."""
+        return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
+
+    def _limits(self, actuator: Actuator) -> tuple[float, float]:
+        if isinstance(actuator, BuoyancyPump):
+            force = self.water_density * self.gravity * actuator.volume_range
+            return force, force
+        reverse = actuator.maximum if actuator.maximum_reverse is None else actuator.maximum_reverse
+        return actuator.maximum, reverse
+
+
+def load_platform(name_or_path: str | Path) -> Platform:
+    """The platform of that name in config/platforms, or of that file.
+
+    Raises CocorosimError: unknown name, unreadable file, unknown key, wrong unit, number without source.
+    """
+    return read_platform_file(find_config("platforms", str(name_or_path)))
+
+
+def read_platform_file(path: Path) -> Platform:
+    """The platform that a file describes; every number in it must carry its source."""
+    entry = load_yaml(path)
+    require_sources(entry)
+    return replace(read_platform(with_base(entry, "platforms")), origin=entry.file)
+
+
+def read_platform(entry: Entry) -> Platform:
+    """The platform that a mapping describes; what stands below 'robots' replaces whole top-level keys for one robot."""
+    section = dict(entry.mapping())
+    own = section.pop("robots").mapping() if "robots" in section else {}
+    platform = _read_one(replace(entry, value=section))
+    robots = {name: _read_one(replace(part, value={**section, **part.mapping()})) for name, part in own.items()}
+    for name, robot in robots.items():
+        if robot.actuator_names != platform.actuator_names:
+            raise own[name].problem(
+                f"has the actuators {quoted(robot.actuator_names)}; robots of one platform have the same: "
+                f"{quoted(platform.actuator_names)}."
+            )
+    return replace(platform, robots=robots)
+
+
+def _read_one(entry: Entry) -> Platform:
+    platform = read_record(Platform, entry)
+    section = entry.mapping()
+    for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.blss)):
+        _refuse_repeated_names(section[part], [each.name for each in kind])
+    return replace(platform, ranges={**platform.ranges, **collect_ranges(entry)}, origin=entry.file)
+
+
+def platform_tree(platform: Platform) -> dict[str, Any]:
+    """The platform as nested plain values that `read_platform` reads back."""
+    tree = record_tree(platform)
+    own = {name: {"effects": {}, "ranges": {}} | record_tree(robot) for name, robot in platform.robots.items()}
+    if own:
+        full = {"effects": {}, "ranges": {}} | tree
+        tree["robots"] = {
+            name: {key: part for key, part in robot.items() if part != full.get(key)} for name, robot in own.items()
+        }
+    return tree
+
+
+def check_effects(platform: Platform, known: Mapping[str, Mapping[str, Parameter]]) -> None:
+    """Nothing, if every effect of the platform is known, has the parameters that it needs, and all of them fit.
+
+    known: {effect id: {name: parameter}}. Raises CocorosimError otherwise.
+    """
+    for effect, numbers in platform.effect_quantities.items():
+        place = f"{platform.origin}: 'effects.{effect}'"
+        if effect not in known:
+            raise CocorosimError(f"{place} is no known effect{nearest(effect, known)}.")
+        for name, number in numbers.items():
+            if name not in known[effect]:
+                raise CocorosimError(
+                    f"{place[:-1]}.{name}' is no parameter of this effect{nearest(name, known[effect])}."
+                )
+            _check_number(f"{place[:-1]}.{name}'", number, known[effect][name])
+        for name, parameter in known[effect].items():
+            if parameter.needed and name not in numbers:
+                raise CocorosimError(f"{place} lacks '{name}' ({parameter.meaning}); add it, in {parameter.unit}.")
+
+
+def _check_number(place: str, number: Quantity, parameter: Parameter) -> None:
+    dimension = "pure number" if parameter.unit == "*" else dimension_of(parameter.unit)
+    shown = f"{place} has '{number.value!r} {number.unit}'"
+    if number.dimension != dimension:
+        raise CocorosimError(f"{shown}, which is no {dimension}; write it in {parameter.unit}.")
+    if parameter.sign == "positive" and number.value <= 0.0:
+        raise CocorosimError(f"{shown}; it must be greater than zero.")
+    if parameter.sign == "not negative" and number.value < 0.0:
+        raise CocorosimError(f"{shown}; it must not be negative.")
+
+
+def _wrench(actuator: Actuator) -> tuple[float, float, float, float]:
+    if isinstance(actuator, BuoyancyPump):
+        return 0.0, 0.0, 1.0, 0.0
+    (x, y, _), (along, across, up) = actuator.position, actuator.direction
+    return along, across, up, x * across - y * along
+
+
+def _refuse_repeated_names(entry: Entry, names: Sequence[str]) -> None:
+    repeated = [name for name in names if names.count(name) > 1]
+    if repeated:
+        raise entry.problem(f"has the name '{repeated[0]}' more than once; give each its own.")

@@ -1,0 +1,162 @@
+"""Groups of equal robots: how many, of which platform, with which controller, and where they start."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from cocorosim_ros.scenario.parts.controller_file import (
+    ControllerDescription,
+    controller_tree,
+    read_controller,
+    read_controller_file,
+)
+from cocorosim_ros.scenario.parts.platform import Platform, platform_tree, read_platform, read_platform_file
+from cocorosim_ros.scenario.parts.vehicle_parts import Vector3
+from cocorosim_ros.scenario.reading.config_files import referenced_config
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.quantity import quantity_text, read_vector
+from cocorosim_ros.scenario.reading.records import nested, read_record, record_tree, stored, vector
+
+Pose = tuple[float, float, float, float]
+MOST_ROBOTS = 100_000
+_POSE_DIMENSIONS = ("length", "length", "length", "angle")
+_ROS_NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+
+
+@dataclass(frozen=True)
+class StartBox:
+    """Robots start at random places in a box [m; world] with random headings; centre, full size."""
+
+    centre: Vector3 = field(metadata=vector("length", 3))
+    size: Vector3 = field(metadata=vector("length", 3, "not negative"))
+
+    def lower_corner(self) -> Vector3:
+        """The corner with the smallest coordinates [m; world]."""
+        (x, y, z), (a, b, c) = self.centre, self.size
+        return x - a / 2, y - b / 2, z - c / 2
+
+    def upper_corner(self) -> Vector3:
+        """The corner with the greatest coordinates [m; world]."""
+        (x, y, z), (a, b, c) = self.centre, self.size
+        return x + a / 2, y + b / 2, z + c / 2
+
+
+def _read_poses(entry: Entry) -> tuple[Pose, ...]:
+    return tuple(_read_pose(part) for part in entry.items())
+
+
+def _read_pose(entry: Entry) -> Pose:
+    x, y, z, yaw = read_vector(entry, _POSE_DIMENSIONS)
+    return x, y, z, yaw
+
+
+def _poses_tree(poses: tuple[Pose, ...]) -> list[list[str]]:
+    return [[quantity_text(*part) for part in zip(pose, _POSE_DIMENSIONS, strict=True)] for pose in poses]
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a group starts: in a box at random, or at given poses (x, y, z [m; world], yaw [rad])."""
+
+    box: StartBox | None = field(default=None, metadata=nested(StartBox))
+    poses: tuple[Pose, ...] | None = field(default=None, metadata=stored(_read_poses, _poses_tree))
+
+
+@dataclass(frozen=True)
+class SwarmGroup:
+    """Equal robots: `count` of one platform and controller, called `prefix`_01, `prefix`_02, ..."""
+
+    platform: Platform
+    count: int
+    prefix: str
+    controller: ControllerDescription
+    start: Start
+
+    def robot_names(self) -> list[str]:
+        """The names of the robots, which are their ROS namespaces."""
+        width = max(2, len(str(self.count)))
+        return [f"{self.prefix}_{number:0{width}d}" for number in range(1, self.count + 1)]
+
+
+def read_swarm(entry: Entry) -> tuple[SwarmGroup, ...]:
+    """The groups that a list describes; at least one."""
+    groups = tuple(read_group(part) for part in entry.items())
+    if not groups:
+        raise entry.problem("has no group of robots; add at least one with its platform, count, controller and start.")
+    prefixes = [group.prefix for group in groups]
+    for part, group in zip(entry.items(), groups, strict=True):
+        if prefixes.count(group.prefix) > 1:
+            raise part.problem(
+                f"shares the prefix '{group.prefix}' with another group; give each group its own 'prefix'."
+            )
+    return groups
+
+
+def read_group(entry: Entry) -> SwarmGroup:
+    """The group that a mapping describes."""
+    section = entry.section(("platform", "controller", "start"), ("count", "prefix", "overrides"))
+    platform = _read_platform_choice(section["platform"])
+    controller = _read_controller_choice(section["controller"])
+    if "overrides" in section:
+        controller = controller.with_override_entries(section["overrides"].mapping())
+    start = _read_start(section["start"])
+    prefix = _checked_prefix(section.get("prefix", section["platform"]), section, platform)
+    return SwarmGroup(platform, _read_count(entry, section, start), prefix, controller, start)
+
+
+def swarm_tree(groups: tuple[SwarmGroup, ...]) -> list[dict[str, Any]]:
+    """The groups as nested plain values that `read_swarm` reads, platforms and controllers written out."""
+    return [
+        {
+            "platform": platform_tree(group.platform),
+            "count": group.count,
+            "prefix": group.prefix,
+            "controller": controller_tree(group.controller),
+            "start": record_tree(group.start),
+        }
+        for group in groups
+    ]
+
+
+def _read_platform_choice(entry: Entry) -> Platform:
+    if isinstance(entry.value, dict):
+        return read_platform(entry)
+    return read_platform_file(referenced_config("platforms", entry))
+
+
+def _read_controller_choice(entry: Entry) -> ControllerDescription:
+    if isinstance(entry.value, dict):
+        return read_controller(entry)
+    return read_controller_file(referenced_config("controllers", entry))
+
+
+def _read_start(entry: Entry) -> Start:
+    start = read_record(Start, entry)
+    if (start.box is None) == (start.poses is None):
+        raise entry.problem("needs either 'box' or 'poses'; write one of the two.")
+    return start
+
+
+def _read_count(entry: Entry, section: dict[str, Entry], start: Start) -> int:
+    if "count" not in section and start.poses is None:
+        raise entry.problem("lacks 'count'; add the number of robots.")
+    if "count" not in section:
+        count = Entry(len(start.poses or ()), entry.file, section["start"].line, f"{entry.key}.start.poses")
+        return count.whole_number(1, MOST_ROBOTS)
+    count = section["count"]
+    number = count.whole_number(1, MOST_ROBOTS)
+    if start.poses is not None and len(start.poses) != number:
+        raise count.problem(f"has '{number}' but 'start.poses' has {len(start.poses)} poses; make them equal.")
+    return number
+
+
+def _checked_prefix(entry: Entry, section: dict[str, Entry], platform: Platform) -> str:
+    prefix = entry.text() if "prefix" in section else platform.name
+    if not _ROS_NAME.fullmatch(prefix):
+        raise entry.problem(
+            f"gives robots the name '{prefix}', which is no ROS namespace; write 'prefix' in small letters, "
+            "digits and single underscores, beginning with a letter."
+        )
+    return prefix

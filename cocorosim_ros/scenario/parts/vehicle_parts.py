@@ -1,0 +1,103 @@
+"""What a platform is made of: hull, actuators, sensors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Literal
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity, read_vector
+from cocorosim_ros.scenario.reading.records import FLAG, TEXT, choice, list_of, quantities, quantity, stored, vector
+
+Vector3 = tuple[float, float, float]
+_UNIT_LENGTH_TOLERANCE = 1e-12
+
+
+def _read_direction(entry: Entry) -> tuple[float, ...]:
+    direction = read_vector(entry, ["pure number"] * 3)
+    norm = math.hypot(*direction)
+    if norm == 0:
+        raise entry.problem(f"has {entry.found()}, which points nowhere; write e.g. [1, 0, 0] for forward.")
+    # A vector that is already of unit length stays as it is, bit for bit.
+    return direction if abs(norm - 1) < _UNIT_LENGTH_TOLERANCE else tuple(part / norm for part in direction)
+
+
+def _direction_tree(direction: Vector3) -> list[str]:
+    return [quantity_text(part, "pure number") for part in direction]
+
+
+def _read_cone(entry: Entry) -> float:
+    angle = read_quantity(entry, "angle", "positive")
+    if angle > 2 * math.pi:
+        raise entry.problem(f"has {entry.found()}; a cone is at most 360 deg wide.")
+    return angle
+
+
+@dataclass(frozen=True)
+class Hull:
+    """Outer size [m; body axes]."""
+
+    length: float = field(metadata=quantity("length", "positive"))
+    width: float = field(metadata=quantity("length", "positive"))
+    height: float = field(metadata=quantity("length", "positive"))
+
+
+@dataclass(frozen=True)
+class Thruster:
+    """A fixed propeller.
+
+    position: [m; body, from the centre of rotation]. direction: unit vector of its push forwards [body].
+    maximum, maximum_reverse: force forwards and backwards [N], the same if `maximum_reverse` is None.
+    """
+
+    name: str = field(metadata=TEXT)
+    position: Vector3 = field(metadata=vector("length", 3))
+    direction: Vector3 = field(metadata=stored(_read_direction, _direction_tree))
+    maximum: float = field(metadata=quantity("force", "positive"))
+    maximum_reverse: float | None = field(default=None, metadata=quantity("force", "not negative"))
+    kind: Literal["thruster"] = field(default="thruster", metadata=choice("thruster"))
+
+
+@dataclass(frozen=True)
+class BuoyancyPump:
+    """A pump that changes the robot's volume: `neutral_volume` +- `volume_range` [m^3] at command +-1."""
+
+    name: str = field(metadata=TEXT)
+    neutral_volume: float = field(metadata=quantity("volume", "positive"))
+    volume_range: float = field(metadata=quantity("volume", "positive"))
+    kind: Literal["buoyancy"] = field(default="buoyancy", metadata=choice("buoyancy"))
+
+
+@dataclass(frozen=True)
+class BlueLightSensor:
+    """One blue-light sensor: a cone around its axis, and rays along which it sees obstacles.
+
+    azimuth, elevation: cone axis [rad; body]. cone_angle: full opening [rad].
+    neighbour_range, obstacle_range: how far it sees robots and obstacles [m].
+    obstacle_rays: offsets of the rays from the axis in azimuth [rad].
+    """
+
+    name: str = field(metadata=TEXT)
+    azimuth: float = field(metadata=quantity("angle"))
+    elevation: float = field(metadata=quantity("angle"))
+    cone_angle: float = field(metadata=stored(_read_cone, lambda value: quantity_text(value, "angle")))
+    neighbour_range: float = field(metadata=quantity("length", "not negative"))
+    obstacle_range: float = field(metadata=quantity("length", "not negative"))
+    obstacle_rays: tuple[float, ...] = field(default=(0.0,), metadata=quantities("angle"))
+
+
+@dataclass(frozen=True)
+class Sensors:
+    """What a robot perceives with; `radio_range` [m] is 0 for a robot without radio."""
+
+    compass: bool = field(default=False, metadata=FLAG)
+    pressure: bool = field(default=False, metadata=FLAG)
+    imu: bool = field(default=False, metadata=FLAG)
+    velocity: bool = field(default=False, metadata=FLAG)
+    radio_range: float = field(default=0.0, metadata=quantity("length", "not negative"))
+    blss: tuple[BlueLightSensor, ...] = field(default=(), metadata=list_of(BlueLightSensor))
+
+
+Actuator = Thruster | BuoyancyPump
+ACTUATORS: dict[str, type[Thruster] | type[BuoyancyPump]] = {"thruster": Thruster, "buoyancy": BuoyancyPump}

@@ -1,0 +1,86 @@
+"""Ranges beside the numbers of a platform: what is not known exactly, and between what it lies.
+
+`mass: {value: 2, unit: kg, range: [1, 4], source: ..., confidence: estimate}` says that whoever estimates the
+mass starts from 2 kg and looks between 1 and 4 kg. A simulation uses the value alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.quantity import Quantity, read_any_quantity
+
+
+@dataclass(frozen=True)
+class Range:
+    """Where a number lies, in the SI unit `unit`."""
+
+    low: float
+    high: float
+    unit: str
+
+
+Ranges = Mapping[str, Range]
+
+
+def collect_ranges(entry: Entry) -> dict[str, Range]:
+    """The ranges of all numbers below, by dotted key; parts of a list go by name: actuators.left.maximum.
+
+    Raises CocorosimError: not two numbers in growing order, the value outside them, a range beside a list.
+    """
+    return {key: _read(place) for key, place in _ranged(entry, "")}
+
+
+def read_ranges(entry: Entry) -> dict[str, Range]:
+    """The ranges as `ranges_tree` writes them."""
+    return {key: _between(place, *(read_any_quantity(part) for part in place.items()))
+            for key, place in entry.mapping().items()}  # fmt: skip
+
+
+def ranges_tree(ranges: Ranges) -> dict[str, Any]:
+    """The ranges as plain values: {mass: ["1.0 kg", "4.0 kg"]}."""
+    return {key: [f"{part.low!r} {part.unit}", f"{part.high!r} {part.unit}"] for key, part in ranges.items()}
+
+
+def _ranged(entry: Entry, key: str) -> Iterator[tuple[str, Entry]]:
+    """Key and entry of every number that has a range."""
+    if isinstance(entry.value, dict):
+        if "range" in entry.value and "value" in entry.value:
+            yield key, entry
+            return
+        for name, part in entry.value.items():
+            yield from _ranged(part, f"{key}.{name}" if key else name)
+    elif isinstance(entry.value, list):
+        for index, part in enumerate(entry.value):
+            yield from _ranged(part, f"{key}.{_name(part, index)}")
+
+
+def _name(entry: Entry, index: int) -> str:
+    named = entry.value.get("name") if isinstance(entry.value, dict) else None
+    return str(named.value) if named is not None else str(index)
+
+
+def _read(entry: Entry) -> Range:
+    section = entry.mapping()
+    limits = section["range"]
+    if isinstance(section["value"].value, list):
+        raise limits.problem("stands beside a list; give a range to single numbers only.")
+    numbers = [_quantity(section, part) for part in limits.items()]
+    between = _between(limits, *numbers)
+    value = _quantity(section, section["value"]).value
+    if not between.low <= value <= between.high:
+        raise limits.problem(f"has {limits.found()}, which leaves out the value {section['value'].found()}; widen it.")
+    return between
+
+
+def _quantity(section: Mapping[str, Entry], number: Entry) -> Quantity:
+    return read_any_quantity(replace(number, value=f"{number.value} {section['unit'].value}"))
+
+
+def _between(entry: Entry, *numbers: Quantity) -> Range:
+    if len(numbers) != 2 or not numbers[0].value < numbers[1].value:
+        raise entry.problem(f"has {entry.found()}; write the lowest and the highest value: [low, high].")
+    return Range(numbers[0].value, numbers[1].value, numbers[0].unit)

@@ -1,0 +1,98 @@
+"""Frozen records whose fields know how they stand in YAML: one declaration serves reading and writing.
+
+A field is declared as `mass: float = field(metadata=quantity("mass", "positive"))`. Its YAML key is its name,
+and it must be in the file unless it has a default.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.quantity import Sign, quantity_text, read_list, read_quantity, read_vector
+
+Record = TypeVar("Record")
+Rule = dict[str, Any]
+
+
+def stored(read: Callable[[Entry], Any], write: Callable[[Any], Any], key: str = "") -> Rule:
+    """The rule of a field with its own reader and writer; `key` where YAML calls it otherwise."""
+    return {"read": read, "write": write, "key": key}
+
+
+def quantity(dimension: str, sign: Sign = "any") -> Rule:
+    """The rule of a field that holds one SI number."""
+    return stored(lambda entry: read_quantity(entry, dimension, sign), lambda value: quantity_text(value, dimension))
+
+
+def vector(dimension: str, size: int, sign: Sign = "any") -> Rule:
+    """The rule of a field that holds a tuple of `size` SI numbers."""
+    return stored(
+        lambda entry: read_vector(entry, [dimension] * size, sign),
+        lambda values: [quantity_text(value, dimension) for value in values],
+    )
+
+
+def quantities(dimension: str) -> Rule:
+    """The rule of a field that holds a tuple of any number of SI numbers."""
+    return stored(
+        lambda entry: read_list(entry, dimension),
+        lambda values: [quantity_text(value, dimension) for value in values],
+    )
+
+
+TEXT: Rule = stored(Entry.text, str)
+FLAG: Rule = stored(Entry.flag, bool)
+
+
+def choice(*options: str) -> Rule:
+    """The rule of a field that holds one of some words."""
+    return stored(lambda entry: entry.choice(options), str)
+
+
+def nested(kind: type[Any]) -> Rule:
+    """The rule of a field that holds another record."""
+    return stored(lambda entry: read_record(kind, entry), record_tree)
+
+
+def list_of(kind: type[Any] | Mapping[str, type[Any]]) -> Rule:
+    """The rule of a field that holds a tuple of records of one type, or of the type that 'kind' names."""
+
+    def read(entry: Entry) -> tuple[Any, ...]:
+        return tuple(read_record(_type_of(part, kind), part) for part in entry.items())
+
+    return stored(read, lambda records: [record_tree(record) for record in records])
+
+
+def read_record(kind: type[Record], entry: Entry) -> Record:
+    """The record that a mapping describes; CocorosimError for unknown or missing keys and bad values."""
+    rules = {_key(field): field for field in dataclasses.fields(kind) if "read" in field.metadata}  # type: ignore[arg-type]
+    required = [key for key, field in rules.items() if _is_required(field)]
+    section = entry.section(required, rules)
+    return kind(**{rules[key].name: rules[key].metadata["read"](part) for key, part in section.items()})
+
+
+def record_tree(record: Any) -> dict[str, Any]:
+    """The record as nested plain values, as `read_record` reads them; without None and empty mappings."""
+    fields = [field for field in dataclasses.fields(record) if "write" in field.metadata]
+    values = [(field, getattr(record, field.name)) for field in fields]
+    return {_key(field): field.metadata["write"](value) for field, value in values if value is not None and value != {}}
+
+
+def _key(field: dataclasses.Field[Any]) -> str:
+    return field.metadata["key"] or field.name
+
+
+def _is_required(field: dataclasses.Field[Any]) -> bool:
+    return field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
+
+
+def _type_of(entry: Entry, kind: type[Any] | Mapping[str, type[Any]]) -> type[Any]:
+    if isinstance(kind, type):
+        return kind
+    entries = entry.mapping()
+    if "kind" not in entries:
+        raise entry.problem("lacks 'kind'; allowed: " + ", ".join(kind) + ".")
+    return kind[entries["kind"].choice(list(kind))]

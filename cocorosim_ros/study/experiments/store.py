@@ -1,0 +1,143 @@
+"""The folder of an experiment: finished chunks as parts, put together in one table when all are there.
+
+`results_folder` says what lies there. A process that is killed at any moment loses the chunks that it had not
+finished, and nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from pathlib import Path
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.study.experiments.code_version import version
+from cocorosim_ros.study.experiments.design import Design
+from cocorosim_ros.study.experiments.results_folder import (
+    DESIGN,
+    KEYS,
+    PARTS,
+    RESULTS,
+    part_files,
+    read_folder,
+    read_note,
+    row_keys,
+)
+
+_NEW = ".new"
+
+
+class Store:
+    """Where the rows of one design are kept."""
+
+    def __init__(self, folder: Path, design: Design, *, force: bool = False) -> None:
+        """Raises CocorosimError if the folder holds something else, or rows of another design or of other code."""
+        self._folder, self._design = folder, design
+        self._parts = folder / PARTS
+        try:
+            self._open(force)
+        except (FileExistsError, NotADirectoryError) as error:
+            raise CocorosimError(f"{folder} is a file, or lies below one; give another folder with --out.") from error
+        except OSError as error:
+            raise CocorosimError(
+                f"The folder {folder} cannot be written: {error.strerror}; give another one with --out."
+            ) from error
+
+    @property
+    def results(self) -> Path:
+        """The finished table."""
+        return self._folder / RESULTS
+
+    def done(self) -> set[tuple[str, str, int]]:
+        """Numerics, group and replicate of every row that is there."""
+        return set(row_keys(read_folder(self._folder, KEYS)))
+
+    def add(self, rows: pa.Table) -> None:
+        """Keep the rows of a finished chunk. Raises CocorosimError if a worker with other code has made them."""
+        others = set(rows["version"].to_pylist()) - {version()}
+        if others:
+            raise CocorosimError(
+                f"A worker has version {others.pop()} of the program, this is {version()}; rows of both would not be "
+                "comparable, so its rows are not kept: give all workers this version and the same command again."
+            )
+        first = rows.slice(0, 1).to_pylist()[0]
+        name = f"{first['numerics']}-{first['group']}-{first['replicate']:07d}-{rows.num_rows}.parquet"
+        _write(rows, self._parts / name.replace("/", "_"))
+
+    def complete(self) -> pa.Table:
+        """The finished table in the order of the design; the parts are put together in one file."""
+        table = read_folder(self._folder)
+        cells = [(cell.numerics, cell.group) for cell in self._design.cells]
+        keep = [
+            (cells.index((numerics, group)), replicate, row)
+            for row, (numerics, group, replicate) in enumerate(row_keys(table))
+            if (numerics, group) in cells and replicate < self._design.replicates
+        ]
+        ordered = table.take(pa.array([row for *_, row in sorted(keep)], pa.int64()))
+        if len(keep) == table.num_rows:
+            _write(ordered, self.results)
+            for part in part_files(self._folder):
+                part.unlink()
+        return ordered
+
+    def _open(self, force: bool) -> None:
+        self._refuse_foreign()
+        if force:
+            self._empty()
+        mine = {**self._design.summary(), "version": version()}
+        note = self._folder / DESIGN
+        if note.is_file():
+            self._compare(read_note(self._folder), mine)
+        self._parts.mkdir(parents=True, exist_ok=True)
+        for unfinished in self._folder.rglob(f"*{_NEW}"):
+            unfinished.unlink()
+        _replace(note, (json.dumps(mine, indent=2) + "\n").encode())
+
+    def _refuse_foreign(self) -> None:
+        there = sorted(part.name for part in self._folder.iterdir()) if self._folder.is_dir() else []
+        known = (DESIGN, PARTS, RESULTS)
+        foreign = [name for name in there if name not in known and not name.endswith((_NEW, ".html"))]
+        if foreign or (there and DESIGN not in there and not all(name.endswith(_NEW) for name in there)):
+            raise CocorosimError(
+                f"The folder {self._folder} holds '{(foreign or there)[0]}', which is no part of an experiment, so it "
+                "is not touched; give another folder with --out."
+            )
+
+    def _empty(self) -> None:
+        shutil.rmtree(self._parts, ignore_errors=True)
+        for name in (RESULTS, DESIGN):
+            (self._folder / name).unlink(missing_ok=True)
+
+    def _compare(self, there: dict[str, str], mine: dict[str, str]) -> None:
+        if there.get("digest") != mine["digest"]:
+            raise CocorosimError(
+                f"The folder {self._folder} holds results of another design, '{there.get('design')}' with digest "
+                f"{there.get('digest')}, not of '{mine['design']}' with {mine['digest']}; give another folder "
+                "with --out, or --force to start again."
+            )
+        if there.get("version") != mine["version"]:
+            raise CocorosimError(
+                f"The folder {self._folder} holds results of version {there.get('version')} of the program, this is "
+                f"{mine['version']}; rows of both would not be comparable: give another folder with --out, or --force "
+                "to start again."
+            )
+
+
+def _write(table: pa.Table, path: Path) -> None:
+    buffer = pa.BufferOutputStream()
+    pq.write_table(table, buffer, compression="zstd")
+    _replace(path, buffer.getvalue().to_pybytes())
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """The file is there in full or as it was, even if the power fails."""
+    new = path.with_name(path.name + _NEW)
+    with open(new, "wb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
+    os.replace(new, path)

@@ -1,0 +1,188 @@
+"""Tracks of robots with their own rates and gaps, brought to common moments.
+
+Lock-step recordings, where all robots have the same stamps, pass through untouched, so that the numbers
+equal the live ones bit for bit. Otherwise positions are interpolated linearly and yaw along the shorter
+arc; a moment inside a gap that is longer than the limit, or outside a robot's track, finds that robot
+absent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
+from cocorosim_ros.world.state.pose_track import PoseTrack
+
+_SHORTEST_GAP_LIMIT_NS = 1_000_000_000
+_INTERVALS_IN_GAP_LIMIT = 3
+_MOST_SAMPLES = 10_000_000
+_RATE_TOLERANCE = 0.01
+
+
+@dataclass(frozen=True)
+class SampledTracks:
+    """Poses of all robots at common moments."""
+
+    names: tuple[str, ...]
+    """(n,) robots in alphabetical order."""
+    stamp_ns: NDArray[np.int64]
+    """(t,) moments [ns]."""
+    position: NDArray[np.float64]
+    """(t, n, 3) position [m; world], NaN where absent."""
+    yaw: NDArray[np.float64]
+    """(t, n) heading [rad; world], NaN where absent."""
+    present: NDArray[np.bool_]
+    """(t, n) robot has a pose at this moment."""
+    findings: tuple[str, ...]
+    """What was found on the way, in sentences: rates, gaps, poses left out."""
+
+
+def sample_tracks(
+    tracks: Mapping[str, PoseTrack], interval_ns: int | None = None, gap_limit_ns: int | None = None
+) -> SampledTracks:
+    """Poses of all robots at common moments, in the alphabetical order of their names.
+
+    interval_ns: distance of the moments [ns]; left out, the stamps themselves if all robots share them,
+    else the median pose interval. gap_limit_ns: longest gap that is interpolated [ns]; left out, per robot
+    three times its median interval and at least one second. Raises CocorosimError if no robot has a pose,
+    or if the stamps span more moments than can be meant.
+    """
+    findings: list[str] = []
+    clean = {name: _cleaned(name, tracks[name], findings) for name in sorted(tracks)}
+    known = {name: track for name, track in clean.items() if track.stamp_ns.size}
+    findings += [f"{name} has no usable pose and is absent throughout." for name in clean if name not in known]
+    if not known:
+        raise CocorosimError("No robot has a usable pose: record the topics .../pose, or `convert` others.")
+    moments = _shared_stamps(known) if interval_ns is None else None
+    if moments is None:
+        interval = _median_interval_ns(known) if interval_ns is None else interval_ns
+        moments = _grid(known, interval)
+        findings.append(_sampling_sentence(known, interval))
+    return _sampled(clean, moments, gap_limit_ns, findings)
+
+
+def measure_samples(samples: SampledTracks) -> ShoalMonitor:
+    """A monitor that has seen all moments of the samples."""
+    monitor = ShoalMonitor(len(samples.names))
+    for tick, stamp_ns in enumerate(samples.stamp_ns):
+        monitor.update(int(stamp_ns), samples.position[tick], samples.yaw[tick], samples.present[tick])
+    return monitor
+
+
+def _cleaned(name: str, track: PoseTrack, findings: list[str]) -> PoseTrack:
+    """The track with growing stamps and finite poses; of several poses with one stamp the first stays."""
+    finite = np.isfinite(track.position).all(axis=1) & np.isfinite(track.yaw)
+    if not finite.all():
+        findings.append(f"{name}: {np.count_nonzero(~finite)} poses that are not finite were left out.")
+    stamps = track.stamp_ns[finite]
+    late = np.count_nonzero(np.diff(stamps) < 0)
+    if late:
+        findings.append(f"{name}: poses were out of order at {late} places and were sorted by their stamps.")
+    unique, first = np.unique(stamps, return_index=True)
+    if unique.size < stamps.size:
+        findings.append(f"{name}: {stamps.size - unique.size} poses repeated a stamp and were left out.")
+    return PoseTrack(unique.astype(np.int64), track.position[finite][first], track.yaw[finite][first])
+
+
+def _shared_stamps(tracks: Mapping[str, PoseTrack]) -> NDArray[np.int64] | None:
+    first, *others = tracks.values()
+    if all(np.array_equal(first.stamp_ns, other.stamp_ns) for other in others):
+        return first.stamp_ns
+    return None
+
+
+def _median_interval_ns(tracks: Mapping[str, PoseTrack]) -> int:
+    intervals = [np.median(np.diff(track.stamp_ns)) for track in tracks.values() if track.stamp_ns.size > 1]
+    return max(1, round(float(np.median(intervals)))) if intervals else _SHORTEST_GAP_LIMIT_NS
+
+
+def _grid(tracks: Mapping[str, PoseTrack], interval_ns: int) -> NDArray[np.int64]:
+    if interval_ns <= 0:
+        raise CocorosimError(f"The interval of {interval_ns} ns between moments must be positive.")
+    start = min(int(track.stamp_ns[0]) for track in tracks.values())
+    end = max(int(track.stamp_ns[-1]) for track in tracks.values())
+    if (end - start) // interval_ns > _MOST_SAMPLES:
+        raise CocorosimError(
+            f"The poses span {(end - start) / 1e9:.0f} s, which is more than {_MOST_SAMPLES} moments "
+            f"{interval_ns} ns apart: do all robots use one clock? Give a longer interval if they do."
+        )
+    return np.arange(start, end + 1, interval_ns, dtype=np.int64)
+
+
+def _sampling_sentence(tracks: Mapping[str, PoseTrack], interval_ns: int) -> str:
+    several = [track.stamp_ns for track in tracks.values() if track.stamp_ns.size > 1]
+    rates = [1e9 / float(np.median(np.diff(stamps))) for stamps in several] or [float("nan")]
+    slowest, fastest = min(rates), max(rates)
+    same = fastest - slowest <= _RATE_TOLERANCE * fastest
+    spread = f"{fastest:.3g} Hz" if same else f"{slowest:.3g} to {fastest:.3g} Hz"
+    return (
+        f"The robots' poses have different stamps (median rates {spread}): "
+        f"they were interpolated to moments {interval_ns / 1e9:.6g} s apart."
+    )
+
+
+def _sampled(
+    tracks: Mapping[str, PoseTrack], moments: NDArray[np.int64], gap_limit_ns: int | None, findings: list[str]
+) -> SampledTracks:
+    shape = (moments.size, len(tracks))
+    position, yaw, present = np.full((*shape, 3), np.nan), np.full(shape, np.nan), np.zeros(shape, np.bool_)
+    for column, (name, track) in enumerate(tracks.items()):
+        if not track.stamp_ns.size:
+            continue
+        limit = _gap_limit_ns(track) if gap_limit_ns is None else gap_limit_ns
+        position[:, column], yaw[:, column], present[:, column] = _interpolated(track, moments, limit)
+        findings += _absence_sentences(name, track, present[:, column], limit)
+    return SampledTracks(tuple(tracks), moments, position, yaw, present, tuple(findings))
+
+
+def _gap_limit_ns(track: PoseTrack) -> int:
+    if track.stamp_ns.size < 2:
+        return _SHORTEST_GAP_LIMIT_NS
+    median = float(np.median(np.diff(track.stamp_ns)))
+    return max(_SHORTEST_GAP_LIMIT_NS, round(_INTERVALS_IN_GAP_LIMIT * median))
+
+
+def _interpolated(
+    track: PoseTrack, moments: NDArray[np.int64], limit_ns: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+    """Position (t, 3), yaw (t,) and presence (t,) of one robot; a moment that has a pose gets just this
+    pose.
+    """
+    last = track.stamp_ns.size - 1
+    after = np.clip(np.searchsorted(track.stamp_ns, moments), 0, last)
+    exact = track.stamp_ns[after] == moments
+    before = np.where(exact, after, np.maximum(after - 1, 0))
+    gap = track.stamp_ns[after] - track.stamp_ns[before]
+    inside = (moments > track.stamp_ns[0]) & (moments < track.stamp_ns[-1])
+    present = exact | (inside & (gap <= limit_ns))
+    share = np.where(exact, 0.0, (moments - track.stamp_ns[before]) / np.maximum(gap, 1))
+    way = track.position[after] - track.position[before]
+    position = np.where(present[:, None], track.position[before] + share[:, None] * way, np.nan)
+    turn = _wrapped(track.yaw[after] - track.yaw[before])
+    yaw = np.where(exact, track.yaw[before], _wrapped(track.yaw[before] + share * turn))
+    return position, np.where(present, yaw, np.nan), present
+
+
+def _wrapped(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The angle in (-pi, pi]."""
+    wrapped: NDArray[np.float64] = np.pi - np.mod(np.pi - angle, 2.0 * np.pi)
+    return wrapped
+
+
+def _absence_sentences(name: str, track: PoseTrack, present: NDArray[np.bool_], limit_ns: int) -> list[str]:
+    gaps = np.diff(track.stamp_ns)
+    long = gaps > limit_ns
+    sentences = []
+    if long.any():
+        sentences.append(
+            f"{name}: {np.count_nonzero(long)} gaps longer than {limit_ns / 1e9:.3g} s (the longest "
+            f"{gaps.max() / 1e9:.3g} s); the robot counts as absent there."
+        )
+    if not present.all():
+        sentences.append(f"{name} is absent at {np.count_nonzero(~present)} of {present.size} moments.")
+    return sentences

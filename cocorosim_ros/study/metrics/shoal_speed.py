@@ -1,0 +1,76 @@
+"""Shoal speed: how fast the centre of the robots moves, in three dimensions.
+
+The centre of now and the centre of the previous tick are taken over the same robots (those of now that were
+also present then), so that a robot that joins, leaves or is absent does not make the centre jump. The paper
+leaves open what the centre is and who belongs to the shoal: the default is the mean of all robots.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.study.metrics.metric import READ, Family, Metric
+from cocorosim_ros.study.metrics.populations import write_centres
+from cocorosim_ros.study.metrics.swarms import ALL, MEAN, MEDIAN, Swarms
+
+
+@kernel
+def _fill_centres_of_movers(
+    swarms: Swarms, population: int, now: NDArray[np.float64], then: NDArray[np.float64]
+) -> None:
+    """The centres at this and at the previous tick of the same robots are in now and then (2, runs, 3)."""
+    members, movers, centre = swarms.members[population], swarms.movers[population], swarms.centre[population]
+    for run in range(movers.shape[0]):
+        write_centres(swarms.memory.position, movers, run, then, swarms.scratch)
+        same = True
+        for i in range(movers.shape[1]):
+            same = same and movers[run, i] == members[run, i]
+        if same:
+            for axis in range(3):
+                now[MEAN, run, axis] = centre[MEAN, run, axis]
+                now[MEDIAN, run, axis] = centre[MEDIAN, run, axis]
+        else:
+            write_centres(swarms.position, movers, run, now, swarms.scratch)
+
+
+@kernel
+def _write_speed(
+    now: NDArray[np.float64],
+    then: NDArray[np.float64],
+    elapsed_ns: NDArray[np.int64],
+    values: NDArray[np.float64],
+    column: int,
+) -> None:
+    for run in range(elapsed_ns.shape[0]):
+        x, y, z = now[run, 0] - then[run, 0], now[run, 1] - then[run, 1], now[run, 2] - then[run, 2]
+        elapsed = elapsed_ns[run] / 1e9
+        values[run, column] = np.sqrt(x * x + y * y + z * z) / elapsed if elapsed > 0.0 else np.nan
+
+
+@allocating_kernel
+def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+    now, then = np.empty_like(swarms.centre[ALL]), np.empty_like(swarms.centre[ALL])
+    for population in range(2):
+        _fill_centres_of_movers(swarms, population, now, then)
+        for kind in range(2):
+            _write_speed(now[kind], then[kind], swarms.elapsed_ns, values, column)
+            column += 1
+    return column
+
+
+def _metric(suffix: str, centre: str, members: str, paper: bool = False) -> Metric:
+    formula = f"distance that the {centre} of the positions of {members} moved since the previous moment, per time"
+    return Metric(f"shoal_speed{suffix}", "m/s", formula, READ, paper=paper, frame_free="median" not in centre)
+
+
+FAMILY = Family(
+    metrics=(
+        _metric("", "mean", "all robots", paper=True),
+        _metric("_median_centre", "coordinate-wise median", "all robots"),
+        _metric("_largest", "mean", "the largest shoal's robots"),
+        _metric("_median_centre_largest", "coordinate-wise median", "the largest shoal's robots"),
+    ),
+    measure=_measure,
+)

@@ -1,0 +1,84 @@
+"""A recording as a page that plays it, from above and from the side: one HTML file that needs nothing else."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jinja2 import Environment, FileSystemLoader
+from matplotlib.colors import to_hex
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.study.pictures.decimation import every_nth, longest_interval
+from cocorosim_ros.study.pictures.facts import ScenarioFacts
+from cocorosim_ros.study.pictures.track_views import extent, robot_colours
+from cocorosim_ros.world.state.pose_track import PoseTrack
+
+MOST_POSES = 500_000
+"""Poses of all robots beyond which every robot's are thinned; 500 000 make a page of 11 MB."""
+
+_TEMPLATE = "player.html.jinja"
+_SPEEDS = (0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)
+_TRAILS = ((0, "none"), (10, "10 s"), (30, "30 s"), (120, "2 min"), (10**9, "all"))
+_WATCHED_IN = 60.0  # s that a recording takes at most, at the speed that is offered first
+
+
+def player_page(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, findings: Sequence[str] = ()) -> str:
+    """The page as text.
+
+    tracks: poses per robot; robots without any are left out. findings: sentences to be shown above the picture.
+    Raises CocorosimError if there is nothing to show.
+    """
+    seen = {name: track for name, track in sorted(tracks.items()) if track.stamp_ns.size}
+    if not seen:
+        raise CocorosimError(f"{facts.name} has no poses, so there is nothing to look at.")
+    recording = _recording(seen, facts, list(findings))
+    speed = next((factor for factor in _SPEEDS[2:] if recording["seconds"] <= factor * _WATCHED_IN), _SPEEDS[-1])
+    folder = Path(__file__).parent
+    environment = Environment(loader=FileSystemLoader(folder), autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    template = environment.get_template(_TEMPLATE)
+    return template.render(recording=recording, speeds=_SPEEDS, speed=speed, trails=_TRAILS)
+
+
+def _recording(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, findings: list[str]) -> dict[str, Any]:
+    """What the page plays, ready for JSON; numbers that come in thousands are float32 in base64."""
+    low, high = extent(tracks, facts)
+    start = min(int(track.stamp_ns[0]) for track in tracks.values())
+    end = max(int(track.stamp_ns[-1]) for track in tracks.values())
+    colours = robot_colours(list(tracks))
+    clocks: list[str] = []
+    robots: list[dict[str, Any]] = []
+    thinned = 1
+    for name, track in tracks.items():
+        kept, step = every_nth(track.stamp_ns, max(2, MOST_POSES // len(tracks)))
+        thinned = max(thinned, step)
+        clock = _packed((track.stamp_ns[kept] - start) * 1e-9)
+        if clock not in clocks:
+            clocks.append(clock)
+        poses = _packed(np.column_stack([track.position, track.yaw])[kept])
+        gap = longest_interval(track.stamp_ns[kept]) * 1e-9
+        robots.append(
+            {"name": name, "colour": to_hex(colours[name]), "clock": clocks.index(clock), "gap": gap, "poses": poses}
+        )
+    if thinned > 1:
+        findings = [*findings, f"Of long tracks only every {thinned}th pose is shown."]
+    return {
+        "name": facts.name,
+        "seed": facts.seed,
+        "seconds": (end - start) * 1e-9,
+        "findings": findings,
+        "view": [low.tolist(), high.tolist()],
+        "tank": None if facts.low_corner is None else [facts.low_corner, facts.high_corner],
+        "spheres": facts.spheres,
+        "boxes": facts.boxes,
+        "clocks": clocks,
+        "robots": robots,
+    }
+
+
+def _packed(numbers: NDArray[np.floating]) -> str:
+    return base64.b64encode(numbers.astype("<f4").tobytes()).decode("ascii")

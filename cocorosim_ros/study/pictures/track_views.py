@@ -1,0 +1,126 @@
+"""Tracks seen from above and from the side.
+
+Whole tracks are thin and pale; their last part is strong, so that a long run is not a ball of wool. A ring
+marks where a robot started, a disc where it ended; from above an arrow shows its final heading.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
+from numpy.typing import NDArray
+
+from cocorosim_ros.study.pictures.decimation import every_nth, with_breaks
+from cocorosim_ros.study.pictures.facts import ScenarioFacts
+from cocorosim_ros.world.state.pose_track import PoseTrack
+
+MOST_POSES = 4000
+"""Poses per robot beyond which only every n-th is drawn."""
+
+_WATER, _WALL = "#eaf3f8", "#33566b"
+_TEN_COLOURS = 10
+_ARROW_SHARE = 0.055
+_MARGIN_SHARE = 0.025
+
+Extent = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+
+def robot_colours(names: list[str]) -> dict[str, tuple[float, float, float, float]]:
+    """One colour per robot: ten that differ strongly, or as many as needed along a rainbow."""
+    if len(names) <= _TEN_COLOURS:
+        palette = matplotlib.colormaps["tab10"]
+        return {name: palette(number) for number, name in enumerate(names)}
+    rainbow = matplotlib.colormaps["turbo"]
+    return {name: rainbow(0.04 + 0.92 * number / (len(names) - 1)) for number, name in enumerate(names)}
+
+
+def extent(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts) -> Extent:
+    """Lowest and highest corner (3,) of what is to be seen [m; world]: all poses, and the tank if known."""
+    points = [track.position[np.isfinite(track.position).all(axis=1)] for track in tracks.values()]
+    corners = [np.array([c]) for c in (facts.low_corner, facts.high_corner) if c is not None]
+    everything = np.concatenate([*points, *corners])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    # A swarm that does not move in some direction still needs an axis to be drawn on.
+    margin = np.full(3, _MARGIN_SHARE * np.max(high - low) + 1e-3)
+    return low - margin, high + margin
+
+
+def draw_from_above(
+    axes: Axes, tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, view: Extent, strong_from_ns: int
+) -> None:
+    """The x-y plane: walls, tracks, starts, ends and final headings."""
+    _prepare(axes, (0, 1), facts, view)
+    colours = robot_colours(list(tracks))
+    arrow = _ARROW_SHARE * float(view[1][0] - view[0][0])
+    for name, track in tracks.items():
+        _draw_track(axes, track, (0, 1), colours[name], strong_from_ns)
+        x, y = track.position[-1, 0], track.position[-1, 1]
+        tip = (x + arrow * np.cos(track.yaw[-1]), y + arrow * np.sin(track.yaw[-1]))
+        style = {
+            "arrowstyle": "-|>,head_length=0.45,head_width=0.22",
+            "color": colours[name],
+            "linewidth": 1.5,
+        }
+        axes.annotate("", xy=tip, xytext=(x, y), arrowprops=style | {"shrinkA": 0, "shrinkB": 0}, zorder=6)
+    axes.set_ylabel("y north [m]")
+    axes.set_title("From above", loc="left", fontweight="bold")
+
+
+def draw_from_the_side(
+    axes: Axes, tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, view: Extent, strong_from_ns: int
+) -> None:
+    """The x-z plane: surface, floor, tracks, starts and ends."""
+    _prepare(axes, (0, 2), facts, view)
+    colours = robot_colours(list(tracks))
+    for name, track in tracks.items():
+        _draw_track(axes, track, (0, 2), colours[name], strong_from_ns)
+    if facts.low_corner is not None and facts.high_corner is not None:
+        label: Any = {"textcoords": "offset points", "color": _WALL, "fontsize": 9, "zorder": 7}
+        corner = (facts.low_corner[0], facts.high_corner[2])
+        axes.annotate("surface", corner, (7, -5), va="top", **label)
+        axes.annotate("floor", (corner[0], facts.low_corner[2]), (7, 5), **label)
+    axes.set_xlabel("x east [m]")
+    axes.set_ylabel("z up [m]")
+    axes.set_title("From the side", loc="left", fontweight="bold")
+
+
+def _prepare(axes: Axes, plane: tuple[int, int], facts: ScenarioFacts, view: Extent) -> None:
+    across, up = plane
+    axes.set_aspect("equal", adjustable="box", anchor="W")
+    for spine in axes.spines.values():
+        spine.set_visible(facts.low_corner is None)
+    axes.set_xlim(view[0][across], view[1][across])
+    axes.set_ylim(view[0][up], view[1][up])
+    axes.grid(color="white", linewidth=0.8)
+    axes.set_axisbelow(True)
+    if facts.low_corner is None or facts.high_corner is None:
+        axes.set_facecolor(_WATER)
+        return
+    corner = (facts.low_corner[across], facts.low_corner[up])
+    width, height = facts.high_corner[across] - corner[0], facts.high_corner[up] - corner[1]
+    axes.add_patch(Rectangle(corner, width, height, facecolor=_WATER, edgecolor="none", zorder=0))
+    axes.add_patch(Rectangle(corner, width, height, facecolor="none", edgecolor=_WALL, linewidth=2, zorder=2))
+
+
+def _draw_track(
+    axes: Axes,
+    track: PoseTrack,
+    plane: tuple[int, int],
+    colour: tuple[float, float, float, float],
+    strong_from_ns: int,
+) -> None:
+    kept, _ = every_nth(track.stamp_ns, MOST_POSES)
+    across, up = with_breaks(track.stamp_ns[kept], track.position[kept][:, plane]).T
+    axes.plot(across, up, color=colour, linewidth=0.7, alpha=0.3, zorder=3)
+    late = track.stamp_ns >= strong_from_ns
+    if np.count_nonzero(late) > 1:
+        across, up = with_breaks(track.stamp_ns[late], track.position[late][:, plane]).T
+        axes.plot(across, up, color=colour, linewidth=1.8, alpha=0.95, zorder=4, solid_capstyle="round")
+    first, last = track.position[0, plane], track.position[-1, plane]
+    axes.plot(*first, marker="o", markersize=5.5, markerfacecolor="white", markeredgecolor=colour, zorder=5)
+    axes.plot(*last, marker="o", markersize=6, color=colour, markeredgecolor="black", zorder=7)

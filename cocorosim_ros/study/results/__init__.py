@@ -1,0 +1,1 @@
+"""Tables of results: effect sizes, sample sizes, box plots, a page to read."""

@@ -1,0 +1,1 @@
+"""What leaves and enters the process: messages as CDR bytes, topics, bags, other people's logs. Without ROS."""

@@ -1,0 +1,100 @@
+"""The poses in a recording, robot by robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.stamped_numbers import read_stamped_numbers
+from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
+from cocorosim_ros.world.state.pose_track import PoseTrack
+
+POSE = ROBOT_TOPICS["pose"]
+NUMBERS = 7  # x y z of the position, x y z w of the quaternion
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class RecordedTrack(PoseTrack):
+    """The poses of one robot by their header stamps, each stamp once, and what was left out.
+
+    The yaw is in [-pi, pi], NaN where the quaternion is zero.
+    """
+
+    frames: tuple[str, ...]  # frame_ids of the messages; ("world",) by the contract
+    duplicates: int  # dropped: same stamp, same pose
+    conflicts: int  # dropped: same stamp, another pose than the first one recorded
+    not_finite: int  # dropped: a NaN or infinity in the pose
+    unreadable: int  # dropped: not a PoseStamped
+
+    @property
+    def time(self) -> FloatArray:
+        """(n,) [s] since the first pose of this robot."""
+        return np.asarray((self.stamp_ns - self.stamp_ns[:1]) * 1e-9, dtype=np.float64)
+
+
+def read_poses(bag: Bag | Path | str) -> dict[str, RecordedTrack]:
+    """The track of every robot of a recording, by its namespace (lily_01, tank/lily_01), sorted.
+
+    Robots are the topics NAMESPACE/pose of type geometry_msgs/PoseStamped, at any depth of namespace.
+    """
+    opened = bag if isinstance(bag, Bag) else read_bag(bag)
+    topics = [
+        topic.topic
+        for topic in opened.summary.topics
+        if topic.type_name == POSE.type_name and split_topic(topic.topic)[1] == POSE.name
+    ]
+    recorded: dict[str, list[bytes]] = {topic: [] for topic in topics}
+    for message in opened.messages(topics):
+        if message.type_name == POSE.type_name:
+            recorded[message.topic].append(message.data)
+    return {split_topic(topic)[0]: pose_track(recorded[topic]) for topic in sorted(topics)}
+
+
+def pose_track(messages: Sequence[bytes]) -> RecordedTrack:
+    """The track in the CDR bytes of PoseStamped messages, in recorded order."""
+    read = read_stamped_numbers(messages, NUMBERS)
+    stamps, numbers, readable = read.stamp_ns, read.numbers, read.readable
+    finite = readable & np.isfinite(numbers).all(axis=1)
+    kept, duplicates, conflicts = first_of_each_stamp(stamps, numbers, np.flatnonzero(finite))
+    return RecordedTrack(
+        stamps[kept],
+        numbers[kept, :3],
+        yaw_of_quaternions(numbers[kept, 3:]),
+        read.frames,
+        duplicates,
+        conflicts,
+        int(np.count_nonzero(readable & ~finite)),
+        int(np.count_nonzero(~readable)),
+    )
+
+
+def first_of_each_stamp(
+    stamps: NDArray[np.int64], numbers: FloatArray, rows: NDArray[np.intp]
+) -> tuple[NDArray[np.intp], int, int]:
+    """Rows of the first recorded of each stamp, sorted; how many equal and unequal ones were dropped."""
+    rows = rows[np.argsort(stamps[rows], kind="stable")]
+    first = np.ones(len(rows), dtype=bool)
+    first[1:] = stamps[rows[1:]] != stamps[rows[:-1]]
+    leader = rows[first][np.cumsum(first) - 1] if len(rows) else rows
+    same = (numbers[rows] == numbers[leader]).all(axis=1)
+    return rows[first], int(np.count_nonzero(same & ~first)), int(np.count_nonzero(~same))
+
+
+def yaw_of_quaternions(quaternion: FloatArray) -> FloatArray:
+    """(n,) yaw [rad] of (n, 4) quaternions x y z w of any length; NaN for zero ones."""
+    x, y, z, w = quaternion.T
+    yaw = np.arctan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z)
+    return np.where((quaternion == 0).all(axis=1), np.nan, yaw)
+
+
+def decode_poses(messages: Sequence[bytes]) -> tuple[FloatArray, FloatArray]:
+    """Position (n, 3) [m; world] and yaw (n,) [rad] of n PoseStamped messages in their order; NaN where unreadable."""
+    numbers = read_stamped_numbers(messages, NUMBERS).numbers
+    return numbers[:, :3], yaw_of_quaternions(numbers[:, 3:])

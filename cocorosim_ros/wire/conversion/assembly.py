@@ -1,0 +1,171 @@
+"""From rows to the streams of robots: sorted out by robot, gaps kept, what is dropped is counted and said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
+from cocorosim_ros.wire.conversion.rows import Floats, Rows, Stamps, in_si
+from cocorosim_ros.wire.conversion.streams import StreamRows, heading_of_travel, stream_rows, travels
+
+COMMAND = "thruster_command"
+
+
+@dataclass(frozen=True)
+class Stream:
+    """The messages of one topic of one robot: (n,) stamps [ns] and their numbers."""
+
+    robot: str
+    topic: str
+    stamp_ns: Stamps
+    rows: StreamRows
+    travels: bool = False  # the heading is still to be taken from the track
+    sort: bool = False  # rows whose time runs backwards are sorted
+
+
+def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) -> Iterator[Stream]:
+    """The streams of every robot in the rows of one file or topic; `named` is what {robot} is in its name."""
+    stamps, timed = rows.stamps(table.time)
+    if not timed.all():
+        findings.append(f"{rows.origin}: {np.count_nonzero(~timed)} rows without a time were left out.")
+    robots = _robots(table.robot, rows, named)
+    for mapped in table.streams:
+        columns = {
+            name: in_si(value, rows) for name, value in mapped.values.items() if not isinstance(value, TravelValue)
+        }
+        usable = timed & np.isfinite(list(columns.values())).all(axis=0)
+        for robot, mine in robots.items():
+            place = f"{robot}/{mapped.topic} from {rows.origin}"
+            dropped = np.count_nonzero(mine & timed & ~usable)
+            if dropped:
+                findings.append(f"{place}: {dropped} rows with missing or infinite numbers were left out.")
+            chosen = mine & usable
+            if not chosen.any():
+                findings.append(f"{place}: no usable row, so there is no such topic.")
+                continue
+            kept = {name: column[chosen] for name, column in columns.items()}
+            content = _content(mapped, kept, place, findings)
+            yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort)
+
+
+def joined(parts: list[Stream], findings: list[str]) -> Stream:
+    """One stream from the parts of one topic of one robot: pieces of a log, or actuators logged apart.
+
+    Raises CocorosimError if time runs backwards and is not to be sorted, or the parts do not fit together.
+    """
+    ordered = [_in_order(part, findings) for part in _pieces(parts)]
+    stream = ordered[0] if len(ordered) == 1 else _held_together(ordered, findings)
+    repeated = np.count_nonzero(np.diff(stream.stamp_ns) == 0)
+    if repeated:
+        findings.append(f"{_name(stream)}: {repeated} messages repeat the stamp before them and were kept.")
+    return _with_heading(stream) if stream.travels else stream
+
+
+def _robots(mapped: RobotMap, rows: Rows, named: str) -> dict[str, NDArray[np.bool_]]:
+    """(n,) which rows are whose, by the robots' names."""
+    everything = np.ones(rows.count, dtype=bool)
+    if mapped.column is None:
+        name = mapped.name + _tidy(named, mapped.digits)
+        return {_checked_name(name, rows.origin): everything}
+    words = np.array([_tidy(word, mapped.digits) for word in rows.words(mapped.column)])
+    names = sorted(set(words.tolist()) - {"", "nan"})
+    return {_checked_name(mapped.name + name, rows.origin): words == name for name in names}
+
+
+def _tidy(word: str, digits: int) -> str:
+    """7.0 and 7 are the same robot, and 007 with three digits."""
+    try:
+        number = Fraction(word)
+    except (ValueError, ZeroDivisionError):
+        return word
+    return str(number.numerator).zfill(digits) if number.denominator == 1 else word
+
+
+def _checked_name(name: str, origin: str) -> str:
+    if not name.replace("_", "a").isalnum() or not name.isascii() or not name[0].isalpha():
+        raise CocorosimError(f"{origin} has a robot '{name}', no name for ROS; use a prefix and letters, digits and _.")
+    return name
+
+
+def _content(mapped: StreamMap, columns: Mapping[str, Floats], place: str, findings: list[str]) -> StreamRows:
+    if mapped.topic != COMMAND:
+        return stream_rows(mapped.topic, columns, north_east_down=mapped.north_east_down)
+    values = np.column_stack(list(columns.values()))
+    beyond = np.count_nonzero((np.abs(values) > 1.0).any(axis=1))
+    if beyond:
+        limits = [value.place.key for value in mapped.values.values() if isinstance(value, CommandValue)]
+        findings.append(f"{place}: {beyond} commands beyond -1..1 were cut to it; check the limits at '{limits[0]}'.")
+    return _command_rows(tuple(columns), np.clip(values, -1.0, 1.0))
+
+
+def _command_rows(names: tuple[str, ...], values: Floats) -> StreamRows:
+    extra = {"name": list(names), "command": [0.0] * len(names)}
+    return StreamRows(tuple(f"command[{name}]" for name in names), values, extra)
+
+
+def _pieces(parts: list[Stream]) -> list[Stream]:
+    """Parts with the same fields put behind each other."""
+    by_fields: dict[tuple[str, ...], list[Stream]] = {}
+    for part in parts:
+        by_fields.setdefault(part.rows.fields, []).append(part)
+    return [_behind_each_other(same) if len(same) > 1 else same[0] for same in by_fields.values()]
+
+
+def _behind_each_other(parts: list[Stream]) -> Stream:
+    first = parts[0]
+    values = np.vstack([part.rows.values for part in parts])
+    stamps = np.concatenate([part.stamp_ns for part in parts])
+    return replace(first, stamp_ns=stamps, rows=replace(first.rows, values=values), sort=all(p.sort for p in parts))
+
+
+def _in_order(stream: Stream, findings: list[str]) -> Stream:
+    back = np.flatnonzero(np.diff(stream.stamp_ns) < 0)
+    if not back.size:
+        return stream
+    after = (stream.stamp_ns[back[0]] - stream.stamp_ns[0]) / 1e9
+    by = (stream.stamp_ns[back[0]] - stream.stamp_ns[back[0] + 1]) / 1e9
+    found = f"{_name(stream)}: time runs backwards at {back.size} places, first by {by:.6g} s, {after:.6g} s after "
+    if not stream.sort:
+        raise CocorosimError(f"{found}its first row; correct the log, or write 'backwards: sort' into its table.")
+    findings.append(f"{found}its first row; the rows were sorted.")
+    order = np.argsort(stream.stamp_ns, kind="stable")
+    rows = replace(stream.rows, values=stream.rows.values[order])
+    return replace(stream, stamp_ns=stream.stamp_ns[order], rows=rows)
+
+
+def _held_together(parts: list[Stream], findings: list[str]) -> Stream:
+    """Commands of actuators that were logged apart: at every change all of them, each as it last was."""
+    first = parts[0]
+    names = [name for part in parts for name in part.rows.extra.get("name", [])]
+    if first.topic != COMMAND or len(set(names)) < len(names):
+        raise CocorosimError(
+            f"{_name(first)} is given by several tables with different numbers; give it by one of them only."
+        )
+    stamps = np.unique(np.concatenate([part.stamp_ns for part in parts]))
+    latest = [np.searchsorted(part.stamp_ns, stamps, side="right") - 1 for part in parts]
+    known = np.min(latest, axis=0) >= 0
+    if not known.any():
+        raise CocorosimError(f"{_name(first)}: {', '.join(names)} are never known together; check the times.")
+    if not known.all():
+        early = np.count_nonzero(~known)
+        findings.append(f"{_name(first)}: {early} moments before all actuators are known were left out.")
+    values = np.hstack([part.rows.values[rows[known]] for part, rows in zip(parts, latest, strict=True)])
+    return replace(first, stamp_ns=stamps[known], rows=_command_rows(tuple(names), values))
+
+
+def _with_heading(stream: Stream) -> Stream:
+    yaw = heading_of_travel(stream.rows.values[:, :3])
+    values = stream.rows.values.copy()
+    values[:, 3:] = 0.0
+    values[:, 5], values[:, 6] = np.sin(yaw / 2), np.cos(yaw / 2)
+    return replace(stream, rows=replace(stream.rows, values=values))
+
+
+def _name(stream: Stream) -> str:
+    return f"{stream.robot}/{stream.topic}"

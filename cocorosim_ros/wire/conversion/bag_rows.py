@@ -1,0 +1,139 @@
+"""The messages of one topic of a bag, of any type whose text the bag holds, as rows of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from rosbags.serde import SerdeError
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from rosbags.typesys.base import TypesysError
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.bags.bag_reader import Bag
+from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
+from cocorosim_ros.wire.cdr import field_paths, stamps, type_store
+from cocorosim_ros.wire.conversion.conversion_map import TimeMap
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Floats, Stamps
+
+
+class BagRows:
+    """The messages of one topic in recorded order. Unreadable ones are left out, and `unreadable` counts them."""
+
+    def __init__(self, bag: Bag, topic: str, place: Entry) -> None:
+        """Raises CocorosimError if the bag has no such topic, or nothing of it can be read."""
+        recorded = next((entry for entry in bag.summary.topics if entry.topic == topic and entry.count), None)
+        if recorded is None:
+            known = [entry.topic for entry in bag.summary.topics if entry.count]
+            raise place.problem(f"names {topic}, which has no message in {bag.path.name}{nearest(topic, known)}.")
+        self.origin = f"{topic} of {bag.path.name}"
+        self._type = recorded.type_name
+        self._schema = recorded.schema
+        store = _store_for(recorded)
+        self._messages: list[Any] = []
+        self._data: list[bytes] = []
+        self._logged: list[int] = []
+        self.unreadable = 0
+        for message in bag.messages([topic]):
+            try:
+                decoded = store.deserialize_cdr(message.data, self._type)
+            except (SerdeError, IndexError, OverflowError, MemoryError, ValueError):
+                self.unreadable += 1
+                continue
+            self._messages.append(decoded)
+            self._data.append(message.data)
+            self._logged.append(message.log_time_ns)
+        self.count = len(self._messages)
+        if not self._messages:
+            raise CocorosimError(f"No message of {self.origin} is a {self._type}; record it again or leave it out.")
+
+    def numbers(self, column: Entry) -> Floats:
+        """(n,) the field at a path; NaN where a message lacks that element of a list."""
+        try:
+            return np.array([float(value) for value in self._fields(column)], dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise column.problem(f"has {column.found()}, which is no number in {self.origin}; name another.") from error
+
+    def words(self, column: Entry) -> list[str]:
+        """The field at a path, as text; 'nan' where a message lacks that element of a list."""
+        return [str(value) for value in self._fields(column)]
+
+    def stamps(self, when: TimeMap) -> tuple[Stamps, NDArray[np.bool_]]:
+        """(n,) times [ns]: at a path, or of the header, or when recorded if the type has no header."""
+        if when.stamp is not None:
+            found = [_nanoseconds(value) for value in self._fields(when.stamp)]
+            if all(time is None for time in found):
+                raise when.stamp.problem(f"has {when.stamp.found()}, which is no time in {self.origin}.")
+        elif when.log_time:
+            found = list(self._logged)
+        else:
+            headed = [stamps.stamp_ns(self._type, data, self._schema) for data in self._data]
+            found = [log if time is None else time for time, log in zip(headed, self._logged, strict=True)]
+        shifted = [0 if time is None else time + when.start_ns for time in found]
+        if min(shifted) < 0 or max(shifted) > LATEST_NS:
+            raise CocorosimError(f"{self.origin} has times before 0 s; add 'start' to its 'time' in the map.")
+        return np.array(shifted, dtype=np.int64), np.array([time is not None for time in found])
+
+    def _fields(self, column: Entry) -> list[Any]:
+        try:
+            path = field_paths.steps(str(column.value))
+            return [_at(message, path) for message in self._messages]
+        except ValueError as error:
+            raise column.problem(f"has {column.found()}, which is no path like pose.position.x.") from error
+        except AttributeError as error:
+            known = sorted(_number_paths(self._messages[0]))
+            raise column.problem(
+                f"has {column.found()}, no field of {self.origin} ({self._type}){nearest(str(column.value), known)}."
+            ) from error
+        except TypeError as error:
+            raise column.problem(f"has {column.found()}, which leads to no single value in {self._type}.") from error
+
+
+def _at(message: Any, path: Sequence[field_paths.Step]) -> Any:
+    """The value at a path; NaN where the message lacks that element. Raises TypeError for a list or a message."""
+    for field, element in path:
+        owner, message = message, getattr(message, field)
+        if element is not None:
+            index = field_paths.position(owner, field, element)
+            if index is None:
+                return float("nan")
+            message = message[index]
+    if isinstance(message, (list, np.ndarray)):
+        raise TypeError("a list")
+    if hasattr(message, "__msgtype__") and not hasattr(message, "nanosec"):
+        raise TypeError("a message")
+    return message
+
+
+def _nanoseconds(value: Any) -> int | None:
+    return value.sec * stamps.NANOSECONDS + value.nanosec if hasattr(value, "nanosec") else None
+
+
+def _number_paths(message: Any, before: str = "") -> list[str]:
+    """The paths of all single numbers in a message, lists left out."""
+    found: list[str] = []
+    for field, value in vars(message).items():
+        path = f"{before}.{field}" if before else field
+        if hasattr(value, "__msgtype__"):
+            found += _number_paths(value, path)
+        elif isinstance(value, (int, float, bool)) and field not in ("sec", "nanosec") and field != "__msgtype__":
+            found.append(path)
+    return found
+
+
+def _store_for(recorded: RecordedTopic) -> Any:
+    """A store that knows the topic's type, from the text in the bag where Jazzy does not have it."""
+    if type_store.is_known(recorded.type_name):
+        return type_store.type_store()
+    store = get_typestore(Stores.ROS2_JAZZY)
+    try:
+        found = get_types_from_msg(recorded.schema, recorded.type_name)
+        store.register({name: fields for name, fields in found.items() if name not in store.fielddefs})
+    except (TypesysError, ValueError) as error:
+        raise CocorosimError(
+            f"{recorded.topic} has the type {recorded.type_name}, whose text in the bag cannot be read; leave it out."
+        ) from error
+    return store

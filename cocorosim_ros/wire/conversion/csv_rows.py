@@ -1,0 +1,130 @@
+"""The rows of a CSV file: cells as text, numbers and exact times from them."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Floats, Stamps, exact_nanoseconds
+
+
+class CsvRows:
+    """One CSV file in memory. Rows that end early have empty cells at their end, and `short` counts them."""
+
+    def __init__(self, path: Path, origin: str, layout: CsvLayout) -> None:
+        """Raises CocorosimError if the file is unreadable, not UTF-8 or holds no row."""
+        self.origin = origin
+        self._layout = layout
+        lines = _lines(path, origin, layout)
+        self._header = [name.strip() for name in next(lines, (0, []))[1]] if layout.header else []
+        found = list(lines)
+        self._line = [number for number, _ in found]
+        self._cells = [cells for _, cells in found]
+        self.count = len(found)
+        if not found:
+            raise CocorosimError(f"{origin} holds no row of numbers; give a file that has some.")
+        self._width = len(self._header) or max(len(cells) for cells in self._cells)
+        self.short = sum(len(cells) < self._width for cells in self._cells)
+
+    def words(self, column: Entry) -> list[str]:
+        """The cells of a column as they stand there, empty where a row ends before it."""
+        index = self._index(column)
+        return [cells[index].strip() if index < len(cells) else "" for cells in self._cells]
+
+    def numbers(self, column: Entry) -> Floats:
+        """(n,) the cells of a column; NaN where one is missing. Raises CocorosimError for words."""
+        texts = self.words(column)
+        if self._layout.decimal == ",":
+            texts = [text.replace(",", ".") for text in texts]
+        try:
+            return np.array([float(text) for text in texts])
+        except ValueError:
+            return np.array([self._number(row, text, column) for row, text in enumerate(texts)])
+
+    def stamps(self, when: TimeMap) -> tuple[Stamps, NDArray[np.bool_]]:
+        """(n,) times [ns] and whether each is known; a row whose time is missing has none."""
+        if when.step_ns is not None and when.counter is None:
+            times = [round(row * when.step_ns) for row in range(self.count)]
+            return self._checked(times, when, np.ones(self.count, dtype=bool))
+        parts = ((when.counter, when.step_ns),) if when.counter is not None and when.step_ns else when.columns
+        total = [0] * self.count
+        known = np.ones(self.count, dtype=bool)
+        for column, per_unit in parts:
+            for row, text in enumerate(self.words(column)):
+                if text.lower() in self._layout.missing:
+                    known[row] = False
+                    continue
+                try:
+                    total[row] += exact_nanoseconds(text.replace(self._layout.decimal, "."), per_unit)
+                except ArithmeticError as error:
+                    raise self._no_number(row, text, column) from error
+        return self._checked(total, when, known)
+
+    def _checked(self, times: list[int], when: TimeMap, known: NDArray[np.bool_]) -> tuple[Stamps, NDArray[np.bool_]]:
+        shifted = [time + when.start_ns for time in times]
+        for row, time in enumerate(shifted):
+            if not 0 <= time <= LATEST_NS:
+                raise CocorosimError(
+                    f"{self.origin} line {self._line[row]} has the time {time / 1e9:g} s, and a recording begins at 0 "
+                    "s; add 'start' to 'time', or correct its unit."
+                )
+        return np.array(shifted, dtype=np.int64), known
+
+    def _index(self, column: Entry) -> int:
+        """Where a column stands, from 0."""
+        if isinstance(column.value, int):
+            if column.value > self._width:
+                raise column.problem(f"has {column.found()}, and {self.origin} has only {self._width} columns.")
+            return column.value - 1
+        if not self._header:
+            raise column.problem(f"has {column.found()}, and {self.origin} has no header; give the column's number.")
+        places = [index for index, name in enumerate(self._header) if name == column.value]
+        if not places:
+            known = nearest(column.value, self._header)
+            raise column.problem(f"has {column.found()}, no column of {self.origin}{known}.")
+        if len(places) > 1:
+            raise column.problem(f"has {column.found()}, the name of several columns of {self.origin}; give a number.")
+        return places[0]
+
+    def _number(self, row: int, text: str, column: Entry) -> float:
+        if text.lower() in self._layout.missing:
+            return float("nan")
+        try:
+            return float(text)
+        except ValueError as error:
+            raise self._no_number(row, text, column) from error
+
+    def _no_number(self, row: int, text: str, column: Entry) -> CocorosimError:
+        return CocorosimError(
+            f"{self.origin} line {self._line[row]}, column '{column.value}' has '{text[:40]}', which is no number; "
+            "correct it, or add it to 'missing' in the map's layout."
+        )
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    return line.split() if separator == " " else next(csv.reader([line.rstrip("\r\n")], delimiter=separator))
+
+
+def _lines(path: Path, origin: str, layout: CsvLayout) -> Iterator[tuple[int, list[str]]]:
+    """Line number and cells of every line that is neither empty nor a comment."""
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            numbered = enumerate(file, start=1)
+            for number, line in numbered:
+                bare = line.strip()
+                if number <= layout.skip or not bare or (layout.comment and bare.startswith(layout.comment)):
+                    continue
+                yield number, _cells(line, layout.separator)
+    except UnicodeDecodeError as error:
+        raise CocorosimError(f"{origin} is not UTF-8 text; save it as UTF-8.") from error
+    except csv.Error as error:
+        raise CocorosimError(f"{origin} line {number} is not CSV: {error}; correct it.") from error
+    except OSError as error:
+        raise CocorosimError(f"{origin} cannot be read: {error.strerror}; check its name and permissions.") from error

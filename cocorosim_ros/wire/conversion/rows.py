@@ -1,0 +1,84 @@
+"""Rows of numbers as a file or a topic delivers them, and what becomes of their cells and times."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.wire.conversion.conversion_map import ColumnValue, CommandValue, FixedValue, TimeMap, Value
+
+Floats = NDArray[np.float64]
+Stamps = NDArray[np.int64]
+
+LATEST_NS = 2**63 - 1
+
+
+class Rows(Protocol):
+    """The rows of one file, or the messages of one topic."""
+
+    origin: str
+    count: int
+
+    def numbers(self, column: Entry) -> Floats:
+        """(n,) the cells of a column; NaN where there is no number. Raises CocorosimError for words."""
+
+    def words(self, column: Entry) -> list[str]:
+        """The cells of a column as they stand there."""
+
+    def stamps(self, when: TimeMap) -> tuple[Stamps, NDArray[np.bool_]]:
+        """(n,) times [ns] and whether each is known."""
+
+
+def in_si(value: Value, rows: Rows) -> Floats:
+    """(n,) a number of the map for every row [SI]; NaN where its cell holds none."""
+    if isinstance(value, FixedValue):
+        return np.full(rows.count, value.value)
+    if isinstance(value, CommandValue):
+        return _fraction(value, rows)
+    if isinstance(value, ColumnValue):
+        cells = rows.numbers(value.column)
+        scaled = cells if value.scale == 1.0 else cells * value.scale
+        return times_factor(scaled, value.unit_factor) + value.offset
+    raise TypeError(f"{value} does not stand in a column")
+
+
+def times_factor(numbers: Floats, factor: str) -> Floats:
+    """The numbers in SI; where a unit is a whole part of the SI unit, the nearest double: 57 cm are 0.57 m."""
+    parts = 1 / Fraction(factor)
+    if parts.denominator == 1 and parts > 1:
+        return numbers / float(parts)
+    return numbers * float(factor) if factor != "1" else numbers
+
+
+def _fraction(value: CommandValue, rows: Rows) -> Floats:
+    """(n,) the command as a fraction of the maximum; a dead zone about stop stays in it."""
+    cells = in_si(value.column, rows)
+    ahead = (cells - value.stop) / (value.forward - value.stop)
+    if value.reverse is None:
+        astern = ahead < 0
+        if astern.any():
+            found = cells[np.argmax(astern)]
+            raise value.place.problem(
+                f"finds {found:g} [SI] in {rows.origin}, beyond 'stop' and away from 'forward', but gives no "
+                "'reverse'; add it, or correct 'stop'."
+            )
+        return ahead
+    return np.where(ahead < 0, -(cells - value.stop) / (value.reverse - value.stop), ahead)
+
+
+def exact_nanoseconds(text: str, per_unit: Fraction) -> int:
+    """A decimal number of units as whole nanoseconds, rounded; no digit of a long stamp is lost.
+
+    Raises ArithmeticError if the text is no finite number.
+    """
+    if per_unit.denominator == 1 and text.isdecimal():
+        return int(text) * per_unit.numerator
+    number = Decimal(text)
+    if not number.is_finite():
+        raise ArithmeticError(text)
+    return round(Fraction(number) * per_unit)

@@ -1,0 +1,110 @@
+"""Which files belong to which run and to which table of the map."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import listed
+from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
+
+
+@dataclass(frozen=True)
+class SourceFile:
+    """One file for one table of the map."""
+
+    path: Path
+    origin: str  # its place below the source's folder, as sentences and the recording show it
+    robot: str  # what {robot} stands for in its name, '' without it
+
+
+@dataclass(frozen=True)
+class Run:
+    """The files of one recording: for each table of the map, in its order."""
+
+    name: str  # what {run} stands for, '' where patterns have none
+    files: tuple[tuple[SourceFile, ...], ...]
+
+
+def find_runs(mapped: ConversionMap, source: Path) -> list[Run]:
+    """The runs in a folder, or the one that a file belongs to, sorted by name.
+
+    Raises CocorosimError: nothing there, no file fits, or the file fits none of the map's patterns.
+    """
+    if not source.exists():
+        raise CocorosimError(f"{source} does not exist; give a file or a folder.")
+    if source.is_dir():
+        return _runs(mapped, source, None)
+    for table in mapped.tables:
+        folder = source.absolute().parents[table.source.count("/")]
+        match = _pattern(table).fullmatch(source.absolute().relative_to(folder).as_posix())
+        if match is not None and (run := match.groupdict().get("run", "")) is not None and fnmatchcase(run, table.runs):
+            found = _runs(mapped, folder, run)
+            if "run" in match.groupdict():
+                return found
+            return [_with_this_alone(found[0], mapped.tables.index(table), source)]
+    patterns = listed(f"'{table.source}'" for table in mapped.tables)
+    raise CocorosimError(f"{source.name} fits no 'files' of {mapped.file}: {patterns}; give a file that does.")
+
+
+def sha256_of(path: Path) -> str:
+    """The sha256 of a file, in hexadecimal digits."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _runs(mapped: ConversionMap, folder: Path, wanted: str | None) -> list[Run]:
+    entries = sorted(path for path in _walk(folder, mapped.tables) if path.is_file())
+    by_table: list[dict[str, list[SourceFile]]] = []
+    for table in mapped.tables:
+        pattern = _pattern(table)
+        found: dict[str, list[SourceFile]] = {}
+        for path in entries:
+            origin = path.relative_to(folder).as_posix()
+            match = pattern.fullmatch(origin)
+            if match is not None:
+                parts = match.groupdict()
+                run = parts.get("run") or ""
+                if not run or fnmatchcase(run, table.runs):
+                    found.setdefault(run, []).append(SourceFile(path, origin, parts.get("robot") or ""))
+        by_table.append(found)
+    names = sorted({run for found in by_table for run in found if run}) or [""]
+    chosen = [name for name in names if wanted in (None, "", name)]
+    runs = [Run(name, tuple(_files_of(found, name) for found in by_table)) for name in chosen]
+    if not any(files for run in runs for files in run.files):
+        patterns = listed(f"'{table.source}'" for table in mapped.tables)
+        raise CocorosimError(f"{folder} holds no file like {patterns}; give the folder that does, or correct 'files'.")
+    return runs
+
+
+def _files_of(found: dict[str, list[SourceFile]], run: str) -> tuple[SourceFile, ...]:
+    """The files of a run; those without a run in their name belong to every one."""
+    return tuple([*found.get(run, []), *(found.get("", []) if run else [])])
+
+
+def _walk(folder: Path, tables: Iterable[TableMap]) -> Iterable[Path]:
+    depths = {table.source.count("/") for table in tables}
+    for depth in sorted(depths):
+        yield from folder.glob("/".join(["*"] * (depth + 1)))
+
+
+def _pattern(table: TableMap) -> re.Pattern[str]:
+    """The pattern of file names: * is anything, {run} and {robot} are anything that is remembered."""
+    text = re.escape(table.source).replace(r"\*", "[^/]*")
+    for word in ("run", "robot"):
+        first, *others = text.split(re.escape(f"{{{word}}}"))
+        if len(others) > 1:
+            raise table.place.problem(f"has {{{word}}} twice in 'files'; write it once.")
+        text = first + "".join(f"(?P<{word}>[^/]+?){rest}" for rest in others)
+    return re.compile(text)
+
+
+def _with_this_alone(run: Run, index: int, source: Path) -> Run:
+    """The run with no other file for that table than the one that was named."""
+    mine = tuple(file for file in run.files[index] if file.path.absolute() == source.absolute())
+    return Run(run.name, (*run.files[:index], mine, *run.files[index + 1 :]))

@@ -1,0 +1,176 @@
+"""The numbers of each topic that a map may give, and how the fields of its messages follow from them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.wire.conversion import axes
+from cocorosim_ros.wire.conversion.conversion_map import TravelValue, Value
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
+
+Floats = NDArray[np.float64]
+Columns = Mapping[str, Floats]
+
+_QUATERNION = ("qx", "qy", "qz", "qw")
+_RATES = ("rate_x", "rate_y", "rate_z")
+_FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
+_ABSENT = np.array([-1.0, 0, 0, 0, 0, 0, 0, 0, 0])  # sensor_msgs/Imu: this is not measured
+
+# The numbers of each topic with their dimensions; positions in world, rates and accelerations in body axes.
+NUMBERS: dict[str, dict[str, str]] = {
+    "pose": {
+        **dict.fromkeys(("x", "y", "z", "depth"), "length"),
+        **dict.fromkeys(("roll", "pitch", "yaw"), "angle"),
+        **dict.fromkeys(_QUATERNION, "pure number"),
+    },
+    "compass": {"heading": "angle"},
+    "pressure": {"pressure": "pressure", "depth": "length"},
+    "imu": {**dict.fromkeys(_RATES, "angular velocity"), **dict.fromkeys(_FORCES, "acceleration")},
+    "velocity": {**dict.fromkeys(("x", "y", "z"), "speed"), "yaw_rate": "angular velocity"},
+}
+
+
+@dataclass(frozen=True)
+class StreamRows:
+    """The numbers of messages of one topic: (n, f) `values` of the message's `fields`, `extra` for its template."""
+
+    fields: tuple[str, ...]
+    values: Floats
+    extra: Mapping[str, Any]
+
+
+def check_stream(topic: str, given: Mapping[str, Value], place: Entry) -> None:
+    """Nothing, if the numbers given suffice for a message and do not contradict each other."""
+    problem = _CHECKS[topic](set(given))
+    if problem:
+        raise place.problem(problem)
+
+
+def stream_rows(topic: str, columns: Columns, *, north_east_down: bool) -> StreamRows:
+    """The fields of a topic's messages from (n,) SI numbers by name."""
+    return _BUILDERS[topic](columns, north_east_down)
+
+
+def travels(given: Mapping[str, Value]) -> bool:
+    """Whether the heading is to follow from the track."""
+    return isinstance(given.get("yaw"), TravelValue)
+
+
+def heading_of_travel(position: Floats) -> Floats:
+    """(n,) direction from each of (n, 3) places in order to the next other one, the last one's from before [rad]."""
+    step = np.diff(position[:, :2], axis=0)
+    moves = np.flatnonzero((step != 0).any(axis=1))
+    if not moves.size:
+        return np.zeros(len(position))
+    direction = np.arctan2(step[moves, 1], step[moves, 0])
+    following = np.minimum(np.searchsorted(moves, np.arange(len(position))), moves.size - 1)
+    return np.asarray(direction[following])
+
+
+def _check_pose(given: set[str]) -> str:
+    if not {"x", "y"} <= given:
+        return "lacks 'x' or 'y'; without both there is no pose: give depth as 'pressure' and yaw as 'compass'."
+    if len({"z", "depth"} & given) != 1:
+        return "needs either 'z' or 'depth'; a vehicle that stays at the surface has 'z: {fixed: 0 m}'."
+    turned = set(_QUATERNION) & given
+    if turned and (turned != set(_QUATERNION) or {"roll", "pitch", "yaw"} & given):
+        return "needs all of 'qx', 'qy', 'qz', 'qw' and then no 'yaw', or 'yaw' alone."
+    return "" if turned or "yaw" in given else "lacks 'yaw' or a quaternion; unknown headings are '{travel: true}'."
+
+
+def _check_one(*names: str) -> Callable[[set[str]], str]:
+    told = " or ".join(f"'{name}'" for name in names)
+    return lambda given: "" if len(given) == 1 else f"needs {'either ' if len(names) > 1 else ''}{told}."
+
+
+def _check_any(given: set[str]) -> str:
+    return "" if given else "names no column, so there is nothing to convert."
+
+
+_CHECKS: dict[str, Callable[[set[str]], str]] = {
+    "pose": _check_pose,
+    "compass": _check_one("heading"),
+    "pressure": _check_one("pressure", "depth"),
+    "imu": _check_any,
+    "velocity": _check_any,
+}
+
+
+def _count(columns: Columns) -> int:
+    return len(next(iter(columns.values())))
+
+
+def _three(columns: Columns, names: tuple[str, ...]) -> Floats:
+    """(n, 3) the columns of these names, NaN where there is none."""
+    blank = np.full(_count(columns), np.nan)
+    return np.column_stack([columns.get(name, blank) for name in names])
+
+
+def _pose(columns: Columns, down: bool) -> StreamRows:
+    level = np.zeros(_count(columns))
+    height = columns.get("z", level)
+    if "depth" in columns:
+        height = columns["depth"] if down else 0.0 - columns["depth"]
+    position = np.column_stack([columns["x"], columns["y"], height])
+    if "qx" in columns:
+        attitude = np.column_stack([columns[name] for name in _QUATERNION])
+    else:
+        turns = (columns.get(name, level) for name in ("roll", "pitch", "yaw"))
+        attitude = axes.quaternion(*turns)
+    if down:
+        position, attitude = axes.world_from_ned(position), axes.attitude_from_ned(attitude)
+    fields = [f"pose.position.{axis}" for axis in "xyz"] + [f"pose.orientation.{axis}" for axis in "xyzw"]
+    return StreamRows(tuple(fields), np.hstack([position, attitude]), {})
+
+
+def _compass(columns: Columns, down: bool) -> StreamRows:
+    heading = axes.heading_from_ned(columns["heading"]) if down else columns["heading"]
+    return StreamRows(("heading",), axes.wrap(heading)[:, None], {})
+
+
+def _pressure(columns: Columns, down: bool) -> StreamRows:
+    if "pressure" in columns:
+        values = columns["pressure"]
+    else:
+        values = SURFACE_PRESSURE + PASCAL_PER_METRE * columns["depth"]
+    return StreamRows(("fluid_pressure",), values[:, None], {})
+
+
+def _imu(columns: Columns, down: bool) -> StreamRows:
+    extra: dict[str, Any] = {"orientation_covariance": _ABSENT, "orientation": {"w": 1.0}}
+    fields: list[str] = []
+    parts: list[Floats] = []
+    for names, message, part in (
+        (_RATES, "angular_velocity", "angular_velocity_covariance"),
+        (_FORCES, "linear_acceleration", "linear_acceleration_covariance"),
+    ):
+        if any(name in columns for name in names):
+            vector = _three(columns, names)
+            fields += [f"{message}.{axis}" for axis in "xyz"]
+            parts.append(axes.body_from_frd(vector) if down else vector)
+        else:
+            extra[part] = _ABSENT
+    return StreamRows(tuple(fields), np.hstack(parts), extra)
+
+
+def _velocity(columns: Columns, down: bool) -> StreamRows:
+    linear, turning = _three(columns, ("x", "y", "z")), _three(columns, ("yaw_rate",))
+    if down:
+        linear, turning = axes.body_from_frd(linear), -turning
+    fields = [f"twist.linear.{axis}" for axis in "xyz"]
+    return StreamRows((*fields, "twist.angular.z"), np.hstack([linear, turning]), {})
+
+
+_BUILDERS: dict[str, Callable[[Columns, bool], StreamRows]] = {
+    "pose": _pose,
+    "compass": _compass,
+    "pressure": _pressure,
+    "imu": _imu,
+    "velocity": _velocity,
+}

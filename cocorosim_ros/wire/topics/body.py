@@ -1,0 +1,59 @@
+"""What the messages of one robot must say beside the numbers, and which topics it has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
+from cocorosim_ros.scenario.scenario import RobotDescription
+from cocorosim_ros.world.controllers import CONTROLLERS
+from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+
+
+@dataclass(frozen=True)
+class BodyDescription:
+    """One robot as its topics show it."""
+
+    name: str
+    sensors: tuple[BlueLightSensor, ...]
+    actuators: tuple[str, ...]
+    topics: tuple[str, ...]  # published by the body: its instruments and what it hears
+    speaks: bool  # its controller owes a message to others at every tick
+    talk: str = ""  # the topic on which its controller may speak, '' for none
+
+    @property
+    def frame(self) -> str:
+        """REP 105 name of the body frame."""
+        return f"{self.name}/base_link"
+
+    @property
+    def answers(self) -> tuple[str, ...]:
+        """The topics that its controller publishes."""
+        return ("thruster_command", self.talk) if self.speaks else ("thruster_command",)
+
+
+def describe_body(robot: RobotDescription) -> BodyDescription:
+    """The body of a scenario's robot. An external controller owes no messages, though it may send some."""
+    controller = CONTROLLERS[robot.controller.behaviour]
+    sensors = robot.platform.sensors
+    present = {
+        "compass": sensors.compass,
+        "pressure": sensors.pressure,
+        "imu": sensors.imu,
+        "blss": bool(sensors.blss),
+        "velocity": sensors.velocity,
+        "radio_rx": sensors.radio_range > 0.0,
+    }
+    extra = [name for name in EXTRA_TOPICS if name in controller.needs]
+    if controller.medium == "blue_light":
+        talk = "blue_light_tx" if sensors.blss else ""
+    else:
+        talk = "radio_tx" if present["radio_rx"] else ""
+    return BodyDescription(
+        name=robot.name,
+        sensors=sensors.blss,
+        actuators=robot.platform.actuator_names,
+        topics=(*(name for name, there in present.items() if there), *extra),
+        speaks=controller.payload_length > 0 and bool(talk) and not robot.external,
+        talk=talk,
+    )

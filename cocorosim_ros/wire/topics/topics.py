@@ -1,0 +1,83 @@
+"""The topics of the contract, in one table: name, type, publisher, quality of service."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from cocorosim_ros.wire.cdr.stamps import stamp_ns
+from cocorosim_ros.wire.topics.service_quality import CLOCK, STREAM, TRANSFORMS, ServiceQuality
+
+__all__ = ["GLOBAL_TOPICS", "ROBOT_TOPICS", "TOPICS", "Topic", "robot_topic", "split_topic", "stamp_ns"]
+
+
+@dataclass(frozen=True)
+class Topic:
+    """One row of the table."""
+
+    name: str  # relative to the robot's namespace, or absolute with a leading slash
+    type_name: str
+    publisher: str  # who publishes it, in words
+    quality: ServiceQuality
+    optional: bool
+    meaning: str
+
+    @property
+    def per_robot(self) -> bool:
+        """Whether every robot has this topic under its own namespace."""
+        return not self.name.startswith("/")
+
+
+_ROBOT = [
+    Topic("pose", "geometry_msgs/msg/PoseStamped", "simulation, or the tank's cameras", STREAM, False,
+          "true position and attitude in frame `world`"),
+    Topic("compass", "cocorosim_msgs/msg/Compass", "robot", STREAM, False,
+          "heading as the compass reports it"),
+    Topic("pressure", "sensor_msgs/msg/FluidPressure", "robot", STREAM, False,
+          "absolute pressure: 101325 Pa at the surface, 9810 Pa more per metre of depth"),
+    Topic("imu", "sensor_msgs/msg/Imu", "robot", STREAM, False,
+          "angular rate and specific force in `base_link`"),
+    Topic("blss", "cocorosim_msgs/msg/BlssScan", "robot", STREAM, False,
+          "what the blue-light sensors see"),
+    Topic("velocity", "geometry_msgs/msg/TwistStamped", "robot", STREAM, True,
+          "the robot's own estimate of its motion through the water, in `base_link`"),
+    Topic("thruster_command", "cocorosim_msgs/msg/ThrusterCommand", "controller", STREAM, False,
+          "what the controller asks of the actuators"),
+    Topic("radio_tx", "cocorosim_msgs/msg/RadioMessage", "controller", STREAM, True,
+          "what the robot says"),
+    Topic("radio_rx", "cocorosim_msgs/msg/RadioInbox", "simulation, or the radio driver", STREAM, True,
+          "what the robot has heard since its last inbox"),
+    Topic("illuminance", "sensor_msgs/msg/Illuminance", "robot", STREAM, True,
+          "ambient light, where the controller asks for it"),
+    Topic("concentration", "cocorosim_msgs/msg/Concentration", "robot", STREAM, True,
+          "how much of the plume's substance the water holds, where the controller asks for it"),
+    Topic("blue_light_tx", "cocorosim_msgs/msg/RadioMessage", "controller", STREAM, True,
+          "what the robot says over its blue-light sensors"),
+    Topic("blue_light_rx", "cocorosim_msgs/msg/RadioInbox", "simulation, or the blue-light driver", STREAM, True,
+          "what the robot has heard over its blue-light sensors, where the controller asks for it"),
+    Topic("neighbours", "cocorosim_msgs/msg/Neighbours", "simulation", STREAM, True,
+          "exact places and velocities of all robots within 0.5 m, where the controller asks for it"),
+]  # fmt: skip
+_GLOBAL = [
+    Topic("/clock", "rosgraph_msgs/msg/Clock", "simulation", CLOCK, False,
+          "simulated time"),
+    Topic("/tf", "tf2_msgs/msg/TFMessage", "simulation", TRANSFORMS, True,
+          "`world` to each robot's base_link"),
+    Topic("/shoal_statistics", "cocorosim_msgs/msg/ShoalStatistics", "metrics", STREAM, True,
+          "the shoal's metrics at this moment"),
+    Topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", "simulation", STREAM, True,
+          "what went wrong with which robot, and how the run ended"),
+]  # fmt: skip
+ROBOT_TOPICS = {topic.name: topic for topic in _ROBOT}
+GLOBAL_TOPICS = {topic.name: topic for topic in _GLOBAL}
+TOPICS = {**ROBOT_TOPICS, **GLOBAL_TOPICS}
+
+
+def robot_topic(namespace: str, name: str) -> str:
+    """The absolute name of a robot's topic: ("lily_01", "pose") is /lily_01/pose."""
+    return "/" + "/".join(part for part in (namespace.strip("/"), name) if part)
+
+
+def split_topic(topic: str) -> tuple[str, str]:
+    """Namespace and last name of an absolute topic: /tank/lily_01/pose is (tank/lily_01, pose)."""
+    namespace, _, name = topic.strip("/").rpartition("/")
+    return namespace, name

@@ -1,0 +1,49 @@
+"""Water that is accelerated with the hull: added mass, with its Coriolis and Munk terms.
+
+Added mass A sideways, A_w upwards and none forwards (what all have in common cannot be told from mass), A_r in yaw:
+m u_dot = X + m v r + A v_r r, (m + A) v_dot = Y - m u r - A r (u - u_r), (I + A_r) r_dot = N - A u_r v_r,
+with the velocity v_r through the water; the second, written with what is added to the force, is
+v_dot = (Y + A u_r r) / (m + A) - u r; and (m + A_w) w_dot = Z.
+Assumes: the current is the same wherever the robot goes and changes slowly.
+Source: Fossen (2021), sections 6.3 and 10.3; the moment A u_r v_r is Munk's.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.moment import Moment
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def added_mass_wrench(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
+    """Add the Coriolis terms of the added mass."""
+    mass = parameters[0]
+    total[0] += mass * relative[1] * relative[3]
+    total[1] += mass * relative[0] * relative[3]
+    total[3] -= mass * relative[0] * relative[1]
+
+
+@kernel
+def added_inertia(parameters: Floats, inertia: Floats) -> None:
+    """Add the inertia of the water to (4,) that of surge, sway, heave [kg] and yaw [kg m^2]."""
+    inertia[1] += parameters[0]
+    inertia[2] += parameters[2]
+    inertia[3] += parameters[1]
+
+
+ADDED_MASS = Effect(
+    summary="water that is accelerated with the hull, more sideways than forwards",
+    wrench=added_mass_wrench,
+    inertia=added_inertia,
+    parameters=(
+        Parameter("sway_minus_surge", "kg", "added mass sideways less that forwards"),
+        Parameter("yaw", "kg m^2", "added moment of inertia"),
+        Parameter("heave_minus_surge", "kg", "added mass upwards less that forwards"),
+    ),
+)

@@ -1,0 +1,76 @@
+"""Quadratic drag that differs from axis to axis; k is the drag of the basic physics, a and b the ratios to surge.
+
+What pure motion along an axis feels is agreed, what mixed motion feels is not; so there are three forms, of which
+each adds to the drag -k U V, U the total speed, that is the same in all directions:
+total speed: Y = -k (a - 1) U v, Z = -k (b - 1) U w;
+own speed: Y = -k (a - 1) |v| v, Z = -k (b - 1) |w| w;
+strips: as own speed, but each strip of a hull of `length` meets the water sideways at its own v + x r, which couples
+sway and yaw: Y = -k (a - 1) / L integral |v + x r| (v + x r) dx, N the same with x; turning on the spot, which the yaw
+drag holds already, is left out.
+Source: Fossen (2021), section 6.4, with the total speed of Read et al. 2013, equation (1); strips: his section 6.4.3 on
+cross-flow drag.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.moment import Moment
+
+Floats = NDArray[np.float64]
+TOTAL_SPEED, OWN_SPEED, STRIPS = 0.0, 1.0, 2.0
+STILL = 1e-4  # rad/s, below which strips all move alike
+
+
+@kernel
+def _strip_force(aside: float, turn: float, length: float) -> float:
+    """1 / L integral |v + x r| (v + x r) dx over the length [m^2/s^2]."""
+    if abs(turn) < STILL:
+        return abs(aside) * aside
+    stern, bow = aside - 0.5 * turn * length, aside + 0.5 * turn * length
+    return (abs(bow) ** 3 - abs(stern) ** 3) / (3.0 * turn * length)
+
+
+@kernel
+def _strip_moment(aside: float, turn: float, length: float) -> float:
+    """1 / L integral x |v + x r| (v + x r) dx over the length [m^3/s^2]."""
+    if abs(turn) < STILL:
+        return 2.0 * abs(aside) * turn * length * length / 12.0
+    stern, bow = aside - 0.5 * turn * length, aside + 0.5 * turn * length
+    fourth = 0.25 * (abs(bow) * bow**3 - abs(stern) * stern**3)
+    return (fourth - aside * (abs(bow) ** 3 - abs(stern) ** 3) / 3.0) / (turn * turn * length)
+
+
+@kernel
+def anisotropic_drag(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
+    """Add what the ratios add to the drag that is the same in all directions."""
+    sway, heave, form, length = parameters[0] - 1.0, parameters[1] - 1.0, parameters[2], parameters[3]
+    v, w, r = relative[1], relative[2], relative[3]
+    if form == TOTAL_SPEED:
+        speed = math.sqrt(relative[0] ** 2 + v**2 + w**2)
+        total[1] -= sway * moment.drag * speed * v
+        total[2] -= heave * moment.drag * speed * w
+        return
+    total[2] -= heave * moment.drag * abs(w) * w
+    if form == OWN_SPEED or length <= 0.0:
+        total[1] -= sway * moment.drag * abs(v) * v
+        return
+    total[1] -= sway * moment.drag * _strip_force(v, r, length)
+    total[3] -= sway * moment.drag * (_strip_moment(v, r, length) - _strip_moment(0.0, r, length))
+
+
+ANISOTROPIC_DRAG = Effect(
+    summary="quadratic drag sideways and upwards differs from that forwards",
+    wrench=anisotropic_drag,
+    parameters=(
+        Parameter("sway_ratio", "1", "coefficient sideways over that forwards", 1.0, "not negative"),
+        Parameter("heave_ratio", "1", "coefficient upwards over that forwards", 1.0, "not negative"),
+        Parameter("form", "1", "0: by the total speed, 1: by each axis' own speed, 2: by strips", 0.0, "not negative"),
+        Parameter("length", "m", "of the hull, for strips", 0.0, "not negative"),
+    ),
+)

@@ -1,0 +1,73 @@
+"""A law that no catalogue has: force or moment on one equation = coefficient phi_1 phi_2 with powers of regressors.
+
+The form in which `unknown:<equation>~<regressor>` is simulated. The equation and the regressors are codes
+(terms.law_places); a power is |phi|^power, or sign(phi) |phi|^power where `signed` is one.
+Where a regressor is infinite (no neighbour anywhere) the law is nothing. A power below one is steep at zero, as dry
+friction is; below the amount `round_1` of its regressor it is rounded off, lest forces change their sign at every step.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.angles import sine_cosine
+from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.world.state.state import YAW
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.regressors import fill_regressors
+
+Floats = NDArray[np.float64]
+WORLD_X, WORLD_Z = 4, 6  # surge, sway, heave, yaw, world_x, world_y, world_z are 0 to 6
+
+
+@kernel
+def _power(value: float, power: float, signed: float, rounding: float) -> float:
+    """|value|^power, with the sign of value if `signed`; the first power of a small value where it is below one."""
+    if power < 1.0 and rounding > 0.0:
+        size = math.sqrt(value * value + rounding * rounding)
+        return value * size ** (power - 1.0) if signed != 0.0 else size**power  # type: ignore[no-any-return]
+    size = abs(value) if power == 1.0 else abs(value) ** power
+    return -size if signed != 0.0 and value < 0.0 else size
+
+
+@kernel
+def law(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
+    """Add coefficient phi_1 phi_2 to its equation."""
+    values = stack_array(24)
+    fill_regressors(row, relative, moment, parameters[8] * moment.time + parameters[9], values)
+    first = _power(values[int(parameters[2])], parameters[3], parameters[4], parameters[10])
+    second = _power(values[int(parameters[5])], parameters[6], parameters[7], 0.0)
+    force, equation = parameters[0] * first * second, int(parameters[1])
+    if not math.isfinite(force):
+        return
+    if equation < WORLD_X:
+        total[equation] += force
+    elif equation == WORLD_Z:
+        total[2] += force
+    else:
+        sine, cosine = sine_cosine(row[YAW])
+        total[0] += force * (cosine if equation == WORLD_X else sine)
+        total[1] += force * (-sine if equation == WORLD_X else cosine)
+
+
+LAW = Effect(
+    summary="a law that no catalogue has, found in a recording",
+    wrench=law,
+    parameters=(
+        Parameter("coefficient", "*", "in N or N m over the units of the regressors"),
+        Parameter("equation", "1", "code of the equation, in the order of physics.laws.EQUATIONS"),
+        Parameter("regressor_1", "1", "code of the first regressor, in the order of physics.regressors.REGRESSORS"),
+        Parameter("power_1", "1", "power of its amount", 1.0),
+        Parameter("signed_1", "1", "1 if the power keeps its sign, else 0", 1.0),
+        Parameter("regressor_2", "1", "code of the second regressor"),
+        Parameter("power_2", "1", "power of its amount", 1.0),
+        Parameter("signed_2", "1", "1 if the power keeps its sign, else 0", 1.0),
+        Parameter("omega", "rad/s", "of sin_t and cos_t"),
+        Parameter("phase", "rad", "of sin_t and cos_t"),
+        Parameter("round_1", "1", "amount of the first regressor, SI units, below which a power under one is rounded"),
+    ),
+)

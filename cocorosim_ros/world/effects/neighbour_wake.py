@@ -1,0 +1,65 @@
+"""The jet of a neighbour's thrusters pushes: gain F 0.1 m / d on its axis, d behind the neighbour.
+
+F is the horizontal force of all its thrusters; the jet blows against it. Across the jet the push falls as
+exp(-(a / b)^2) with the half-width b = 0.05 m + 0.107 d. Nearer than 0.1 m it stays as it is there.
+Assumes: the jet is there at once and straight, and does not pass through anybody.
+Source: velocity 1/d and half-width 0.107 d of a round turbulent jet: Fischer et al., Mixing in Inland and Coastal
+Waters (1979), chapter 9; 0.05 m is the half of a Lily that the jet meets.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.angles import sine_cosine
+from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.world.state.state import YAW, X, Y, Z
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, Moment
+
+Floats = NDArray[np.float64]
+
+REFERENCE = 0.1  # m
+JET_RADIUS = 0.05  # m
+JET_SPREAD = 0.107
+
+
+@kernel
+def _push(row: Floats, neighbour: Floats, push: Floats) -> None:
+    """Add the push (2,) [N; world] of one neighbour's jet, for a gain of one."""
+    east, north = neighbour[NEIGHBOUR_FORCE], neighbour[NEIGHBOUR_FORCE + 1]
+    force = math.sqrt(east * east + north * north)
+    if force == 0.0:
+        return
+    jet_x, jet_y = -east / force, -north / force
+    x, y, z = row[X] - neighbour[X], row[Y] - neighbour[Y], row[Z] - neighbour[Z]
+    behind = x * jet_x + y * jet_y
+    if behind <= 0.0:
+        return
+    across = (y * jet_x - x * jet_y) ** 2 + z * z
+    width = JET_RADIUS + JET_SPREAD * behind
+    felt = force * REFERENCE / max(behind, REFERENCE) * math.exp(-across / (width * width))
+    push[0] += felt * jet_x
+    push[1] += felt * jet_y
+
+
+@kernel
+def neighbour_wake(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
+    """Add the push of all neighbours, turned into the body."""
+    push = stack_array(2)
+    for other in range(moment.neighbours.shape[0]):
+        if other != moment.own:
+            _push(row, moment.neighbours[other], push)
+    sine, cosine = sine_cosine(row[YAW])
+    total[0] += parameters[0] * (push[0] * cosine + push[1] * sine)
+    total[1] += parameters[0] * (push[1] * cosine - push[0] * sine)
+
+
+NEIGHBOUR_WAKE = Effect(
+    summary="push by the jets of the neighbours' thrusters",
+    wrench=neighbour_wake,
+    parameters=(Parameter("gain", "1", "fraction of a neighbour's thrust that is felt 0.1 m behind it"),),
+)

@@ -1,0 +1,28 @@
+"""Weight and buoyancy of the hull at the pump's neutral position: Z = (rho V - m) g.
+
+Assumes: fully submerged, water of one density.
+Source: Read et al. 2013, equation (4), with up positive.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def net_buoyancy(row: Floats, relative: Floats, parameters: Floats, total: Floats) -> None:
+    """Add the constant net buoyancy force, up positive."""
+    total[2] += parameters[0]
+
+
+NET_BUOYANCY = Effect(
+    summary="buoyancy less weight with the pump in its neutral position",
+    wrench=net_buoyancy,
+    parameters=(Parameter("net_buoyancy", "N", "buoyancy less weight, up positive"),),
+)

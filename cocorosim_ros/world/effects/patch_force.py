@@ -1,0 +1,39 @@
+"""Force of the patch of water around the robot, and the yaw moment of its neighbours: the paper's force currents.
+
+The four numbers change from tick to tick; the water of the simulation writes them (force_field.push).
+Source: Read et al. 2013, section 3.1.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.angles import sine_cosine
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.state.state import YAW
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def patch_force(row: Floats, relative: Floats, parameters: Floats, total: Floats) -> None:
+    """Add the force (3,) [N; world], turned into the body, and the moment [N m]."""
+    sine, cosine = sine_cosine(row[YAW])
+    total[0] += parameters[0] * cosine + parameters[1] * sine
+    total[1] += parameters[1] * cosine - parameters[0] * sine
+    total[2] += parameters[2]
+    total[3] += parameters[3]
+
+
+PATCH_FORCE = Effect(
+    summary="force and yaw moment of the patches of water around the robot",
+    wrench=patch_force,
+    parameters=(
+        Parameter("patch_force_x", "N", "force of the robot's patch along x of the world"),
+        Parameter("patch_force_y", "N", "force of the robot's patch along y of the world"),
+        Parameter("patch_force_z", "N", "force of the robot's patch, up positive"),
+        Parameter("patch_moment", "N m", "yaw moment of the four patches around it"),
+    ),
+)

@@ -1,0 +1,28 @@
+"""Thrusters that are weaker backwards than the platform says: F (1 - loss) for commands below zero."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def reverse_loss(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
+    """Weaken the thrusters that run backwards."""
+    for actuator in range(fraction.shape[0]):
+        if not fitting.is_pump[actuator] and fraction[actuator] < 0.0:
+            fraction[actuator] *= 1.0 - parameters[0]
+
+
+REVERSE_LOSS = Effect(
+    summary="thrusters weaker backwards than forwards",
+    command=reverse_loss,
+    parameters=(Parameter("loss", "1", "fraction of the thrust that is lost"),),
+)

@@ -1,0 +1,33 @@
+"""Left and right thrusters that differ in strength: 1 - d/2 on the left, 1 + d/2 on the right.
+
+Right is what turns the robot counter-clockwise when it pushes forwards. Thrusters without a lever stay as they are.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def thruster_asymmetry(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
+    """Make one side stronger and the other weaker."""
+    for actuator in range(fraction.shape[0]):
+        lever = fitting.lever[actuator]
+        if not fitting.is_pump[actuator] and lever != 0.0:
+            fraction[actuator] *= 1.0 + math.copysign(0.5 * parameters[0], lever * parameters[0])
+
+
+THRUSTER_ASYMMETRY = Effect(
+    summary="left and right thrusters differ in strength",
+    command=thruster_asymmetry,
+    parameters=(Parameter("difference", "1", "right less left, over their mean"),),
+)

@@ -1,0 +1,39 @@
+"""No thrust below a command: static friction of the motor, or the threshold of its driver.
+
+Beyond it the thrust jumps to what the command asks for, or with `ramp` 1 grows from nothing: |c| - width.
+Source: Bessa, Dutra and Kreuzer, Robotics and Autonomous Systems 58 (2010) 16, for the second.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Effect, Parameter
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def thruster_deadband(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
+    """Switch off the thrusters whose command is too small to move them."""
+    for actuator in range(fraction.shape[0]):
+        if fitting.is_pump[actuator]:
+            continue
+        if abs(fraction[actuator]) < parameters[0]:
+            fraction[actuator] = 0.0
+        elif parameters[1] != 0.0:
+            fraction[actuator] -= parameters[0] if fraction[actuator] > 0.0 else -parameters[0]
+
+
+THRUSTER_DEADBAND = Effect(
+    summary="no thrust below a command",
+    command=thruster_deadband,
+    parameters=(
+        Parameter("width", "1", "fraction of the largest command", 0.0, "not negative"),
+        Parameter("ramp", "1", "0: beyond it the whole command counts, 1: what exceeds it", 0.0, "not negative"),
+    ),
+)

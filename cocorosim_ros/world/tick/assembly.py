@@ -1,0 +1,232 @@
+"""From a scenario to the arrays of a world: the one place where names become numbers.
+
+Rows are padded where robots differ in actuators or sensors: a padded actuator gives no force, a padded sensor
+sees nothing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
+from cocorosim_ros.scenario.parts.light import Light
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.tank import Box, Sphere
+from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor, BuoyancyPump
+from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
+from cocorosim_ros.world.controllers import CONTROLLER_CODE, CONTROLLERS
+from cocorosim_ros.world.controllers.crew import Crew
+from cocorosim_ros.world.controllers.operating_system import SYSTEM_NUMBERS
+from cocorosim_ros.world.links.blue_light import DELIVERY_CODE
+from cocorosim_ros.world.motion.contact import CONTACT_CODE
+from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
+from cocorosim_ros.world.motion.motion import Stepping
+from cocorosim_ros.world.sensors.instruments import Instruments
+from cocorosim_ros.world.surroundings.lamps import Lamps
+from cocorosim_ros.world.surroundings.tank import Tank
+from cocorosim_ros.world.tick.wants import Wants
+from cocorosim_ros.world.tick.water_assembly import build_water
+from cocorosim_ros.world.tick.world import World
+from cocorosim_ros.world.vehicle_model.platform_effects import active_bits, build_faults, check_platform, parameter_row
+from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
+
+Floats = NDArray[np.float64]
+STEERING_ACTUATORS = ("left", "right", "buoyancy")
+
+
+def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
+    """The world of a scenario, for `runs` runs that differ in their start and their random numbers only.
+
+    first_run: the number of the first of them, which with the scenario's seed decides their random numbers.
+    """
+    platforms = [robot.platform for robot in scenario.robots]
+    return World(
+        names=tuple(robot.name for robot in scenario.robots),
+        tick_ns=scenario.tick_ns,
+        tank=build_tank(scenario),
+        stepping=_stepping(scenario),
+        vehicles=build_vehicles(platforms, runs),
+        instruments=build_instruments(platforms),
+        faults=build_faults(platforms),
+        crew=build_crew(scenario.robots),
+        radio_range=np.array([platform.sensors.radio_range for platform in platforms]),
+        wants=build_wants(scenario.robots),
+        lamps=build_lamps(scenario.light),
+        light_delivery=DELIVERY_CODE[scenario.blue_light.delivery],
+        instant_radio=scenario.radio.latency == "none",
+        corruption=scenario.corruption,
+        seed=scenario.seed,
+        first_run=first_run,
+        water=build_water(scenario, first_run),
+    )
+
+
+def build_wants(robots: Sequence[RobotDescription]) -> Wants:
+    """What the controllers of the robots ask for."""
+    controllers = [CONTROLLERS[robot.controller.behaviour] for robot in robots]
+
+    def who(topic: str) -> NDArray[np.bool_]:
+        return np.array([topic in controller.needs for controller in controllers])
+
+    speaks_light = np.array([controller.medium == "blue_light" for controller in controllers])
+    return Wants(who("neighbours"), who("blue_light_rx"), who("illuminance"), who("concentration"), speaks_light)
+
+
+def build_lamps(light: Light) -> Lamps:
+    """The light in the tank."""
+    rows = [[*lamp.position, lamp.illuminance, lamp.width] for lamp in light.lamps]
+    return Lamps(light.background, np.array(rows, dtype=np.float64).reshape(-1, 5))
+
+
+def build_tank(scenario: Scenario) -> Tank:
+    """The tank with its obstacles."""
+    spheres = [[*part.centre, part.radius] for part in scenario.tank.obstacles if isinstance(part, Sphere)]
+    boxes = [part.corners() for part in scenario.tank.obstacles if isinstance(part, Box)]
+    return Tank(
+        lower=np.array(scenario.tank.lower_corner()),
+        upper=np.array(scenario.tank.upper_corner()),
+        spheres=np.array(spheres, dtype=np.float64).reshape(-1, 4),
+        boxes=np.array(boxes, dtype=np.float64).reshape(-1, 6),
+    )
+
+
+def build_vehicles(platforms: Sequence[Platform], runs: int = 1) -> Vehicles:
+    """The physical numbers of one robot per platform, repeated for every run.
+
+    Raises CocorosimError if a platform has an effect that does not exist, or that lacks a number.
+    """
+    actuators = max(len(platform.actuators) for platform in platforms)
+    wrench = np.zeros((len(platforms), actuators, 4))
+    limit = np.zeros((len(platforms), actuators, 2))
+    pump = np.zeros((len(platforms), actuators), dtype=np.bool_)
+    for robot, platform in enumerate(platforms):
+        wrench[robot, : len(platform.actuators)] = platform.actuator_wrenches()
+        limit[robot, : len(platform.actuators)] = platform.actuator_limits()
+        pump[robot, : len(platform.actuators)] = [isinstance(part, BuoyancyPump) for part in platform.actuators]
+        check_platform(platform)
+    parameters = np.array([parameter_row(platform) for platform in platforms])
+    active = np.array([active_bits(platform) for platform in platforms], dtype=np.int64)
+    repeated = [np.repeat(part[None], runs, axis=0) for part in (parameters, active, wrench, limit, pump)]
+    return Vehicles(*repeated)
+
+
+def build_instruments(platforms: Sequence[Platform]) -> Instruments:
+    """The instruments of one robot per platform."""
+    sensors = max(1, *(len(platform.sensors.blss) for platform in platforms))
+    rays = max([1, *(len(part.obstacle_rays) for platform in platforms for part in platform.sensors.blss)])
+    count = len(platforms)
+    instruments = Instruments(
+        axis=np.zeros((count, sensors, 3)),
+        cosine_half_angle=np.ones((count, sensors)),
+        neighbour_range=np.full((count, sensors), -1.0),
+        obstacle_range=np.full((count, sensors), -1.0),
+        ray=np.zeros((count, sensors, rays, 3)),
+        ray_count=np.zeros((count, sensors), dtype=np.int64),
+        water_density=np.array([platform.water_density for platform in platforms]),
+        gravity=np.array([platform.gravity for platform in platforms]),
+        velocity_measured=np.array([platform.sensors.velocity for platform in platforms]),
+    )
+    for robot, platform in enumerate(platforms):
+        for index, sensor in enumerate(platform.sensors.blss):
+            _place_sensor(instruments, robot, index, sensor)
+    return instruments
+
+
+def build_crew(robots: Sequence[RobotDescription]) -> Crew:
+    """The controllers of the robots."""
+    count = len(robots)
+    settings = [controller_settings(robot.controller) for robot in robots]
+    axes = [[cone_axis(sensor) for sensor in robot.platform.sensors.blss] for robot in robots]
+    crew = Crew(
+        code=np.array([CONTROLLER_CODE[robot.controller.behaviour] for robot in robots]),
+        settings=np.zeros((count, max(1, *(len(row) for row in settings)))),
+        settings_count=np.array([len(row) for row in settings]),
+        system=np.array([system_numbers(robot.platform) for robot in robots]),
+        actuator=np.array([_steering_columns(robot.platform) for robot in robots]),
+        sensor_axis=np.zeros((count, max(1, *(len(row) for row in axes)), 3)),
+        sensor_count=np.array([len(row) for row in axes]),
+    )
+    for robot in range(count):
+        crew.settings[robot, : len(settings[robot])] = settings[robot]
+        crew.sensor_axis[robot, : len(axes[robot])] = np.array(axes[robot]).reshape(-1, 3)
+    return crew
+
+
+def controller_settings(description: ControllerDescription) -> list[float]:
+    """The numbers of a controller file in the order in which the behaviour wants them.
+
+    Raises CocorosimError if the behaviour does not exist or the file's parameters are not its settings.
+    """
+    if description.behaviour not in CONTROLLERS:
+        raise CocorosimError(
+            f"{description.origin}: 'behaviour' has '{description.behaviour}', which does not exist; "
+            f"allowed: {', '.join(CONTROLLERS)}."
+        )
+    wanted = CONTROLLERS[description.behaviour].settings
+    if set(wanted) != set(description.parameters):
+        raise CocorosimError(
+            f"{description.origin}: the parameters of behaviour '{description.behaviour}' are "
+            f"{', '.join(wanted) or 'none'}; found {', '.join(description.parameters) or 'none'}."
+        )
+    return [description.parameters[name].value for name in wanted]
+
+
+def system_numbers(platform: Platform) -> list[float]:
+    """The numbers of a platform's operating system in the order of SYSTEM_NUMBERS; zeros for one without."""
+    system = platform.operating_system
+    if system is None:
+        return [0.0] * len(SYSTEM_NUMBERS)
+    return [
+        system.wall_threshold,
+        system.floor_threshold,
+        system.surface_depth,
+        system.depth_margin,
+        system.avoidance_thrust,
+        system.avoidance_gain,
+        system.heading_proportional,
+        system.heading_damping,
+        system.vertical_proportional,
+        system.vertical_damping,
+        system.depth_proportional,
+        system.dive_limit,
+        system.command_full_scale,
+        system.units_per_volt * system.full_voltage,
+        platform.water_density,
+        platform.gravity,
+    ]
+
+
+def cone_axis(sensor: BlueLightSensor, offset: float = 0.0) -> tuple[float, float, float]:
+    """Unit vector [body] of a sensor's axis, turned by `offset` [rad] in azimuth."""
+    azimuth, level = sensor.azimuth + offset, math.cos(sensor.elevation)
+    return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(sensor.elevation)
+
+
+def _stepping(scenario: Scenario) -> Stepping:
+    step_ns = scenario.integrator.step_ns
+    return Stepping(
+        integrator=INTEGRATOR_CODE[scenario.integrator.name],
+        steps=scenario.tick_ns // step_ns,
+        step=step_ns * 1e-9,
+        contact=CONTACT_CODE[scenario.integrator.contact],
+    )
+
+
+def _place_sensor(instruments: Instruments, robot: int, index: int, sensor: BlueLightSensor) -> None:
+    instruments.axis[robot, index] = cone_axis(sensor)
+    instruments.cosine_half_angle[robot, index] = math.cos(sensor.cone_angle / 2)
+    instruments.neighbour_range[robot, index] = sensor.neighbour_range
+    instruments.obstacle_range[robot, index] = sensor.obstacle_range
+    instruments.ray_count[robot, index] = len(sensor.obstacle_rays)
+    for ray, offset in enumerate(sensor.obstacle_rays):
+        instruments.ray[robot, index, ray] = cone_axis(sensor, offset)
+
+
+def _steering_columns(platform: Platform) -> list[int]:
+    names = platform.actuator_names
+    return [names.index(name) if name in names else -1 for name in STEERING_ACTUATORS]

@@ -1,0 +1,63 @@
+"""What robots hear of each other in one run or many: both media, perfect or not."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.world.links.blue_light import deliver_light
+from cocorosim_ros.world.links.imperfect_links import ImperfectLink, imperfect_links
+from cocorosim_ros.world.links.radio import deliver
+from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_LENGTH, Inbox, empty_inbox
+from cocorosim_ros.world.surroundings.neighbours import Neighbours
+from cocorosim_ros.world.tick.wants import nothing
+from cocorosim_ros.world.tick.world import World
+
+Floats = NDArray[np.float64]
+
+
+class Exchange:
+    """The inboxes of all robots of `runs` runs, and what fills them."""
+
+    def __init__(self, world: World, runs: range) -> None:
+        """`runs` are the numbers of the runs, by which their random numbers differ."""
+        self._world = world
+        self._wants = world.wants or nothing(world.robots)
+        capacity = max(1, min(world.robots - 1, HEARING_LIMIT))
+        self.radio: Inbox = empty_inbox(len(runs), world.robots, capacity)
+        self.light: Inbox = empty_inbox(len(runs), world.robots, capacity if self.uses_light else 1)
+        source = (world.corruption, world.seed, world.names, runs)
+        self._radio_links = imperfect_links("radio", *source)
+        self._light_links = imperfect_links("blue_light", *source)
+
+    @property
+    def uses_light(self) -> bool:
+        """Whether anybody hears over blue light."""
+        return bool(self._wants.blue_light.any())
+
+    def carry(self, tick: int, state: Floats, said: Floats, neighbours: Neighbours, nearest: NDArray[np.int64]) -> None:
+        """Deliver what was `said` (runs, robots, MESSAGE_SIZE) at this tick, with the state of this moment.
+
+        `neighbours` are those in this state, `nearest` (runs, robots, sensors) who was seen in each cone.
+        """
+        speaks_light = self._wants.speaks_light
+        by_radio = _sent(tick, said, ~speaks_light, self._radio_links)
+        deliver(state, by_radio, self._world.radio_range, neighbours, self.radio)
+        for link in self._radio_links:
+            link.spoil(tick, self.radio)
+        if self.uses_light:
+            by_light = _sent(tick, said, speaks_light, self._light_links)
+            deliver_light(by_light, nearest, self._world.light_delivery, self.light)
+            for link in self._light_links:
+                link.spoil(tick, self.light)
+
+
+def _sent(tick: int, said: Floats, speakers: NDArray[np.bool_], links: list[ImperfectLink]) -> Floats:
+    """What goes out over one medium: the words of its `speakers` (robots,), as often as the link allows."""
+    if speakers.all() and not links:
+        return said
+    sent = said.copy()
+    sent[:, ~speakers, MESSAGE_LENGTH] = 0.0
+    for link in links:
+        link.restrict(tick, sent)
+    return sent

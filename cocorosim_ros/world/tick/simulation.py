@@ -1,0 +1,129 @@
+"""The swarm without ROS: sense, decide, advance, tick by tick, for one run or thousands at once."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.world.controllers.conduct import blank_memory
+from cocorosim_ros.world.motion.motion import apply_commands, move
+from cocorosim_ros.world.sensors.chemical import measure_concentration
+from cocorosim_ros.world.sensors.cones import cones_of
+from cocorosim_ros.world.sensors.corruption import corrupted_channels
+from cocorosim_ros.world.sensors.effects import add_errors
+from cocorosim_ros.world.sensors.exact_neighbours import EXACT_RANGE, exact_neighbours
+from cocorosim_ros.world.sensors.latency import late_readings
+from cocorosim_ros.world.sensors.light import measure_light
+from cocorosim_ros.world.state.neighbourhood import Neighbourhood, empty_neighbourhood
+from cocorosim_ros.world.state.perception import Perception
+from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE, Inbox
+from cocorosim_ros.world.state.readings import Readings, blank_readings
+from cocorosim_ros.world.state.state import YAW, X, row_size
+from cocorosim_ros.world.surroundings.neighbours import Neighbours, NeighbourSearch
+from cocorosim_ros.world.tick.deciding import decide, speak
+from cocorosim_ros.world.tick.divergence import check_motion
+from cocorosim_ros.world.tick.exchange import Exchange
+from cocorosim_ros.world.tick.sensing import Afloat, sense
+from cocorosim_ros.world.tick.wants import nothing
+from cocorosim_ros.world.tick.water import MovingWater
+from cocorosim_ros.world.tick.world import World
+
+Floats = NDArray[np.float64]
+
+
+class Simulation:
+    """The state of `runs` runs of one world and what happens to it in a tick.
+
+    At tick k: `sense()` gives the readings, `inbox` what was heard; controllers answer with commands and
+    messages (`decide()` runs them all here; in the node graph they are processes of their own); `advance()`
+    delivers the messages, moves everybody and counts the tick. With instant radio the robots have spoken, and
+    heard each other, when `sense()` returns.
+    """
+
+    def __init__(self, world: World, start: Floats) -> None:
+        """`start` (runs, robots, 4): x, y, z [m; world] and yaw [rad] of every robot, at rest."""
+        runs, robots = start.shape[0], world.robots
+        numbers = range(world.first_run, world.first_run + runs)
+        self.world = world
+        self.tick = 0
+        self.actuators = world.vehicles.actuator_limit.shape[2]
+        self.state: Floats = np.zeros((runs, robots, row_size(self.actuators)))
+        self.state[..., X : YAW + 1] = start
+        self.readings: Readings = blank_readings(runs, robots, world.instruments.axis.shape[1])
+        self.water = MovingWater(world.water, world.vehicles)
+        self.nearest = np.full((runs, robots, world.instruments.axis.shape[1]), -1, dtype=np.int64)
+        self._wants = world.wants or nothing(robots)
+        self._exchange = Exchange(world, numbers)
+        capacity = max(1, min(robots - 1, HEARING_LIMIT)) if self._wants.neighbours.any() else 1
+        self.neighbourhood: Neighbourhood = empty_neighbourhood(runs, robots, capacity)
+        self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.neighbourhood)
+        self._corruption = corrupted_channels(world.corruption, world.seed, world.names, numbers)
+        self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
+        self.memory = blank_memory(runs, robots)
+        self._search = NeighbourSearch(runs, robots, world.tank, world.reach)
+        self._cones = cones_of(world.instruments)
+        self._neighbours: Neighbours | None = None  # of the present state, once somebody has looked
+        self.command: Floats = np.zeros((runs, robots, self.actuators))
+        self.said: Floats = np.zeros((runs, robots, MESSAGE_SIZE))
+
+    @property
+    def inbox(self) -> Inbox:
+        """What was heard on the radio."""
+        return self._exchange.radio
+
+    @property
+    def light_inbox(self) -> Inbox:
+        """What was heard over blue light."""
+        return self._exchange.light
+
+    @property
+    def time_ns(self) -> int:
+        """Simulated time since the start [ns], exact."""
+        return self.tick * self.world.tick_ns
+
+    def sense(self) -> Readings:
+        """Measure with all instruments; the arrays are those of the next call too."""
+        world = self.world
+        self._neighbours = self._search.find(self.state)
+        afloat = Afloat(self.water.vehicles, world.tank, world.water.flow, self._neighbours, self._cones)
+        sense(self.state, self.time_ns * 1e-9, afloat, world.instruments, self.readings, self.nearest)
+        if self._wants.illuminance.any():
+            measure_light(self.state, world.lamps, self._wants.illuminance, self.readings.illuminance)
+        if self._wants.concentration.any():
+            measure_concentration(self.water.concentration, self._wants.concentration, self.readings.concentration)
+        if self._wants.neighbours.any():
+            wanted = self._wants.neighbours
+            exact_neighbours(self.state, wanted, EXACT_RANGE, self._neighbours, self.neighbourhood)
+        if world.faults is not None:
+            add_errors(self.state, self.time_ns * 1e-9, world.faults.error, self.readings)
+            for late in self._late:
+                late.apply(self.readings)
+        for channel in self._corruption:
+            channel.apply(self.tick, self.readings)
+        if world.instant_radio:
+            speak(self.time_ns * 1e-9, self.perception, world.crew, self.said)
+            self._exchange.carry(self.tick, self.state, self.said, self._neighbours, self.nearest)
+            self.inbox.age[...] = 0
+            self.light_inbox.age[...] = 0
+        return self.readings
+
+    def decide(self) -> None:
+        """Run every controller on the present readings: sets `command` and `said`."""
+        answer = (self.command, self.said)
+        decide(self.time_ns * 1e-9, self.perception, self.world.crew, self.memory, answer)
+
+    def advance(self) -> None:
+        """Deliver what was said, move everybody under `command`, then the water, count the tick.
+
+        Raises RanAwayError if the motion of a robot has run away.
+        """
+        if not self.world.instant_radio:
+            neighbours = self._neighbours if self._neighbours is not None else self._search.find(self.state)
+            self._exchange.carry(self.tick, self.state, self.said, neighbours, self.nearest)
+        self._neighbours = None
+        apply_commands(self.state, self.command, self.world.vehicles)
+        world = self.world
+        move(self.state, self.water.vehicles, world.tank, world.stepping, world.water.flow, self.time_ns * 1e-9)
+        self.water.advance(self.tick, self.state, world.tank, world.tick_ns)
+        self.tick += 1
+        check_motion(self.state, world, self.tick)

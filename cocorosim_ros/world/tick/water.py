@@ -1,0 +1,85 @@
+"""The water of a world: what does not change during a run, and what does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.scenario.checks.seeding import generator
+from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
+from cocorosim_ros.scenario.parts.plume import Plume
+from cocorosim_ros.world.surroundings.tank import Tank
+from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Vehicles
+from cocorosim_ros.world.water.flow import make_flow
+from cocorosim_ros.world.water.force_field.force_field import ForceField
+from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
+from cocorosim_ros.world.water.patches import Patches
+from cocorosim_ros.world.water.plume import Puffs, carry, concentrations, no_puffs, release
+
+Floats = NDArray[np.float64]
+
+
+def _no_jets() -> Floats:
+    return np.zeros((0, 0, JET_SIZE))
+
+
+@dataclass(frozen=True)
+class Water:
+    """Still, unless told otherwise."""
+
+    flow: Floats = field(default_factory=lambda: make_flow([]))  # velocity of the water
+    forces: ForceCurrents | None = None
+    patches: Patches | None = None  # of the forces
+    jets: Floats = field(default_factory=_no_jets)  # (robots, jets, JET_SIZE), see force_field.wakes
+    plume: Plume | None = None
+    ticks_per_step: int = 1  # of the forces
+    seed: int = 0
+    first_run: int = 0  # the number of the first of the runs, which with the seed decides their cold spots
+
+
+class MovingWater:
+    """The state of the force currents in all runs, and what they do to the robots.
+
+    `vehicles`: the robots' numbers, of which those of the effect `patch_force` follow the water.
+    """
+
+    def __init__(self, water: Water, vehicles: Vehicles) -> None:
+        """Currents begin at rest."""
+        runs, robots = vehicles.active.shape
+        self.water = water
+        self.vehicles = vehicles
+        self.fields: list[ForceField] = []
+        self.puffs: Puffs = no_puffs()
+        self.concentration: Floats = np.zeros((runs, robots))  # of the plume at every robot [kg/m^3]
+        if water.forces is None or water.patches is None:
+            return
+        self.vehicles = vehicles._replace(
+            parameters=vehicles.parameters.copy(), active=vehicles.active | EFFECT_BIT["patch_force"]
+        )
+        self._push = np.zeros((runs, robots, 4))
+        draws = [generator(water.seed, "cold spots", run=water.first_run + run) for run in range(runs)]
+        self.fields = [ForceField(water.forces, water.patches, random) for random in draws]
+
+    def advance(self, tick: int, state: Floats, tank: Tank, tick_ns: int) -> None:
+        """Bring the water to the end of `tick`, at which robots are where `state` (runs, robots, columns) says."""
+        if self.fields:
+            self._advance_forces(tick, state)
+        if self.water.plume is not None:
+            self._advance_plume(self.water.plume, tick, tank, tick_ns)
+            concentrations(state, self.puffs, tank, self.concentration)
+
+    def _advance_forces(self, tick: int, state: Floats) -> None:
+        due = (tick + 1) % self.water.ticks_per_step == 0
+        for run, forces in enumerate(self.fields):
+            if due:
+                forces.advance(state[run], self.water.jets)
+            forces.push(state[run], self._push[run])
+        self.vehicles.parameters[..., PATCH_FORCE_COLUMNS] = self._push
+
+    def _advance_plume(self, plume: Plume, tick: int, tank: Tank, tick_ns: int) -> None:
+        if (tick * tick_ns) % plume.interval_ns == 0:
+            mass = plume.rate * plume.interval_ns * 1e-9
+            self.puffs = release(self.puffs, np.array(plume.source), plume.initial_size, mass)
+        carry(self.puffs, self.water.flow, tank, (tick * tick_ns * 1e-9, tick_ns * 1e-9), plume.diffusivity)

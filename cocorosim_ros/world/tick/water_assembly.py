@@ -1,0 +1,86 @@
+"""From a scenario to its water."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.scenario.parts.currents import GriddedCurrent, VelocityCurrent
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.scenario.parts.water import patch_counts
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.tick.water import Water
+from cocorosim_ros.world.water.currents import CURRENTS
+from cocorosim_ros.world.water.flow import make_flow
+from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
+from cocorosim_ros.world.water.patches import Patches
+
+Floats = NDArray[np.float64]
+_NO_JET = [-1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
+_HORIZONTAL = 1e-6
+
+
+def build_water(scenario: Scenario, first_run: int = 0) -> Water:
+    """The water of a scenario for runs that are numbered from `first_run`."""
+    if scenario.water is None:
+        return Water()
+    forces = scenario.water.force_currents
+    flow = make_flow([(current.kind, current_numbers(current)) for current in scenario.water.currents])
+    if forces is None:
+        return Water(flow=flow, plume=scenario.water.plume)
+    return Water(
+        flow=flow,
+        plume=scenario.water.plume,
+        forces=forces,
+        patches=build_patches(scenario, forces.patch),
+        jets=build_jets([robot.platform for robot in scenario.robots]),
+        ticks_per_step=forces.step_ns // scenario.tick_ns,
+        seed=scenario.seed,
+        first_run=first_run,
+    )
+
+
+def build_patches(scenario: Scenario, side: float) -> Patches:
+    """The patches [m] of a scenario's tank."""
+    nx, ny, nz = patch_counts(scenario.tank.size, side)
+    return Patches(np.array(scenario.tank.lower_corner()), side, nx, ny, nz)
+
+
+def current_numbers(current: VelocityCurrent) -> Floats:
+    """The numbers of a current in the order of its entry in CURRENTS."""
+    if isinstance(current, GriddedCurrent):
+        return current.file.numbers
+    values = dataclasses.asdict(current)
+    return np.array([values[name] for name in CURRENTS[current.kind].parameters])
+
+
+def build_jets(platforms: Sequence[Platform]) -> Floats:
+    """(robots, jets, JET_SIZE) the jets of all robots, see force_field.wakes."""
+    rows = [platform_jets(platform) for platform in platforms]
+    jets = np.tile(np.array(_NO_JET), (len(platforms), max(1, *(len(row) for row in rows)), 1))
+    for robot, row in enumerate(rows):
+        jets[robot, : len(row)] = np.reshape(row, (-1, JET_SIZE))
+    return jets
+
+
+def platform_jets(platform: Platform) -> list[list[float]]:
+    """A jet for every thruster that pushes horizontally; one on the centre line makes half a jet to each side.
+
+    Vertical thrusters and pumps make none: the paper says nothing of them.
+    """
+    jets: list[list[float]] = []
+    for index, part in enumerate(platform.actuators):
+        if not isinstance(part, Thruster) or math.hypot(*part.direction[:2]) < _HORIZONTAL:
+            continue
+        length = math.hypot(*part.direction[:2])
+        push = (part.direction[0] / length, part.direction[1] / length)
+        # How far to the left of its own line of action the thruster sits.
+        aside = push[0] * part.position[1] - push[1] * part.position[0]
+        sides = [math.copysign(1.0, aside)] if abs(aside) > _HORIZONTAL else [1.0, -1.0]
+        jets += [[float(index), 1.0 / len(sides), *push, -side * push[1], side * push[0]] for side in sides]
+    return jets

@@ -1,0 +1,153 @@
+"""From a platform's effects and calibrated numbers to the rows of the simulation, and what of them it has not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.scenario.parts.platform import Platform, check_effects
+from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
+from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
+from cocorosim_ros.world.sensors.effects import ERROR_COLUMNS, LATE_TOPICS, SENSOR_EFFECTS, Faults
+from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, READINGS_OF_LAWS, SENSOR_LAWS
+from cocorosim_ros.world.terms import law_places as laws
+from cocorosim_ros.world.terms.regressors import REGRESSORS
+from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
+
+Floats = NDArray[np.float64]
+EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
+
+EQUATIONS = len(laws.EQUATIONS)
+
+RECORDING_EFFECTS: dict[str, tuple[Parameter, ...]] = {
+    "sensor_latency": (Parameter("pose", "s", "of the camera's poses", 0.0, "not negative"),),
+    "clock_skew": tuple(Parameter(topic, "s/s", f"of the {topic}'s clock") for topic in ("pose", *LATE_TOPICS)),
+    "camera_scale": (Parameter("scale", "1", "lengths as seen over lengths", 1.0, "positive"),),
+    **SENSOR_LAWS,
+}
+"""Effects of cameras and clocks of a recording and laws of readings, which a diagnosis finds; a simulation has none."""
+
+
+def _known_effects() -> Mapping[str, Mapping[str, Parameter]]:
+    tables: dict[str, dict[str, Parameter]] = {}
+    described = [(name, effect.parameters) for name, effect in CATALOGUE_EFFECTS.items()]
+    described += [(name, effect.parameters) for name, effect in SENSOR_EFFECTS.items()]
+    for name, parameters in (*described, *RECORDING_EFFECTS.items()):
+        tables.setdefault(name, {}).update({part.name: part for part in parameters})
+    return MappingProxyType(tables)
+
+
+KNOWN_EFFECTS: Mapping[str, Mapping[str, Parameter]] = _known_effects()
+"""Every effect that a platform file can name, with its parameters by name."""
+
+
+def _or_else(number: float | None, otherwise: float) -> float:
+    return otherwise if number is None else number
+
+
+def _net_buoyancy(platform: Platform) -> float:
+    """Buoyancy less weight with the pumps at their neutral volume [N]; a vehicle without a pump is trimmed neutral."""
+    volume = sum(part.neutral_volume for part in platform.actuators if isinstance(part, BuoyancyPump))
+    return 0.0 if volume == 0.0 else (platform.water_density * volume - platform.mass) * platform.gravity
+
+
+_NUMBERS: dict[str, Callable[[Platform], float]] = {
+    "mass": lambda platform: platform.mass,
+    "yaw_inertia": lambda platform: platform.yaw_inertia,
+    "drag": lambda platform: platform.drag,
+    "yaw_drag": lambda platform: platform.yaw_drag,
+    "net_buoyancy": _net_buoyancy,
+    "thrust_gain": lambda platform: _or_else(platform.thrust_gain, 1.0),
+    "yaw_torque_gain": lambda platform: _or_else(platform.yaw_torque_gain, _or_else(platform.thrust_gain, 1.0)),
+    "buoyancy_gain": lambda platform: _or_else(platform.buoyancy_gain, 1.0),
+}
+
+
+def _check_code(place: str, name: str, value: float) -> None:
+    """Refuse what is no code of a law's equation or regressor."""
+    counts = {"equation": EQUATIONS, "reading": len(READINGS_OF_LAWS)}
+    count = len(REGRESSORS) if name.startswith("regressor") else counts.get(name)
+    if count is not None and value not in range(count):
+        raise CocorosimError(f"{place} has '{value:g}'; write a whole number from 0 to {count - 1}.")
+    of_reading = "sensor_law" in place and name.startswith("regressor")
+    if of_reading and REGRESSORS[int(value)].name in NO_REGRESSORS_OF_READINGS:
+        raise CocorosimError(
+            f"{place} has '{value:g}', {REGRESSORS[int(value)].name}, of which no reading has a law; write another one."
+        )
+
+
+def check_platform(platform: Platform) -> None:
+    """Nothing, if all effects of a platform and of those of its robots that differ are known and in order.
+
+    Raises CocorosimError otherwise.
+    """
+    for each in (platform, *platform.robots.values()):
+        check_effects(each, KNOWN_EFFECTS)
+        for place in (*LAWS, *SENSOR_LAWS):
+            for name, value in each.effects.get(place, {}).items():
+                _check_code(f"{each.origin}: 'effects.{place}.{name}'", name, value)
+
+
+def parameter_row(platform: Platform) -> Floats:
+    """(parameters,) the numbers of one robot of this kind by PARAMETER_COLUMNS."""
+    row = neutral_row()
+    for name, number in _NUMBERS.items():
+        row[PARAMETER_COLUMNS[name]] = number(platform)
+    for name, value in _chosen(platform, PARAMETER_COLUMNS).items():
+        row[PARAMETER_COLUMNS[name]] = value
+    return row
+
+
+def active_bits(platform: Platform) -> int:
+    """The effects that act on a robot of this kind: one bit of EFFECT_BIT for each."""
+    bits = EVERYWHERE
+    for effect in platform.effects:
+        bits |= EFFECT_BIT.get(effect, 0)
+    return bits
+
+
+def build_faults(platforms: Sequence[Platform]) -> Faults | None:
+    """What is wrong with the instruments of one robot per platform; None if nothing is."""
+    faults = Faults(np.zeros((len(platforms), len(ERROR_COLUMNS))), np.zeros((len(platforms), len(LATE_TOPICS))))
+    for robot, platform in enumerate(platforms):
+        for name, value in _chosen(platform, ERROR_COLUMNS).items():
+            faults.error[robot, ERROR_COLUMNS[name]] = value
+        for topic, value in platform.effects.get("sensor_latency", {}).items():
+            if topic in LATE_TOPICS:
+                faults.latency[robot, LATE_TOPICS.index(topic)] = value
+    return faults if faults.error.any() or faults.latency.any() else None
+
+
+def not_simulated(robots: Mapping[str, Platform]) -> list[str]:
+    """One sentence for each effect of these robots' platforms that is the recording's and not the robot's."""
+    who: dict[str, list[str]] = {}
+    for robot, platform in robots.items():
+        found = [
+            f"{effect} of {name}" if effect in ("sensor_latency", "clock_skew") else effect
+            for effect, parameters in platform.effects.items()
+            for name in parameters
+            if name in {part.name for part in RECORDING_EFFECTS.get(effect, ())}
+        ]
+        found += [f"frame_mixup of {topic}" for topic in platform.frame_corrections]
+        for words in found:
+            who.setdefault(words, []).append(robot)
+    return [
+        f"{effect} belongs to a recording's camera and clocks or to an instrument, not to the robot's motion: "
+        f"it is not simulated (platform of {names[0] if len(names) == 1 else f'{names[0]} and {len(names) - 1} more'})."
+        for effect, names in who.items()
+    ]
+
+
+def _chosen(platform: Platform, columns: Mapping[str, int]) -> dict[str, float]:
+    """The numbers of the platform's effects that have a column, by its name."""
+    numbers = {
+        f"{effect}.{name}": value
+        for effect, parameters in platform.effects.items()
+        for name, value in parameters.items()
+    }
+    return {name: value for name, value in numbers.items() if name in columns}

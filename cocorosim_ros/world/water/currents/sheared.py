@@ -1,0 +1,29 @@
+"""Velocity that changes linearly with place: u = x + dx_dy Y + dx_dz Z, v = y + dy_dx X + dy_dz Z.
+
+X, Y, Z are the place [m; world], counted from the world's origin (the surface over the centre of the tank). Free of
+divergence for every choice of the gradients.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.water.current import Current
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def sheared(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
+    """Add the velocity at the origin [m/s; world] and what the four gradients [1/s] add at `place`."""
+    total[0] += parameters[0] + parameters[2] * place[1] + parameters[3] * place[2]
+    total[1] += parameters[1] + parameters[4] * place[0] + parameters[5] * place[2]
+
+
+SHEARED = Current(
+    summary="velocity that changes linearly with place",
+    velocity=sheared,
+    parameters=("x", "y", "dx_dy", "dx_dz", "dy_dx", "dy_dz"),
+)

@@ -1,0 +1,29 @@
+"""Velocity that swings in time, the same everywhere: (x, y) sin(2 pi t / period + phase)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.angles import sine_cosine
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.water.current import Current
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def tidal(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
+    """Add the amplitude x, y [m/s; world] times the sine of the tide; period [s], phase [rad]."""
+    swing, _ = sine_cosine(2.0 * math.pi * time / parameters[2] + parameters[3])
+    total[0] += parameters[0] * swing
+    total[1] += parameters[1] * swing
+
+
+TIDAL = Current(
+    summary="velocity that swings in time, the same everywhere",
+    velocity=tidal,
+    parameters=("x", "y", "period", "phase"),
+)

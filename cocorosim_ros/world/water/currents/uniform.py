@@ -1,0 +1,21 @@
+"""The same velocity everywhere and always: (x, y)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.water.current import Current
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def uniform(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
+    """Add the constant velocity x, y [m/s; world]."""
+    total[0] += parameters[0]
+    total[1] += parameters[1]
+
+
+UNIFORM = Current(summary="the same velocity everywhere", velocity=uniform, parameters=("x", "y"))

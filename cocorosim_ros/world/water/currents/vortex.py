@@ -1,0 +1,38 @@
+"""An eddy with a vertical axis (Lamb-Oseen): v_theta(r) = circulation / (2 pi r) (1 - exp(-r^2 / core^2)).
+
+Within the core it turns like a solid body with the rate circulation / (2 pi core^2), far outside like a free vortex;
+counter-clockwise for a positive circulation, the same at every depth, free of divergence.
+Assumes: no decay; walls do not disturb it.
+Source: Saffman, Vortex Dynamics (1992), section 13.1.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.water.current import Current
+
+Floats = NDArray[np.float64]
+
+
+@kernel
+def vortex(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
+    """Add the velocity of an eddy around x, y [m; world] with circulation [m^2/s] and core radius [m]."""
+    east, north = place[0] - parameters[0], place[1] - parameters[1]
+    squared, core = east * east + north * north, parameters[3] * parameters[3]
+    turn = parameters[2] / (2.0 * math.pi)
+    # expm1 keeps the digits near the centre, where the quotient tends to 1 / core^2.
+    rate = turn * (-math.expm1(-squared / core) / squared) if squared > 0.0 else turn / core
+    total[0] -= rate * north
+    total[1] += rate * east
+
+
+VORTEX = Current(
+    summary="an eddy with a vertical axis",
+    velocity=vortex,
+    parameters=("x", "y", "circulation", "core"),
+)

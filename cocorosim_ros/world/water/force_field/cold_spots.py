@@ -1,0 +1,81 @@
+"""Cold spots: patches that pull the water around them, stronger and weaker again, and then are gone.
+
+A spot of age a steps pulls with force * sin(pi a / lifetime); spots add up.
+Source: Read et al. 2013, sections 3.1 and 5.1.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cocorosim_ros.scenario.parts.force_currents import ColdSpots
+from cocorosim_ros.world.water.force_field.pulls import Pull, Spots, list_by_plane
+from cocorosim_ros.world.water.patches import Patches
+
+Floats = NDArray[np.float64]
+_SPARE = 10.0
+
+
+def pull_of(kind: str) -> Pull:
+    """The pull of `surrounding_26` (unit vectors towards the spot) or of `released_18`.
+
+    released_18: faces 1; horizontal diagonals a unit vector; vertical diagonals 1 along both axes; no corners.
+    """
+    weight = np.zeros((3, 3, 3, 3))
+    for offset in product((-1, 0, 1), repeat=3):
+        distance = math.sqrt(sum(part * part for part in offset))
+        axes = sum(part != 0 for part in offset)
+        if not axes or (kind == "released_18" and axes == 3):
+            continue
+        length = 1.0 if kind == "released_18" and offset[0] != 0 else distance
+        for component in range(3):
+            place = (component, *(1 + part for part in offset))
+            weight[place] = -offset[2 - component] / length if offset[2 - component] != 0 else 0.0
+    return Pull(weight)
+
+
+def no_spots(settings: ColdSpots, lifetime: int, patches: Patches) -> Spots:
+    """Nothing alive yet, with room for the spots of `lifetime` steps."""
+    mean = settings.probability * patches.total * (2.0 if settings.spawning == "released" else 1.0)
+    capacity = int(mean + _SPARE * math.sqrt(mean) + _SPARE)
+    strength = settings.force * np.sin(np.pi * np.arange(lifetime) / lifetime)
+    return Spots(
+        np.zeros((lifetime, capacity, 3), dtype=np.int64),
+        np.zeros(lifetime, dtype=np.int64),
+        strength,
+        np.array(patches.shape),
+        np.zeros((lifetime, 3 * capacity), dtype=np.uint64),
+        np.zeros((lifetime, patches.nz + 1), dtype=np.int64),
+    )
+
+
+def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generator) -> NDArray[np.int64]:
+    """(n, 3) patches (z, y, x) that become cold spots in one step."""
+    if settings.spawning == "released":
+        expected = 2.0 * settings.probability * patches.total
+        number = int(expected) if expected >= 1.0 else int(random.random() < expected)
+        chosen = random.integers(0, patches.total, number)
+    else:
+        # The number of patches that draw a success, then which: the same as a draw for each of them.
+        number = int(random.binomial(patches.total, settings.probability))
+        chosen = random.choice(patches.total, number, replace=False, shuffle=False)
+    plane, x = np.divmod(chosen, patches.nx)
+    z, y = np.divmod(plane, patches.ny)
+    return np.stack([z, y, x], axis=1)
+
+
+def spawn(spots: Spots, step: int, places: NDArray[np.int64]) -> Spots:
+    """The spots with those of `step` in place of the oldest, who have lived out; room is added when it lacks."""
+    lack = len(places) - spots.place.shape[1]
+    if lack > 0:
+        place = np.pad(spots.place, ((0, 0), (0, lack), (0, 0)))
+        spots = spots._replace(place=place, reached=np.pad(spots.reached, ((0, 0), (0, 3 * lack))))
+    row = step % spots.number.shape[0]
+    spots.place[row, : len(places)] = places
+    spots.number[row] = len(places)
+    list_by_plane(spots, row)
+    return spots

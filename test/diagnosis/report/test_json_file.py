@@ -1,0 +1,135 @@
+"""diagnosis.json has the fields of the contract, of the types of the contract, and no others."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect
+from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
+
+Example = Callable[[str], Diagnosis]
+VERDICTS = ("consistent", "recalibrate", "mismatch", "insufficient")
+NUMBER = (int, float, type(None))
+TEXT = (str,)
+# The contract, section "What diagnose writes": a tuple is the types of a value, a list of one form any number of
+# that form, a mapping with "*" any names.
+FORM: Any = {
+    "verdict": TEXT,
+    "recalibrated": [
+        {"parameter": TEXT, "nominal": NUMBER, "value": NUMBER, "ci95": [NUMBER], "unit": TEXT, "robots": [TEXT]}
+    ],
+    "mismatch": [
+        {
+            "robots": [TEXT], "equation": TEXT, "regressor": TEXT, "where": TEXT, "when": [NUMBER],
+            "size": NUMBER, "unit": TEXT, "z": NUMBER,
+        }
+    ],
+    "effects": [
+        {
+            "id": TEXT, "name": TEXT, "equation": TEXT, "robots": [TEXT], "tier": TEXT,
+            "parameters": {"*": {"value": (*NUMBER, str), "ci95": [NUMBER], "unit": (str, type(None))}},
+            "nats": NUMBER, "ambiguous_with": [{"id": TEXT, "nats_behind": NUMBER}],
+        }
+    ],
+    "not_shown_by_this_recording": [TEXT],
+    "next_manoeuvre": (str, type(None)),
+    "fit": {
+        "held_out": {
+            "*": {"nominal": NUMBER, "recalibrated": NUMBER, "augmented": NUMBER, "noise_floor": NUMBER, "unit": TEXT}
+        }
+    },
+}  # fmt: skip
+OPTIONAL = {"topic"}
+
+
+def check(value: Any, form: Any, place: str = "top") -> None:
+    """Nothing, if a value has the form."""
+    if isinstance(form, tuple):
+        assert isinstance(value, form), f"{place}: {value!r}"
+        assert not isinstance(value, bool), place
+    elif isinstance(form, list):
+        assert isinstance(value, list), place
+        for index, part in enumerate(value):
+            check(part, form[0], f"{place}[{index}]")
+    else:
+        assert isinstance(value, dict), place
+        if "*" not in form:
+            assert set(value) - OPTIONAL == set(form), place
+        for name, part in value.items():
+            check(part, TEXT if name in OPTIONAL else form.get(name, form.get("*")), f"{place}.{name}")
+
+
+def refuse(word: str) -> float:
+    """What json.loads calls for NaN and infinities."""
+    raise AssertionError(word)
+
+
+def read(diagnosis: Diagnosis) -> Any:
+    """The file's content; NaN and Infinity are not JSON and fail."""
+    return json.loads(diagnosis_json(diagnosis), parse_constant=refuse)
+
+
+@pytest.mark.parametrize("verdict", VERDICTS)
+def test_every_verdict_has_the_form_of_the_contract(example: Example, verdict: str) -> None:
+    """All fields, no others, right types."""
+    tree = read(example(verdict))
+    check(tree, FORM)
+    assert tree["verdict"] == verdict
+
+
+def test_the_form_notices_a_wrong_field(example: Example) -> None:
+    """The check of this file can fail: a field too many, one too few, a wrong type."""
+    tree = read(example("mismatch"))
+    for wrong in ({**tree, "more": 1}, {k: v for k, v in tree.items() if k != "fit"}, {**tree, "effects": "none"}):
+        with pytest.raises(AssertionError):
+            check(wrong, FORM)
+
+
+def test_numbers_arrive_as_they_are(example: Example) -> None:
+    """Values, intervals and rivals of the example, by hand."""
+    tree = read(example("mismatch"))
+    assert tree["recalibrated"] == [
+        {
+            "parameter": "drag",
+            "nominal": 1.7778,
+            "value": 1.853,
+            "ci95": [1.831, 1.875],
+            "unit": "kg/m",
+            "robots": ["lily_01"],
+        }
+    ]
+    effect = tree["effects"][0]
+    assert effect["parameters"]["sway_minus_surge"] == {"value": 0.0443, "ci95": [0.0431, 0.0455], "unit": "kg"}
+    assert effect["ambiguous_with"] == [{"id": "anisotropic_drag", "nats_behind": 2.1}]
+    assert "topic" not in effect
+    assert tree["mismatch"][0]["when"] == [12.0, 588.0]
+    assert tree["fit"]["held_out"]["heading"]["noise_floor"] is None
+
+
+def test_whatever_is_not_finite_is_null(example: Example) -> None:
+    """NaN and infinities anywhere become null."""
+    found = example("mismatch")
+    effect = replace(found.effects[0], nats=math.inf, parameters={"yaw": Estimate(1.0, -math.inf, math.nan, "kg m^2")})
+    tree = read(replace(found, effects=(effect,)))
+    assert tree["effects"][0]["nats"] is None
+    assert tree["effects"][0]["parameters"]["yaw"] == {"value": 1.0, "ci95": [None, None], "unit": "kg m^2"}
+
+
+def test_a_stream_is_named_and_a_correction_stands_in_words(example: Example) -> None:
+    """An effect of one stream carries its topic; the correction of a mix-up has the keys of any parameter."""
+    effect = FoundEffect(
+        "frame_mixup", "axes mixed up", "", ("lily_01",), "confirmed", {}, 90.0,
+        topic="compass", correction="the reading is in degrees",
+    )  # fmt: skip
+    tree = read(replace(example("mismatch"), effects=(effect,)))
+    check(tree, FORM)
+    assert tree["effects"][0]["topic"] == "compass"
+    assert tree["effects"][0]["parameters"] == {
+        "correction": {"value": "the reading is in degrees", "ci95": [None, None], "unit": None}
+    }

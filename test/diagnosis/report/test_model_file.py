@@ -1,0 +1,274 @@
+"""model.yaml is a platform file that loads, with what was found where it was found."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.report.effect_keys import law_numbers
+from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.reading.quantity import Quantity
+from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
+from cocorosim_ros.world.terms.regressors import REGRESSORS
+
+Example = Callable[[str], Diagnosis]
+BAG = "/somewhere/tank_7"
+
+
+def origin(platform: Platform | None = None, robots: tuple[str, ...] = ("lily_01",)) -> Origin:
+    """A diagnosis of one bag on Lily."""
+    return Origin(platform or load_platform("lily"), (BAG,), robots, 600.0)
+
+
+def written(tmp_path: Path, diagnosis: Diagnosis, source: Origin, name: str = "model.yaml") -> Platform:
+    """The model, written and loaded again."""
+    path = tmp_path / name
+    path.write_text(model_yaml(diagnosis, source), "utf-8")
+    return load_platform(path)
+
+
+def asymmetry(value: float, *robots: str) -> FoundEffect:
+    """Thrusters that differ, of some robots."""
+    return FoundEffect(
+        "thruster_asymmetry", "thrusters differ", "", robots, "confirmed",
+        {"difference": Estimate(value, value - 0.01, value + 0.01, "1")}, 50.0,
+    )  # fmt: skip
+
+
+def test_parameters_and_effects_come_back(example: Example, tmp_path: Path) -> None:
+    """Refitted drag and inertia (also the one whose interval holds the nominal value), added mass; the rest is Lily."""
+    model, lily = written(tmp_path, example("mismatch"), origin()), load_platform("lily")
+    assert (model.drag, model.yaw_inertia) == (1.853, 4.11e-4)
+    assert model.effects == {"added_mass": {"sway_minus_surge": 0.0443, "yaw": 6.1e-5}}
+    same = replace(
+        model, drag=lily.drag, yaw_inertia=lily.yaw_inertia, effect_quantities={}, description=lily.description
+    )
+    assert same == lily
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
+def test_every_entry_of_the_catalogue_can_be_loaded_again(entry: Entry, example: Example, tmp_path: Path) -> None:
+    """Whatever is found stands in the model as a number of the simulator, whose own checks it passes."""
+    numbers = {part.name: _around(part.neutral + 0.5 * part.large, part.unit) for part in entry.amplitudes}
+    numbers |= {part.name: _around(1.0, part.unit) for part in entry.shapes}
+    found = FoundEffect(entry.id, entry.name, entry.equation, (), "confirmed", numbers, 50.0, topic=entry.topic)
+    model = written(tmp_path, replace(example("mismatch"), effects=(found,), recalibrated=()), origin())
+    assert sorted(value for effect in model.effects.values() for value in effect.values() if value != 600.0) == sorted(
+        each.value for each in numbers.values()
+    )
+
+
+def test_the_offset_with_which_a_drift_begins_is_an_offset(example: Example, tmp_path: Path) -> None:
+    """The simulator has offset and drift of a pressure sensor apart."""
+    numbers = {"rate": _around(0.3, "Pa/s"), "offset": _around(15.0, "Pa")}
+    drift = FoundEffect("pressure_drift", "drift", "", ("lily_01",), "confirmed", numbers, 50.0, topic="pressure")
+    model = written(tmp_path, replace(example("mismatch"), effects=(drift,), recalibrated=()), origin())
+    assert model.effects == {"pressure_drift": {"rate": 0.3}, "pressure_offset": {"offset": 15.0}}
+
+
+def _around(value: float, unit: str) -> Estimate:
+    return Estimate(value, 0.9 * value, 1.1 * value, unit)
+
+
+def test_every_found_number_says_where_it_is_from(example: Example, tmp_path: Path) -> None:
+    """Unit, source with the bag's name, confidence and interval stand beside the number."""
+    entry = parse_yaml(model_yaml(example("mismatch"), origin()), "model")
+    drag = entry.mapping()["drag"].mapping()
+    assert {name: part.value for name, part in drag.items()} == {
+        "value": 1.853,
+        "unit": "kg/m",
+        "source": "diagnosis of tank_7",
+        "confidence": "fitted",
+        "note": "95 % interval 1.831 to 1.875 kg/m",
+    }
+
+
+def test_a_shipped_platform_is_named_and_a_file_is_written_out(example: Example, tmp_path: Path) -> None:
+    """A model on Lily says so; a model on a model needs no other file than itself."""
+    first = written(tmp_path, example("recalibrate"), origin(), "first.yaml")
+    assert "based_on: lily\n" in (tmp_path / "first.yaml").read_text("utf-8")
+    found = replace(example("mismatch"), all_recalibrated=(), recalibrated=())
+    (tmp_path / "other").mkdir()
+    second = written(tmp_path, found, origin(first), "other/second.yaml")
+    (tmp_path / "first.yaml").unlink()
+    assert load_platform(tmp_path / "other" / "second.yaml") == second
+    assert (second.drag, second.yaw_inertia) == (1.853, 4.11e-4)
+    assert second.effects["added_mass"]["sway_minus_surge"] == 0.0443
+
+
+def test_effects_of_the_base_stay_and_are_refitted(example: Example, tmp_path: Path) -> None:
+    """A known effect is kept; found again it has the new number."""
+    found = replace(example("mismatch"), effects=(asymmetry(0.05),))
+    first = written(tmp_path, found, origin(), "first.yaml")
+    second = written(tmp_path, example("mismatch"), origin(first), "second.yaml")
+    assert second.effects["thruster_asymmetry"] == {"difference": 0.05}
+    assert set(second.effects) == {"thruster_asymmetry", "added_mass"}
+    third = written(tmp_path, replace(found, effects=(asymmetry(0.07),)), origin(second), "third.yaml")
+    assert third.effects["thruster_asymmetry"] == {"difference": 0.07}
+
+
+def test_what_one_robot_has_stands_below_its_name(example: Example, tmp_path: Path) -> None:
+    """Two robots: common effects for both, an own one for the second, each its own drag, their mean for others."""
+    drags = (
+        Recalibrated("drag", 1.7778, Estimate(1.9, 1.8, 2.0, "kg/m"), ("lily_01",)),
+        Recalibrated("drag", 1.7778, Estimate(1.6, 1.4, 1.8, "kg/m"), ("lily_02",)),
+    )
+    both = replace(example("mismatch").effects[0], robots=("lily_01", "lily_02"))
+    found = replace(example("mismatch"), effects=(both, asymmetry(0.05, "lily_02")), all_recalibrated=drags)
+    model = written(tmp_path, found, origin(robots=("lily_01", "lily_02")))
+    assert [model.of_robot(name).drag for name in ("lily_01", "lily_02")] == [1.9, 1.6]
+    # Weights go with 1/width^2: 1/0.04 against 1/0.16.
+    assert model.of_robot("lily_03").drag == pytest.approx((1.9 * 25 + 1.6 * 6.25) / 31.25)
+    assert set(model.effects) == set(model.of_robot("lily_01").effects) == {"added_mass"}
+    assert set(model.of_robot("lily_02").effects) == {"added_mass", "thruster_asymmetry"}
+
+
+def test_an_effect_with_numbers_of_each_robot_is_at_the_top_their_mean(example: Example, tmp_path: Path) -> None:
+    """Robots keep their own number; a law keeps its place."""
+    effects = (
+        asymmetry(0.05, "lily_01"),
+        asymmetry(0.03, "lily_02"),
+        replace(law("unknown:surge~x"), robots=("lily_01",)),
+        replace(law("unknown:surge~x"), robots=("lily_02",)),
+    )
+    found = replace(example("mismatch"), effects=effects)
+    model = written(tmp_path, found, origin(robots=("lily_01", "lily_02")))
+    for name, difference in (("lily_01", 0.05), ("lily_02", 0.03), ("lily_03", 0.04)):
+        assert model.of_robot(name).effects["thruster_asymmetry"]["difference"] == pytest.approx(difference)
+        assert set(model.of_robot(name).effects) == {"thruster_asymmetry", "law_1"}
+
+
+def test_a_second_common_effect_reaches_robots_with_their_own(example: Example, tmp_path: Path) -> None:
+    """What all share later is added to those who had effects of their own before."""
+    robots = ("lily_01", "lily_02")
+    found = replace(example("mismatch"), effects=(asymmetry(0.05, "lily_02"),))
+    first = written(tmp_path, found, origin(robots=robots), "first.yaml")
+    common = replace(example("mismatch").effects[0], robots=robots)
+    second = written(tmp_path, replace(found, effects=(common,)), origin(first, robots), "second.yaml")
+    assert set(second.of_robot("lily_02").effects) == {"added_mass", "thruster_asymmetry"}
+    assert set(second.of_robot("lily_01").effects) == {"added_mass"}
+
+
+def test_effects_of_the_recording_chain_stand_by_topic(example: Example, tmp_path: Path) -> None:
+    """Two late streams are two numbers of one effect; a mix-up stays in words."""
+    late = [
+        FoundEffect("sensor_latency", "late", "", ("lily_01",), "confirmed",
+                    {"latency": Estimate(value, value, math.nan, "s")}, 9.0, topic=topic)
+        for topic, value in (("compass", 0.1), ("imu", 0.2))
+    ]  # fmt: skip
+    mixed = FoundEffect(
+        "frame_mixup", "mixed up", "", ("lily_01",), "confirmed", {}, 9.0, topic="pose",
+        correction="the position is in millimetres",
+    )  # fmt: skip
+    model = written(tmp_path, replace(example("mismatch"), effects=(*late, mixed)), origin())
+    assert model.effects == {"sensor_latency": {"compass": 0.1, "imu": 0.2}}
+    assert model.frame_corrections == {"pose": "the position is in millimetres"}
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "insufficient"])
+def test_nothing_found_is_the_platform_again(example: Example, tmp_path: Path, verdict: str) -> None:
+    """Without findings the model differs from Lily in its description alone."""
+    found = replace(example(verdict), all_recalibrated=())
+    lily = load_platform("lily")
+    assert replace(written(tmp_path, found, origin()), description=lily.description) == lily
+
+
+def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
+    """A law outside the catalogue."""
+    numbers = {"coefficient": -3e-4, **numbers}
+    estimates = {name: Estimate(value, 0.9 * value, 1.1 * value, unit) for name, value in numbers.items()}
+    return FoundEffect(identifier, "a law", "", ("lily_01",), "confirmed", estimates, 40.0)
+
+
+def test_laws_outside_the_catalogue_take_free_places(example: Example, tmp_path: Path) -> None:
+    """Two laws, two places; the codes are those of the simulator's tables, whatever unit the coefficient has."""
+    found = replace(example("mismatch"), effects=(law("unknown:world_x~x"), law("unknown:yaw~sin_t", "N m", omega=0.2)))
+    model = written(tmp_path, found, origin())
+    codes = {regressor.name: code for code, regressor in enumerate(REGRESSORS)}
+    assert model.effects["law_1"] == {
+        "coefficient": -3e-4, "equation": 4.0,
+        "regressor_1": codes["x"], "power_1": 1.0, "signed_1": 1.0,
+        "regressor_2": codes["1"], "power_2": 1.0, "signed_2": 1.0,
+    }  # fmt: skip
+    assert model.effects["law_2"]["equation"] == 3.0
+    assert model.effects["law_2"]["regressor_1"] == codes["sin_t"]
+    assert model.effects["law_2"]["omega"] == 0.2
+    more = written(tmp_path, replace(found, effects=(law("unknown:surge~t"),)), origin(model), "more.yaml")
+    assert set(more.effects) == {"law_1", "law_2", "law_3"}
+
+
+def test_a_law_that_the_platform_had_gets_another_coefficient(example: Example, tmp_path: Path) -> None:
+    """In its place, with its codes: it is not there a second time."""
+    known = written(tmp_path, replace(example("mismatch"), effects=(law("unknown:world_x~x"),)), origin())
+    again = replace(law("unknown:world_x~x"), simulated_as="law_1")
+    stronger = replace(again, parameters={"coefficient": replace(again.parameters["coefficient"], value=-5e-4)})
+    model = written(tmp_path, replace(example("mismatch"), effects=(stronger,)), origin(known), "more.yaml")
+    assert model.effects == {"law_1": known.effects["law_1"] | {"coefficient": -5e-4}}
+
+
+def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: Path) -> None:
+    """A compass in error with the thrusters' amounts; its codes are those that its fit had."""
+    settings = {"reading": 4.0, "regressor_1": 10.0, "power_1": 1.0, "signed_1": 0.0}
+    settings |= {"regressor_2": 0.0, "power_2": 1.0, "signed_2": 1.0}
+    compass = replace(law("unknown:compass~|thrust|", "rad/N"), topic="compass", settings=settings)
+    model = written(tmp_path, replace(example("mismatch"), effects=(compass,)), origin())
+    assert model.effects == {"sensor_law_1": {"coefficient": -3e-4, **settings}}
+
+
+def test_an_eddy_is_an_effect_of_its_own(example: Example, tmp_path: Path) -> None:
+    """It is reported as a law outside the catalogue and simulated as what it is; its coefficient is the circulation."""
+    eddy = replace(law("unknown:world_x~y", "m^2/s", x=0.4, y=-0.3, core=0.6), simulated_as="eddy")
+    model = written(tmp_path, replace(example("mismatch"), effects=(eddy,)), origin())
+    assert model.effects == {"eddy": {"circulation": -3e-4, "x": 0.4, "y": -0.3, "core": 0.6}}
+
+
+@pytest.mark.parametrize(
+    ("product", "first", "second"),
+    [
+        ("u*v", ("u", 1.0, 1.0), ("v", 1.0, 1.0)),
+        ("|u|^0.5*u", ("u", 1.5, 1.0), ("1", 1.0, 1.0)),
+        ("|u|^-1*u", ("u", 0.0, 1.0), ("1", 1.0, 1.0)),
+        ("|u|", ("u", 1.0, 0.0), ("1", 1.0, 1.0)),
+        ("x*x", ("x", 2.0, 0.0), ("1", 1.0, 1.0)),
+        ("|u|*v", ("u", 1.0, 0.0), ("v", 1.0, 1.0)),
+        ("|x|^2*x", ("x", 3.0, 1.0), ("1", 1.0, 1.0)),
+        ("1", ("1", 1.0, 1.0), ("1", 1.0, 1.0)),
+    ],
+)
+def test_products_and_powers_become_codes(
+    product: str, first: tuple[str, float, float], second: tuple[str, float, float]
+) -> None:
+    """The power of the amount adds up, the sign counts where an odd number of signed factors is left."""
+    numbers = law_numbers(f"unknown:surge~{product}")
+    names = [regressor.name for regressor in REGRESSORS]
+    for place, (name, power, signed) in enumerate((first, second), 1):
+        assert names[int(numbers[f"regressor_{place}"])] == name
+        assert (numbers[f"power_{place}"], numbers[f"signed_{place}"]) == (power, signed)
+
+
+def test_what_refers_to_the_recording_knows_its_length(example: Example, tmp_path: Path) -> None:
+    """A battery that sags until the end of 600 s sags in the same time in a simulation."""
+    sag = FoundEffect(
+        "battery_sag", "battery", "", ("lily_01",), "confirmed", {"fraction_lost": Estimate(0.1, 0.09, 0.11, "1")}, 30.0
+    )
+    model = written(tmp_path, replace(example("mismatch"), effects=(sag,)), origin())
+    assert model.effects["battery_sag"] == {"fraction_lost": 0.1, "duration": 600.0}
+
+
+def test_what_was_known_of_one_robot_stays_with_it(example: Example, tmp_path: Path) -> None:
+    """Also where another platform's file said so, and not the one that was diagnosed."""
+    own = replace(load_platform("lily"), effect_quantities={"buoyancy_trim": {"force": Quantity(2e-3, "N", "force")}})
+    platform = replace(load_platform("lily"), robots={"lily_02": own}, frame_corrections={"pose": "y mirrored"})
+    found = replace(example("mismatch"), effects=(asymmetry(0.05, "lily_01"),), recalibrated=(), all_recalibrated=())
+    model = written(tmp_path, found, origin(platform, ("lily_01", "lily_02")))
+    assert model.of_robot("lily_02").effects == {"buoyancy_trim": {"force": 2e-3}}
+    assert model.of_robot("lily_01").effects == {"thruster_asymmetry": {"difference": 0.05}}
+    assert (model.effects, model.frame_corrections) == ({}, {"pose": "y mirrored"})

@@ -1,0 +1,223 @@
+"""The page about a diagnosis: whole, self-contained, and sensible for every verdict."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Located, ResidualReading
+from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.report import render_report
+from cocorosim_ros.diagnosis.showing.noise_levels import UNITS
+from cocorosim_ros.scenario.parts.platform import load_platform
+
+Example = Callable[[str], Diagnosis]
+SECTIONS = ["where", "what", "sure", "else", "fit", "numbers", "blind", "next", "remarks", "how"]
+VOID = {"meta", "br", "img", "link", "hr", "input"}
+MOST = 3_000_000  # bytes
+
+
+class Page(HTMLParser):
+    """Balance of tags, headings, pictures with their captions, links and all text of a page."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.sections: list[str] = []
+        self.counts: dict[str, int] = {}
+        self.words: list[str] = []
+        self.links: list[str] = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Notes the tag."""
+        self.counts[tag] = self.counts.get(tag, 0) + 1
+        self.links += [value or "" for name, value in attrs if name in ("href", "src", "xlink:href")]
+        self.sections += [value or "" for name, value in attrs if name == "id" and tag == "h2"]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Notes the tag, which closes itself."""
+        self.counts[tag] = self.counts.get(tag, 0) + 1
+
+    def handle_endtag(self, tag: str) -> None:
+        """Compares the tag with the one that is open."""
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        """Collects text outside of styles."""
+        if "style" not in self.open and "svg" not in self.open:
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        """The words of the page."""
+        return " ".join(" ".join(self.words).split()).replace("\u00a0", " ")
+
+
+def page(diagnosis: Diagnosis) -> tuple[str, Page]:
+    """The page's text and content."""
+    origin = Origin(load_platform("lily"), ("bags/tank_7",), ("lily_01",), 600.0)
+    text = render_report(diagnosis, origin)
+    return text, Page(text)
+
+
+Pages = Callable[[str], tuple[str, Page]]
+LAWS = (("surge", "x (world_x)"), ("compass", "sin"), ("heave", "pump_rate"), ("surge", "1"))
+
+
+@pytest.fixture(scope="module")
+def pages(example: Example) -> Pages:
+    """A function of a verdict: its page, made once."""
+    made: dict[str, tuple[str, Page]] = {}
+    return lambda verdict: made.setdefault(verdict, made.get(verdict) or page(example(verdict)))
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "recalibrate", "mismatch", "insufficient"])
+def test_every_verdict_gives_a_whole_page(pages: Pages, example: Example, verdict: str) -> None:
+    """All sections in their order, tags balanced, the sentence as title and heading, a caption for every picture."""
+    text, content = pages(verdict)
+    sentence = example(verdict).sentence
+    assert content.sections == SECTIONS
+    assert content.open == []
+    assert f"<title>{sentence}</title>" in text
+    assert f"<h1>{sentence}</h1>" in text
+    assert content.counts.get("svg", 0) == content.counts.get("figcaption", 0) == content.counts.get("figure", 0)
+    assert len(text.encode()) < MOST
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "recalibrate", "mismatch", "insufficient"])
+def test_a_page_needs_nothing_else(pages: Pages, verdict: str) -> None:
+    """No link leads out of the page, nothing is loaded; every link inside leads to something."""
+    text, content = pages(verdict)
+    assert all(link.startswith("#") for link in content.links)
+    targets = set(re.findall(r'\bid="([^"]+)"', text))
+    assert {link[1:] for link in content.links} <= targets
+    assert set(re.findall(r"url\(#([^)]+)\)", text)) <= targets
+    assert "<script" not in text
+    assert "@import" not in text
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "recalibrate", "mismatch", "insufficient"])
+def test_no_number_has_an_exponent_or_is_nan(pages: Pages, verdict: str) -> None:
+    """Words and axes show plain numbers with SI prefixes."""
+    text, content = pages(verdict)
+    labels = " ".join(re.findall(r"<text[^>]*>([^<]*)</text>", text))
+    assert not re.search(r"\d[eE][-+\u2212]?\d|\bnan\b|\binf\b|10\^", f"{content.text} {labels}")
+
+
+def test_a_mismatch_is_told_with_numbers_and_rivals(pages: Pages) -> None:
+    """Effect, typeset law, interval in handy units, rival, held-out errors, what cannot be seen, what to do."""
+    text, content = pages("mismatch")
+    for words in ("44.3 g", "43.1 to 45.5 g", "2.1 nats", "8.2 times less likely", "31.5 mm", "11.1 mm",
+                  "thruster deadband: from about width 0.110", "push the robot sideways", "3 poses came twice",
+                  "1.853 kg/m", "22.0 \u00b5N m"):  # fmt: skip
+        assert words in content.text, words
+    assert "<i>N</i> = \u2212(<i>m</i><sub>v</sub>" in text
+    # Over time, against two regressors, over the tank, by conditions, nats, free runs, parameters.
+    assert content.counts["svg"] == 8
+
+
+@pytest.mark.parametrize(
+    ("verdict", "words"),
+    [
+        ("consistent", ["Nothing has to be done", "No effect of the catalogue", "Nowhere: what the fitted model"]),
+        ("recalibrate", ["The physics is complete", "so there are no rivals", "diagnose the next recording"]),
+        ("insufficient", ["holds too little information", "drive at three speeds", "zero throughout"]),
+    ],
+)
+def test_empty_parts_say_why(pages: Pages, verdict: str, words: list[str]) -> None:
+    """What is not there is explained."""
+    for expected in words:
+        assert expected in pages(verdict)[1].text
+
+
+def test_words_of_others_are_no_markup(example: Example) -> None:
+    """Names of files and topics cannot break the page."""
+    text, content = page(replace(example("insufficient"), sentence="a < b & <script>c", remarks=("<b>x",)))
+    assert "<script>c" not in text
+    assert "a < b & <script>c" in content.text
+    assert content.open == []
+
+
+def test_odd_findings_still_give_a_page(example: Example) -> None:
+    """Streams, laws along the world's axes, regressors nobody recorded, infinite and missing numbers, many robots."""
+    found = example("mismatch")
+    mixed = FoundEffect("frame_mixup", "axes", "", ("lily_01",), "confirmed", {}, math.inf, topic="pose",
+                        correction="the position is in millimetres")  # fmt: skip
+    unknown = FoundEffect(
+        "unknown:world_x~x", "a law", "F_x = c x", ("lily_01",), "suspected",
+        {"coefficient": Estimate(-3e-4, -4e-4, math.nan, "N/(m)")}, 12.0,
+    )  # fmt: skip
+    places = tuple(
+        Located(("lily_01",), equation, regressor, "throughout", (0.0, math.nan), 1e-4, "N", math.nan)
+        for equation, regressor in LAWS
+    )
+    time = np.linspace(0.0, 600.0, 500)
+    reading = ResidualReading("lily_01", "compass", "rad", "yaw", time, time % 6.0, np.sin(time), np.full(500, np.nan))
+    robots = tuple(replace(found.residual_before[0], robot=f"lily_{number:02d}") for number in range(1, 6))
+    odd = replace(
+        found, effects=(mixed, unknown), mismatch=places, readings=(reading,), residual_before=robots, residual_after=()
+    )
+    text, content = page(odd)
+    assert content.open == []
+    expected = ("the position is in millimetres", "world x", "/lily_01/compass", "2 more robots", "\u2212300 \u00b5N/m")
+    for words in expected:
+        assert words in content.text, words
+    assert len(text.encode()) < MOST
+
+
+def test_the_same_diagnosis_gives_the_same_page(example: Example) -> None:
+    """Byte for byte."""
+    assert page(example("insufficient"))[0] == page(example("insufficient"))[0]
+    few = replace(example("mismatch"), residual_before=(), residual_after=(), free_runs=())
+    assert page(few)[0] == page(few)[0]
+
+
+def test_what_was_not_observed_is_not_drawn(example: Example) -> None:
+    """A vehicle whose place nobody saw has no map and no path, but its heading and depth."""
+    found = example("mismatch")
+    fit = {name: each for name, each in found.fit.items() if name != "position"}
+    text, content = page(replace(found, fit=fit))
+    assert "Seen from above" not in content.text
+    assert "measured path" not in content.text
+    labels = re.findall(r"<text[^>]*>([^<]*)</text>", text)
+    assert any("error of depth" in label for label in labels)
+    assert not any("error of position" in label for label in labels)
+
+
+@pytest.mark.parametrize(("recordings", "second"), [(5, "lily_01 in bags/2"), (7, "lily_01, 2 of its 5 recordings")])
+def test_recordings_of_one_robot_are_told_apart(example: Example, recordings: int, second: str) -> None:
+    """Its pictures carry the names of the recordings, or a number where some had no use; no robot is made up."""
+    residuals = example("mismatch").residual_before * 5
+    found = replace(example("mismatch"), residual_before=residuals, residual_after=())
+    names = tuple(f"bags/{number}" for number in range(1, recordings + 1))
+    text = render_report(found, Origin(load_platform("lily"), names, ("lily_01",), 600.0))
+    titles = re.findall("<h3>(lily_01.*?)</h3>", text)
+    assert titles[1] == second and len(set(titles)) == 3
+    assert "about 2 more recordings too" in text and "more robots" not in text
+
+
+def test_noise_is_called_by_words(example: Example) -> None:
+    """Every number of noise that a fit knows has a name for readers."""
+    noise = {name: Estimate(1e-3, 9e-4, 1.1e-3, unit) for name, unit in UNITS.items()}
+    _, content = page(replace(example("mismatch"), noise=noise))
+    assert "random force, horizontal" in content.text and "a reading of pose, x and y" in content.text
+    assert "random." not in content.text and "reading." not in content.text
+
+
+def test_stretches_are_of_as_many_robots_as_possible(example: Example) -> None:
+    """Five stretches of the first robot do not crowd out the other two."""
+    run = example("mismatch").free_runs[0]
+    robots = ["lily_01"] * 5 + ["lily_02", "lily_03"]
+    found = replace(example("mismatch"), free_runs=tuple(replace(run, robot=name) for name in robots))
+    labels = re.findall(r"<text[^>]*>([^<]*, from 420 s)</text>", page(found)[0])
+    assert labels == [f"{name}, from 420 s" for name in ("lily_01", "lily_02", "lily_03")]

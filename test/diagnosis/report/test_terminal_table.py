@@ -1,0 +1,39 @@
+"""The tables of a diagnosis in the terminal."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable
+
+from rich.console import Console
+
+from cocorosim_ros.diagnosis.findings import Diagnosis
+from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
+
+Example = Callable[[str], Diagnosis]
+
+
+def shown(diagnosis: Diagnosis) -> str:
+    """The tables on a wide terminal."""
+    stream = io.StringIO()
+    Console(file=stream, width=200).print(terminal_tables(diagnosis))
+    return stream.getvalue().replace("\u00a0", " ")
+
+
+def test_a_mismatch_shows_effects_numbers_and_errors(example: Example) -> None:
+    """Effect with interval and rival, moved parameter, held-out errors."""
+    text = shown(example("mismatch"))
+    row = next(line for line in text.splitlines() if "sway_minus_surge" in line)
+    assert [cell.strip() for cell in row.strip("\u2502").split("\u2502")] == [
+        "added_mass, confirmed", "lily_01", "sway_minus_surge", "44.3 g", "43.1 to 45.5 g", "563",
+        "anisotropic_drag (\u22122.1)",
+    ]  # fmt: skip
+    assert "1.853 kg/m" in text
+    assert "11.1 mm" in text
+
+
+def test_empty_tables_are_left_out(example: Example) -> None:
+    """A recording that cannot tell shows what to record, and no table."""
+    text = shown(example("insufficient"))
+    assert "next: drive at three speeds" in text
+    assert "\u2502" not in text

@@ -1,0 +1,133 @@
+"""The nodes as commands of their own, as `ros2 run` starts them: help, parameters, refusals, three shells together."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from cocorosim_ros.wire.bags.bag_reader import read_bag
+
+BIN = Path(sys.executable).parent
+ONLOOKER = Path(__file__).with_name("onlooker.py")
+NODES = ("physics_node", "controller_node", "metrics_node")
+LIMIT = 200.0  # s; only a hang takes so long
+STRING, BOOL, INTEGER, DOUBLE = 4, 1, 2, 3  # rcl_interfaces/msg/ParameterType
+Starter = Callable[..., Any]
+
+
+@pytest.fixture
+def shell(free_domain: str) -> dict[str, str]:
+    """The environment of all shells of one test: a domain that nobody uses, on this machine."""
+    return {"ROS_DOMAIN_ID": free_domain, "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+
+
+def ros_arguments(**values: object) -> list[str]:
+    """Parameters as a user types them."""
+    return ["--ros-args", *(word for name, value in values.items() for word in ("-p", f"{name}:={value}"))]
+
+
+def run_node(shell: dict[str, str], *command: object) -> subprocess.CompletedProcess[str]:
+    """The node's end, which comes by itself."""
+    words = [str(BIN / str(command[0])), *map(str, command[1:])]
+    return subprocess.run(
+        words, env={**os.environ, **shell}, capture_output=True, text=True, timeout=LIMIT, check=False
+    )
+
+
+@pytest.mark.parametrize("node", NODES)
+def test_help(node: str, shell: dict[str, str]) -> None:
+    """It names the node and each of its parameters."""
+    done = run_node(shell, node, "--help")
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"{node}: ")
+    assert "scenario (default " in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (("physics_node", *ros_arguments(rate="fast")), "parameter 'rate' has 'fast'; give a number"),
+        (("physics_node", *ros_arguments(rate=-1.0)), "parameter 'rate' has -1.0, which is out of range; give 0 to"),
+        (("physics_node", *ros_arguments(scenario="no_such")), "no_such"),
+        (("physics_node", "eleven_lilys"), "physics_node does not know 'eleven_lilys'"),
+        (("controller_node",), "controller_node has no namespace"),
+        (("controller_node", "--ros-args", "-r", "__ns:=/lily_99", "-p", "scenario:=one_lily"), "no such robot"),
+        (("metrics_node",), "give 'scenario', or 'robots'"),
+        (("metrics_node", "--ros-args", "-p", "nonsense"), "nonsense"),
+    ],
+)
+def test_refusals(command: tuple[str, ...], words: str, shell: dict[str, str]) -> None:
+    """Unusable input: one sentence on standard error, status 2."""
+    done = run_node(shell, *command)
+    assert done.returncode == 2, done.stderr
+    assert words in done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stderr.strip().count("\n") == 0, done.stderr
+
+
+def test_three_shells_give_the_bag_of_the_command(
+    start: Starter, scenario: Callable[..., Path], tmp_path: Path, shell: dict[str, str]
+) -> None:
+    """Physics, controllers and recorder started by hand, in any order, work together and end together."""
+    path = scenario(2, 20)
+    physics = start("physics_node", *ros_arguments(scenario=path, recorded="true"), env=shell)
+    described = start(ONLOOKER, "describe", "/physics_node", env=shell)
+    assert described.finish() == 0, described.output
+    parameters = json.loads(described.output)
+    assert parameters["scenario"]["value"] == str(path)
+    assert parameters["recorded"]["type"] == BOOL
+    assert parameters["rate"]["type"] == DOUBLE
+    assert parameters["rate"]["range"] == [[0.0, 1e6]]
+    assert parameters["seed"]["type"] == INTEGER
+    assert parameters["seed"]["range"] == [[-1, 2**63 - 1]]
+    own = {name: row for name, row in parameters.items() if name in ("scenario", "rate", "seed", "recorded", "wait")}
+    assert len(own) == 5
+    assert all(row["description"] and row["read_only"] for row in own.values())
+
+    controllers = [
+        start("controller_node", "--ros-args", "-r", f"__ns:=/lily_0{number}", "-p", f"scenario:={path}", env=shell)
+        for number in (1, 2)
+    ]
+    arguments = ros_arguments(scenario=path, out=tmp_path / "bag", summary=tmp_path / "summary.json")
+    metrics = start("metrics_node", *arguments, env=shell)
+    assert metrics.finish() == 0, metrics.output
+    assert physics.finish() == 0, physics.output
+    for controller in controllers:
+        controller.process.terminate()
+        assert controller.finish() == 0, controller.output
+    alone = start("cocorosim", "run", path, "--in-process", "--out", tmp_path / "alone")
+    assert alone.finish() == 0, alone.output
+    digests = [
+        read_bag(bag).summary.metadata["cocorosim"]["digest"] for bag in (tmp_path / "bag", tmp_path / "alone/bag")
+    ]
+    assert digests[0] == digests[1]
+    assert json.loads((tmp_path / "summary.json").read_text())["ticks"] == 20
+
+
+def test_metrics_node_records_real_robots(
+    start: Starter, tmp_path: Path, shell: dict[str, str], counts: Callable[[Path], dict[str, int]]
+) -> None:
+    """Without a scenario: whatever the named robots publish, until it is told to stop; the bag is whole then."""
+    toy = Path(__file__).parents[2] / "examples" / "toy_robot.py"
+    robot = start(toy, "boat", env=shell)
+    metrics = start("metrics_node", *ros_arguments(robots="boat", out=tmp_path / "bag"), env=shell)
+    recording = tmp_path / "bag"
+    deadline = time.monotonic() + LIMIT
+    while not recording.exists():
+        assert metrics.process.poll() is None, metrics.output
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    robot.wait_for(r"\n", times=robot.output.count("\n") + 5)
+    metrics.process.terminate()
+    robot.process.terminate()
+    assert metrics.finish() == 0, metrics.output
+    assert counts(recording)["/boat/compass"] > 0
+    assert not read_bag(recording).summary.damage

@@ -1,0 +1,56 @@
+"""Small logs, maps around them, and what the recording holds afterwards."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+HEAD = "name: test\nformat: csv\ntables:\n"
+
+
+def messages_of(folder: Path) -> dict[str, list[Any]]:
+    """All messages of a recording by topic, with the stamp of their header [ns] as `.at`."""
+    from cocorosim_ros.wire.bags.bag_reader import read_bag
+    from cocorosim_ros.wire.cdr.type_store import deserialize
+
+    found: dict[str, list[Any]] = {}
+    for message in read_bag(folder).messages():
+        content = deserialize(message.type_name, message.data)
+        at = content.header.stamp.sec * 1_000_000_000 + content.header.stamp.nanosec
+        assert message.log_time_ns == at
+        found.setdefault(message.topic, []).append(SimpleNamespace(at=at, content=content))
+    return found
+
+
+@pytest.fixture
+def messages() -> Callable[[Path], dict[str, list[Any]]]:
+    """The function that reads a recording back."""
+    return messages_of
+
+
+@pytest.fixture
+def convert_csv(tmp_path: Path) -> Callable[..., SimpleNamespace]:
+    """Function of (tables, files by name, source in their folder, name of the recording): what came of it."""
+    from cocorosim_ros.wire.conversion.conversion import convert
+    from cocorosim_ros.wire.conversion.map_file import load_map
+
+    def run(
+        tables: str, files: Mapping[str, str], source: str = "", out: str = "bag", **options: Any
+    ) -> SimpleNamespace:
+        logs = tmp_path / "logs"
+        for name, text in files.items():
+            (logs / name).parent.mkdir(parents=True, exist_ok=True)
+            (logs / name).write_text(text, "utf-8")
+        (tmp_path / "map.yaml").write_text(HEAD + tables, "utf-8")
+        done = convert(load_map(tmp_path / "map.yaml"), logs / source, tmp_path / out, **options)
+        return SimpleNamespace(
+            topics=messages_of(done[0].folder) if len(done) == 1 else {},
+            findings=done[0].conversion.findings,
+            done=done,
+        )
+
+    return run

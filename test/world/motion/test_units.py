@@ -1,0 +1,161 @@
+"""Units of every equation: each parameter, times what it multiplies, has the unit of what it is added to."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+
+import pytest
+
+from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, EFFECTS
+from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
+from cocorosim_ros.world.terms.regressors import REGRESSORS
+
+# In kg, m and s; angles have no dimension.
+BASE: dict[str, dict[str, float]] = {
+    "N": {"kg": 1, "m": 1, "s": -2},
+    "Pa": {"kg": 1, "m": -1, "s": -2},
+    "kg": {"kg": 1},
+    "m": {"m": 1},
+    "s": {"s": 1},
+    "rad": {},
+    "1": {},
+}
+
+
+def dimension(unit: str) -> dict[str, float]:
+    """Powers of kg, m and s in a unit such as 'N m s^2' or 'kg/m'."""
+    total: Counter[str] = Counter()
+    numerator, _, denominator = unit.partition("/")
+    for side, sign in ((numerator, 1.0), (denominator, -1.0)):
+        for name, power in re.findall(r"([A-Za-z1]+)(?:\^([-0-9.]+))?", side):
+            for base, exponent in BASE[name].items():
+                total[base] += sign * exponent * float(power or 1)  # type: ignore[assignment]
+    return {base: exponent for base, exponent in total.items() if exponent}
+
+
+SPEED, TURN, NONE = "m/s", "rad/s", "1"
+# Per parameter: what it multiplies, and the unit of the term; by hand from the equations of the catalogue.
+TERMS: dict[str, tuple[str, str]] = {
+    "quadratic_drag.drag": ("m^2/s^2", "N"),
+    "quadratic_drag.yaw_drag": ("rad^2/s^2", "N m"),
+    "net_buoyancy.net_buoyancy": (NONE, "N"),
+    "patch_force.patch_force_x": (NONE, "N"),
+    "patch_force.patch_force_y": (NONE, "N"),
+    "patch_force.patch_force_z": (NONE, "N"),
+    "patch_force.patch_moment": (NONE, "N m"),
+    "linear_drag.surge": (SPEED, "N"),
+    "linear_drag.sway": (SPEED, "N"),
+    "linear_drag.heave": (SPEED, "N"),
+    "linear_drag.yaw": (TURN, "N m"),
+    "anisotropic_drag.sway_ratio": ("kg m/s^2", "N"),  # k U v
+    "anisotropic_drag.heave_ratio": ("kg m/s^2", "N"),
+    "anisotropic_drag.length": (TURN, SPEED),  # x r beside v
+    "added_mass.sway_minus_surge": ("m^2/s^2", "N m"),  # u v
+    "added_mass.heave_minus_surge": ("m/s^2", "N"),
+    "added_mass.yaw": ("rad/s^2", "N m"),
+    "steady_current.x": (NONE, SPEED),
+    "steady_current.y": (NONE, SPEED),
+    "eddy.x": (NONE, "m"),
+    "eddy.y": (NONE, "m"),
+    "eddy.core": (NONE, "m"),
+    "eddy.circulation": ("1/m", SPEED),
+    "sheared_current.x": (NONE, SPEED),
+    "sheared_current.y": (NONE, SPEED),
+    "sheared_current.dx_dy": ("m", SPEED),
+    "sheared_current.dx_dz": ("m", SPEED),
+    "sheared_current.dy_dx": ("m", SPEED),
+    "sheared_current.dy_dz": ("m", SPEED),
+    "tidal_current.x": (NONE, SPEED),
+    "tidal_current.y": (NONE, SPEED),
+    "tidal_current.period": ("1/s", NONE),  # t / period
+    "tidal_current.phase": (NONE, "rad"),
+    "tether.stiffness": ("m", "N"),
+    "tether.x": (NONE, "m"),
+    "tether.y": (NONE, "m"),
+    "wall_effect.gain": ("kg m/s^2", "N"),
+    "wall_effect.range": ("1/m", NONE),  # h / range
+    "neighbour_wake.gain": ("N", "N"),
+    "thruster_lag.time_constant": ("N/s", "N"),  # tau dF/dt
+    "thruster_deadband.width": (NONE, NONE),
+    "thruster_deadband.ramp": (NONE, NONE),
+    "thruster_asymmetry.difference": (NONE, NONE),
+    "torque_bias.torque": (NONE, "N m"),
+    "reverse_loss.loss": ("N", "N"),
+    "advance_loss.slope": (SPEED, NONE),
+    "battery_sag.fraction_lost": ("N", "N"),
+    "battery_sag.duration": ("1/s", NONE),
+    "thruster_misalignment.angle": (NONE, "rad"),
+    "thruster_misalignment.arm": ("N", "N m"),
+    "buoyancy_trim.force": (NONE, "N"),
+    "pump_lag.time_constant": ("N/s", "N"),
+    "pump_lag.backlash": ("N", "N"),
+    "hull_compressibility.gradient": ("m", "N"),
+    "hull_compressibility.gas": (NONE, NONE),
+    "stratification.depth": (NONE, "m"),
+    "stratification.force": (NONE, "N"),
+    "payload_shift.time": (NONE, "s"),
+    "payload_shift.force": (NONE, "N"),
+    "compass_distortion.offset": (NONE, "rad"),
+    "compass_distortion.sin": (NONE, "rad"),
+    "compass_distortion.cos": (NONE, "rad"),
+    "pressure_offset.offset": (NONE, "Pa"),
+    "pressure_drift.rate": ("s", "Pa"),
+    "imu_bias.gyro_z": (NONE, TURN),
+    "imu_bias.accel_x": (NONE, "m/s^2"),
+    "imu_bias.accel_y": (NONE, "m/s^2"),
+    "imu_bias.accel_z": (NONE, "m/s^2"),
+    "sensor_latency.compass": (NONE, "s"),
+    "sensor_latency.pressure": (NONE, "s"),
+    "sensor_latency.imu": (NONE, "s"),
+    "sensor_latency.velocity": (NONE, "s"),
+}
+CODES = ("anisotropic_drag.form",)
+PARAMETERS = {
+    f"{effect}.{parameter.name}": parameter.unit
+    for table in (EFFECTS, SENSOR_EFFECTS)
+    for effect, described in table.items()
+    if not effect.startswith("law_")
+    for parameter in described.parameters
+}
+
+
+def test_every_parameter_has_a_term() -> None:
+    """No equation is left out."""
+    assert set(TERMS) | set(CODES) == set(PARAMETERS)
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_units_of_the_equations_fit(name: str) -> None:
+    """The parameter's unit times that of what it multiplies is that of the term."""
+    factor, term = TERMS[name]
+    product = Counter(dimension(PARAMETERS[name]))
+    for base, exponent in dimension(factor).items():
+        product[base] += exponent  # type: ignore[assignment]
+    assert {base: exponent for base, exponent in product.items() if exponent} == dimension(term)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"),
+    [("thrust", "N"), ("yaw_command", "N m"), ("pump", "N"), ("pump_rate", "N/s"), ("r", "rad/s"), ("u", "m/s"),
+     ("speed", "m/s"), ("x", "m"), ("neighbour_distance", "m"), ("t", "s"), ("sin_t", "1"), ("1", "1")],
+)  # fmt: skip
+def test_units_of_regressors(name: str, unit: str) -> None:
+    """Each regressor has the unit of what it measures."""
+    units = {regressor.name: regressor.unit for regressor in REGRESSORS}
+    assert dimension(units[name]) == dimension(unit)
+
+
+def test_the_swing_of_a_law_is_an_angle() -> None:
+    """omega t + phase has no dimension."""
+    units = {parameter.name: parameter.unit for parameter in CATALOGUE_EFFECTS["law_1"].parameters}
+    assert dimension(units["omega"]) == {"s": -1}
+    assert dimension(units["phase"]) == {}
+
+
+def test_units_are_read_as_they_are_meant() -> None:
+    """The reader itself: kg/m times (m/s)^2 is a newton, N m s^2 over s^2 a newton metre."""
+    assert dimension("kg/m") == {"kg": 1, "m": -1}
+    assert dimension("N m s^2") == {"kg": 1, "m": 2}
+    assert math.isclose(dimension("m^2/s^2")["s"], -2)
