@@ -55,9 +55,9 @@ setup(
     entry_points={
         "console_scripts": [
             f"cocorosim = {PACKAGE}.commands.main:main",
-            f"physics_node = {PACKAGE}.nodes.physics_node:main",
-            f"controller_node = {PACKAGE}.nodes.controller_node:main",
-            f"metrics_node = {PACKAGE}.nodes.metrics_node:main",
+            f"physics_node = {PACKAGE}.graph.nodes.physics_node:main",
+            f"controller_node = {PACKAGE}.graph.nodes.controller_node:main",
+            f"metrics_node = {PACKAGE}.graph.nodes.metrics_node:main",
         ],
     },
 )
