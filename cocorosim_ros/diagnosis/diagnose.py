@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
@@ -27,7 +25,6 @@ from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 
-Floats = NDArray[np.float64]
 Progress = Callable[[str, float], None]
 WORSE = 1.1
 SURE = 0.01  # chance that a clear shift of the platform's numbers is none

@@ -6,10 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]
 

@@ -6,18 +6,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY, eddy_entry
 from cocorosim_ros.diagnosis.catalogue.entry import Entry, Scene
 from cocorosim_ros.diagnosis.catalogue.laws import law_entries
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import sensor_law_entries
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
-
-Floats = NDArray[np.float64]
 
 
 def open_set(scene: Scene, found: Sequence[Entry], rows: Floats, *, water: bool) -> list[Entry]:

@@ -7,8 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.excitation import command_use
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Floats, Recording, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 SHORTEST = 6.0  # s of commands and readings at the same time, of one recording

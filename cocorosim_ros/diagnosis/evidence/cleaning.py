@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 GAP_INTERVALS, GAP_SECONDS = 5.0, 1.0  # a gap is longer than so many usual intervals and than this

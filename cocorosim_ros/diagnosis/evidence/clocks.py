@@ -12,10 +12,9 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 FAR = 1.0  # s: what no transport and no latency explains
@@ -140,7 +139,7 @@ def _without_strays(rows: TopicRows, usual: float, topics: Sequence[TopicRows], 
     return _selected(rows, ~strays)
 
 
-def _selected(rows: TopicRows, chosen: NDArray[np.bool_]) -> TopicRows:
+def _selected(rows: TopicRows, chosen: Flags) -> TopicRows:
     return replace(rows, stamp_ns=rows.stamp_ns[chosen], log_ns=rows.log_ns[chosen], values=rows.values[chosen])
 
 

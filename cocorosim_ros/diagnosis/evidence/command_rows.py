@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.stamped_numbers import FRAME_LENGTH, PADDING, Stamps, decode_layout, numbers_at
 
@@ -22,7 +21,7 @@ class CommandRows:
 
     stamp_ns: Stamps
     values: Floats
-    readable: NDArray[np.bool_]
+    readable: Flags
     remarks: tuple[str, ...]
 
 
@@ -85,7 +84,7 @@ def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -
     return [f"{topic}: {', '.join(silent)} is never commanded and is taken to be off."] if names and silent else []
 
 
-def _usable(topic: str, values: Floats, readable: NDArray[np.bool_], remarks: list[str]) -> Floats:
+def _usable(topic: str, values: Floats, readable: Flags, remarks: list[str]) -> Floats:
     given = np.isfinite(values[readable]).any(axis=0)  # a column without any number was remarked on by its name
     lost = np.count_nonzero(~np.isfinite(values[readable][:, given]).all(axis=1))
     if lost:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 NOISES = 10.0  # standard deviations of a reading
@@ -81,6 +81,6 @@ def without_spikes(pose: Stream, jumps: tuple[Jump, ...], platform: Platform) ->
     return selected(pose, kept)
 
 
-def selected(pose: Stream, kept: NDArray[np.bool_]) -> Stream:
+def selected(pose: Stream, kept: Flags) -> Stream:
     """The track at the chosen moments (n,)."""
     return replace(pose, time=pose.time[kept], value=pose.value[kept])

@@ -9,11 +9,12 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.cleaning import gaps_of
 from cocorosim_ros.diagnosis.evidence.clocks import Skew
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Floats, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
 from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
 from cocorosim_ros.diagnosis.evidence.streams.turning import period_of, turned_by_gyro, unwrapped
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 HEADINGS = {"pose": 3, "compass": 0}  # column of the angle

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.evidence.command_rows import read_command_rows
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Floats
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.stamped_numbers import Stamps, read_stamped_numbers
@@ -126,6 +126,6 @@ def _rows(topic: str, found: _Found, actuators: tuple[str, ...]) -> TopicRows:
     return TopicRows(robot, name, stamps[readable], log_ns[readable], values[readable], remarks)
 
 
-def _unreadable(topic: str, readable: NDArray[np.bool_]) -> Sequence[str]:
+def _unreadable(topic: str, readable: Flags) -> Sequence[str]:
     bad = np.count_nonzero(~readable)
     return [f"{topic}: {bad} of {len(readable)} messages could not be read and were left out."] if bad else []

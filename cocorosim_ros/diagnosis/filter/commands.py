@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from cocorosim_ros.world.motion.actuation import actuate
 from cocorosim_ros.world.state.state import MEMORY_SIZE, RATE
 from cocorosim_ros.world.vehicle_model.vehicles import Body
-
-Floats = NDArray[np.float64]
 
 
 @allocating_kernel

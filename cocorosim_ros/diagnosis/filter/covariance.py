@@ -6,13 +6,12 @@ Matrices are flat. Rows of the horizontal ones are three vectors of four.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.layout import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
 from cocorosim_ros.diagnosis.filter.random_force import Fading
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import add_four, kernel, stack_array
 
-Floats = NDArray[np.float64]
 GATE = 6.0  # standard deviations beyond which a reading pulls no harder, nor makes anything surer
 
 

@@ -17,7 +17,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.covariance import (
     GATE,
@@ -66,12 +65,11 @@ from cocorosim_ros.diagnosis.filter.motion import (
 from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
 from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
 from cocorosim_ros.diagnosis.filter.records import Belief, Drive, History, Past, Readings
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel, stack_array
 from cocorosim_ros.world.motion import dynamics
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.vehicle_model.vehicles import Body
-
-Floats = NDArray[np.float64]
 
 
 class Spread(NamedTuple):

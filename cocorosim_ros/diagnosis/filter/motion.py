@@ -6,7 +6,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.layout import (
     HFX,
@@ -26,13 +25,12 @@ from cocorosim_ros.diagnosis.filter.layout import (
 )
 from cocorosim_ros.diagnosis.filter.random_force import Fading
 from cocorosim_ros.diagnosis.filter.records import Drive
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
 from cocorosim_ros.world.motion.dynamics import state_rate
 from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, PATCH_FORCE_COLUMNS, Body
-
-Floats = NDArray[np.float64]
 
 FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behind each other
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
 
-Floats = NDArray[np.float64]
 CHUNK = 1024  # readings at a time, so that they stay in the cache
 LANES = 8
 

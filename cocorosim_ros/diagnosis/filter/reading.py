@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 from cocorosim_ros.diagnosis.filter.layout import (
     ACCEL_X,
     ACCEL_Y,
@@ -43,14 +40,13 @@ from cocorosim_ros.diagnosis.filter.layout import (
     VW,
     VZ,
 )  # fmt: skip
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.pressure import GRAVITY, PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
 # mypy: disable-error-code="no-any-return"
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 
 class Readings(NamedTuple):
@@ -62,4 +58,4 @@ class Past(NamedTuple):
 
     innovation: Floats  # (m,)
     gain: Floats  # (m, HORIZONTAL)
-    believed: NDArray[np.bool_]  # (m,) innovations within the gate
+    believed: Flags  # (m,) innovations within the gate

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.records import History
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 
-Floats = NDArray[np.float64]
 WIDE = np.array([0, 1, 3, 4, 5, 7, 8, 9, 11, 12, 13, 15])  # x y yaw u v r, force x y, moment, gusts of these
 HIGH = np.array([2, 6, 10, 14])  # z w, force z, its gust
 

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
@@ -16,8 +15,8 @@ from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import sizes
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 OVER = 0.1  # of a logarithm beyond the largest shape of a grid
 
 

@@ -19,8 +19,8 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_centre, prior_precision, write_values
 from cocorosim_ros.diagnosis.tracks.track import Pass, Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 LARGEST_NOISE_STEP = 1.0  # of a logarithm
 NOISE_STEP = 0.02
 LEAST_GAIN = 0.02  # nats below which an iteration has converged

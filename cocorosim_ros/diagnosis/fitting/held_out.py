@@ -13,12 +13,11 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information, solve
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 BLOCKS = 10  # of each recording
 
 

@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.fitting.fit import Fit, clipped, evaluated, settled
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
+from cocorosim_ros.foundation.arrays import Flags
 
 LEAPS = (-2.0, -1.0, 1.0, 2.0)  # of a logarithm
 WORTH = 1.0  # nats
@@ -33,7 +33,7 @@ def leapt(fit: Fit, rounds: int) -> Fit:
     return fit
 
 
-def _groups(fit: Fit) -> Iterator[NDArray[np.bool_]]:
+def _groups(fit: Fit) -> Iterator[Flags]:
     """Which noise leaps together: all of a column, all random forces, all readings, each alone."""
     columns = np.array([unknown.column for unknown in fit.noise])
     for column in dict.fromkeys(columns):
@@ -43,7 +43,7 @@ def _groups(fit: Fit) -> Iterator[NDArray[np.bool_]]:
     yield from np.eye(len(columns), dtype=bool)
 
 
-def _best_leap(fit: Fit, moved: NDArray[np.bool_]) -> Fit:
+def _best_leap(fit: Fit, moved: Flags) -> Fit:
     """The best of the leaps of these, or the fit itself."""
     best = fit
     for leap in LEAPS:

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
@@ -30,9 +29,8 @@ from cocorosim_ros.diagnosis.tracks.columns import (
 from cocorosim_ros.diagnosis.tracks.surroundings import introduce
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import ARM, full_forces
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
-
-Floats = NDArray[np.float64]
 
 # Columns, by the name that the contract reports, and their unit.
 RECALIBRATED: dict[str, tuple[str, str]] = {

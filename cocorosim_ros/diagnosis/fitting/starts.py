@@ -9,13 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 CAUTIOUS = 0.3
 HALVINGS = 4
 

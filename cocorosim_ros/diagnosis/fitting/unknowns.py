@@ -7,11 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 
 @dataclass(frozen=True)

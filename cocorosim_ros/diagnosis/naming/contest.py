@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
@@ -15,8 +14,8 @@ from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.fitting.starts import best_start
 from cocorosim_ros.diagnosis.fitting.unknowns import prior_precision
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 CLEAR = 3.0  # nats from which a candidate is worth the last steps
 
 

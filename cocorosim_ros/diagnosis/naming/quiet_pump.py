@@ -10,15 +10,14 @@ water does.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from cocorosim_ros.diagnosis.filter.layout import ACCEL_Z, POSE_Z, PRESSURE, VELOCITY_W
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Pass, Track
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
-Floats = NDArray[np.float64]
 UPRIGHT = (POSE_Z, PRESSURE, ACCEL_Z, VELOCITY_W)
 MEMORY = 5.0  # s for which a movement of the pump tells of it
 LOUD = 20.0  # times the random force
@@ -34,7 +33,7 @@ def quiet_gain(base: Fit, more: Fit) -> float:
     return max(gain, 0.0)
 
 
-def _is_loud(track: Track, row: Floats) -> NDArray[np.bool_]:
+def _is_loud(track: Track, row: Floats) -> Flags:
     """(m,) whether the force of the pumps has changed much in the time before each reading."""
     force = track.pump_force(row)
     width = max(1, round(MEMORY / track.readings.step))

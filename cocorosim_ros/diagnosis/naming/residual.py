@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
@@ -15,9 +14,9 @@ from cocorosim_ros.diagnosis.tracks.surroundings import FAR
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.vehicle_model.vehicles import MASS
 
-Floats = NDArray[np.float64]
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
 IN_BODY = ("surge", "sway")
 PEAKS = 3

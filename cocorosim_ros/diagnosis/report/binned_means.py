@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
 _LEAST_VISITS = 3
 
@@ -36,7 +35,7 @@ def binned_means(abscissa: Floats, values: Floats, classes: int = 12) -> BinnedM
     return BinnedMeans(*np.array(rows).T)
 
 
-def _class_mean(abscissa: Floats, values: Floats, inside: NDArray[np.bool_]) -> tuple[float, float, float]:
+def _class_mean(abscissa: Floats, values: Floats, inside: Flags) -> tuple[float, float, float]:
     starts = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0) == 1)
     visits = np.searchsorted(starts, np.flatnonzero(inside), side="right") - 1
     counts = np.bincount(visits)

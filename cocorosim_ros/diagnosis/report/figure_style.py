@@ -14,11 +14,9 @@ from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.report.number_text import Scale
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 WIDTH = 9.6  # inches
 BEFORE, AFTER, NOMINAL, MEASURED = "#d9792b", "#2f7fc1", "#a05195", "#808a94"

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import FreeRun
 from cocorosim_ros.diagnosis.report.figure_style import (
@@ -22,8 +21,7 @@ from cocorosim_ros.diagnosis.report.figure_style import (
     style_axes,
 )
 from cocorosim_ros.diagnosis.report.number_text import handy_scale
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 MODELS = (("nominal", NOMINAL), ("recalibrated", BEFORE), ("augmented", AFTER))
 CHANNEL_UNITS = {"position": "m", "heading": "rad", "depth": "m"}

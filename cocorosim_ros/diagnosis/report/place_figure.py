@@ -6,7 +6,6 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import mean_map
@@ -14,8 +13,7 @@ from cocorosim_ros.diagnosis.report.figure_style import INK, QUIET, Drawing, Mar
 from cocorosim_ros.diagnosis.report.number_text import handy_scale
 from cocorosim_ros.diagnosis.report.regressors import residual_of
 from cocorosim_ros.diagnosis.report.residual_figures import Pair
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 _CELLS = 12
 _LEAST_SAMPLES = 8

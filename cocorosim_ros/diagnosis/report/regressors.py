@@ -6,12 +6,11 @@ import re
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import ResidualForce
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.units.unit_algebra import Powers, multiplied, powers_of, unit_of
 
-Floats = NDArray[np.float64]
 EQUATIONS = {"surge": (0, "N"), "sway": (1, "N"), "heave": (2, "N"), "yaw": (3, "N m")}
 """Column of the residual force and its unit."""
 _IN_WORLD = {"world_x": 0, "world_y": 1, "world_z": 2}

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Located, ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import binned_means
@@ -26,8 +25,7 @@ from cocorosim_ros.diagnosis.report.figure_style import (
 )
 from cocorosim_ros.diagnosis.report.number_text import Scale, handy_scale
 from cocorosim_ros.diagnosis.report.regressors import EQUATIONS, law_of, regressor_of, residual_of
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 _DOTS = 600
 _CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")

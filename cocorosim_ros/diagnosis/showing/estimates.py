@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
@@ -15,8 +14,8 @@ from cocorosim_ros.diagnosis.fitting.recalibration import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.naming.naming import THRESHOLD, Accused
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.foundation.arrays import Floats
 
-Floats = NDArray[np.float64]
 Z95 = float(norm.ppf(0.975))
 SURE = 0.05  # chance of a clear number among all recalibrated ones where nothing has moved
 CONFIRMED = THRESHOLD + 4.0  # nats

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, with_noise
@@ -19,9 +18,9 @@ from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, YAW_RATE, X, Y, Z
 
-Floats = NDArray[np.float64]
 SEEN = 0.6  # of each recording is fitted
 WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
 MOST_TURNED = 30.0  # rad in a window, at the usual turn rate: after five turns a heading is anybody's guess

@@ -6,14 +6,12 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, UNITS, deviation
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 TOPICS = ("compass", "pressure", "imu")
 """Streams that are no channel of the free runs."""

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.catalogue.laws import LARGE_SHARE
@@ -15,9 +14,9 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.tracks.track import Smoothed
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
 
-Floats = NDArray[np.float64]
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
 MOST = 6
 CONCENTRATED = 0.7  # of the evidence, for a regime to be told

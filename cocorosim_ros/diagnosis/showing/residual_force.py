@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 
 def residual_forces(fit: Fit, courses: Sequence[Smoothed]) -> tuple[ResidualForce, ...]:

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
-
-Floats = NDArray[np.float64]
 
 KIND_OF_TOPIC = {"pose": POSE_X, "compass": COMPASS, "pressure": PRESSURE, "imu": GYRO}
 TOPIC_OF_EFFECT = {
@@ -67,7 +65,7 @@ def _along(regressor: str, stamp: Floats, course: Smoothed) -> Floats:
     return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if regressor == "yaw" else values
 
 
-def deviation(track: Track, chosen: NDArray[np.bool_], course: Smoothed, row: Floats) -> Floats:
+def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:
     """Readings less what sensors with these numbers show on this course."""
     kind = int(track.readings.kind[chosen][0])
     topic = next(name for name, each in KIND_OF_TOPIC.items() if each == kind)

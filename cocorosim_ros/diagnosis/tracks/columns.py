@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM, SENSOR_COLUMNS
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 from cocorosim_ros.world.vehicle_model.hooks import bits
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAMETER_COLUMNS, neutral_row
-
-Floats = NDArray[np.float64]
 
 # Logarithms of N, N, N m, s and 1.
 WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
@@ -35,7 +33,7 @@ SENSORS = slice(COLUMN[SENSOR_COLUMNS[0]], COLUMN[SENSOR_COLUMNS[-1]] + 1)
 WATER = slice(COLUMN[WATER_NOISE[0]], COLUMN[WATER_NOISE[-1]] + 1)
 READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_OF_KIND])
 ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
-BIT: NDArray[np.int64] = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
+BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
 TIMING = slice(COLUMN[LATENCY[0]], COLUMN[SKEW[-1]] + 1)
 ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, GAINS))
 NEUTRAL = np.zeros(len(NAMES))  # what each number is where nothing is out of the ordinary

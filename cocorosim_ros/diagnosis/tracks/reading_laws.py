@@ -10,15 +10,14 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, READING_LAWS
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.sensors.law import LAW_OF_READING, READINGS_OF_LAWS, SENSOR_LAWS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
-Floats = NDArray[np.float64]
 _PARTS = len(LAW_OF_READING)
 _FIRST = tuple(COLUMN[f"{place}.coefficient"] for place in SENSOR_LAWS)
 _KIND = np.array([KIND_NAMES.index(name) for name in READINGS_OF_LAWS])
@@ -32,7 +31,7 @@ class Course(NamedTuple):
     thrust: Floats  # (points, 4) of the thrusters [N, N, N, N m; body]
     force: Floats  # (points, actuators) [N]
     rate: Floats  # (points, actuators) [N/s]
-    is_pump: NDArray[np.bool_]  # (actuators,)
+    is_pump: Flags  # (actuators,)
     water: tuple[Floats, Floats]  # lowest and highest corner [m; world]
 
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
 
-Floats = NDArray[np.float64]
 SHORE = 0.1  # m beyond where any robot has been; nobody records the tank
 ALIKE = 1.25  # sides of a tank that differ by less are taken as equal
 FAR = 1e6  # m

@@ -7,14 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.records import Readings
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from cocorosim_ros.foundation.arrays import Floats
 
 LONGEST_STEP = 0.1  # s
 YAW_ERROR, PLACE_ERROR = 0.005, 0.001  # rad, m: what a step under full acceleration may miss by

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.evidence.streams.log import Recording, RobotLog
 from cocorosim_ros.diagnosis.filter.commands import mean_forces
@@ -45,6 +44,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
 )
 from cocorosim_ros.diagnosis.tracks.reading_laws import Course, law_shift, without_laws
 from cocorosim_ros.diagnosis.tracks.timeline import Timing, TrackReadings, first_values, grid_begin, grid_step
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
@@ -55,7 +55,6 @@ from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, Body
 from cocorosim_ros.world.water.flow import make_flow
 
-Floats = NDArray[np.float64]
 STILL = make_flow([])
 NO_PUSH = np.zeros((0, 4))
 REMEMBERED = 6  # drives and timelines of a track, for numbers asked for again
@@ -70,7 +69,7 @@ class Pass:
     innovation: Floats
     variance: Floats
     gain: Floats
-    believed: NDArray[np.bool_]  # innovations within the gate
+    believed: Flags  # innovations within the gate
     log_likelihood: float
 
 

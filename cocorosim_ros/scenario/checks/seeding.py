@@ -6,15 +6,14 @@ import hashlib
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 
 if TYPE_CHECKING:
     from cocorosim_ros.scenario.parts.swarm import StartBox
     from cocorosim_ros.scenario.scenario import Scenario
 
-Array = NDArray[np.float64]
 _MOST_TRIES = 1000
 _WORD = 0xFFFFFFFF
 
@@ -29,7 +28,7 @@ def generator(seed: int, purpose: str, robot: str = "", run: int = 0) -> np.rand
     return np.random.Generator(np.random.PCG64(np.random.SeedSequence(words)))
 
 
-def start_poses(scenario: Scenario, run: int = 0) -> Array:
+def start_poses(scenario: Scenario, run: int = 0) -> Floats:
     """(n_robots, 4) x, y, z [m; world] and yaw [rad] of the robots at the start, in their order.
 
     Random places are uniform in the group's box, outside obstacles, at least a hull length from all others;
@@ -55,15 +54,15 @@ def start_poses(scenario: Scenario, run: int = 0) -> Array:
 
 
 def _free_place(
-    scenario: Scenario, box: StartBox, index: int, others: tuple[Array, Array], random: np.random.Generator
-) -> Array:
+    scenario: Scenario, box: StartBox, index: int, others: tuple[Floats, Floats], random: np.random.Generator
+) -> Floats:
     """(3,) a place in the box that is far enough from those who have one, whose poses are not NaN."""
     poses, lengths = others
     placed = ~np.isnan(poses[:, 0])
     positions, spacing = poses[placed, :3], (lengths[placed] + lengths[index]) / 2
     low, high = np.array(box.lower_corner()), np.array(box.upper_corner())
     for _ in range(_MOST_TRIES):
-        place: Array = random.uniform(low, high)
+        place: Floats = random.uniform(low, high)
         near = np.sum((positions - place) ** 2, axis=1) < spacing**2
         if not near.any() and scenario.tank.obstacle_at((place[0], place[1], place[2])) is None:
             return place

@@ -12,11 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import Entry, listed, quoted
 
-Floats = NDArray[np.float64]
 _AXES = ("t", "z", "y", "x")
 _SPEED_UNITS = ("m/s", "m s-1", "m s^-1", "m s**-1", "meter second-1", "1")
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
@@ -96,11 +96,11 @@ class Platform:
         """The names of the actuators in the order of all arrays about them."""
         return tuple(actuator.name for actuator in self.actuators)
 
-    def actuator_wrenches(self) -> NDArray[np.float64]:
+    def actuator_wrenches(self) -> Floats:
         """(n_actuators, 4) body force x, y, z [N/N] and moment about z [N m/N] per newton of each."""
         return np.array([_wrench(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 4)
 
-    def actuator_limits(self) -> NDArray[np.float64]:
+    def actuator_limits(self) -> Floats:
         """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range."""
         return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
@@ -18,7 +18,6 @@ from cocorosim_ros.wire.topics.command_check import read_command
 from cocorosim_ros.wire.topics.swarm_messages import command_message
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
-Floats = NDArray[np.float64]
 FEWEST_POSES = 20
 COMMAND = ROBOT_TOPICS["thruster_command"]
 
@@ -30,7 +29,7 @@ class CalibrationRun:
     robot: str
     moments: Floats  # (n,) [s] of commands and poses, ascending
     commands: Floats  # (n, actuators) that hold from each moment on
-    measured: NDArray[np.int64]  # (m,) rows of `moments` at which there is a pose
+    measured: Integers  # (m,) rows of `moments` at which there is a pose
     poses: Floats  # (m, 4) x, y, z [m; world], yaw [rad]
 
 
@@ -58,7 +57,7 @@ def _chosen_robot(path: Path, names: list[str], robot: str | None) -> str:
     return robot
 
 
-def _read_commands(bag: Bag, path: Path, robot: str, platform: Platform) -> tuple[NDArray[np.int64], Floats]:
+def _read_commands(bag: Bag, path: Path, robot: str, platform: Platform) -> tuple[Integers, Floats]:
     topic = robot_topic(robot, COMMAND.name)
     names = platform.actuator_names
     decoder = command_message(BodyDescription(robot, (), names, (), speaks=False))
@@ -72,9 +71,7 @@ def _read_commands(bag: Bag, path: Path, robot: str, platform: Platform) -> tupl
     return np.array(stamps, dtype=np.int64), np.array([found[stamp] for stamp in stamps])
 
 
-def _on_one_axis(
-    path: Path, robot: str, track: RecordedTrack, stamps: NDArray[np.int64], commands: Floats
-) -> CalibrationRun:
+def _on_one_axis(path: Path, robot: str, track: RecordedTrack, stamps: Integers, commands: Floats) -> CalibrationRun:
     usable = np.isfinite(track.yaw)
     pose_stamps = track.stamp_ns[usable]
     if len(pose_stamps) < FEWEST_POSES:

@@ -12,10 +12,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.stats import t as student
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
@@ -24,7 +24,6 @@ from cocorosim_ros.study.calibration.free_run import ACCURATE, free_run
 from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS, YAW_INERTIA, Vehicles
 
-Floats = NDArray[np.float64]
 FIRST_SCATTER = np.array([0.01, 0.01, 0.01, 0.02])  # m, m, m, rad: before the residuals are known
 SMALLEST_SCATTER = np.array([1e-7, 1e-7, 1e-7, 1e-7])  # keeps recordings without noise from infinite weights
 UNSEEN = 1e-6  # a parameter that moves no pose by this share of the scatter is not shown
@@ -117,7 +116,7 @@ def fit_platform(platform: Platform, run: CalibrationRun) -> Fit:
     return Fit(numbers, missing, tuple(np.sqrt(np.mean(left**2, axis=0)).tolist()))
 
 
-def _improved(model: _Model, scaled: Floats, shown: NDArray[np.bool_], scatter: Floats) -> Floats:
+def _improved(model: _Model, scaled: Floats, shown: Flags, scatter: Floats) -> Floats:
     """The scaled parameters that make the residuals over `scatter` (4,) smallest."""
     result = least_squares(
         lambda part: (model.residuals(_filled(scaled, shown, part)) / scatter).ravel(),
@@ -128,13 +127,13 @@ def _improved(model: _Model, scaled: Floats, shown: NDArray[np.bool_], scatter: 
     return _filled(scaled, shown, result.x)
 
 
-def _filled(scaled: Floats, shown: NDArray[np.bool_], part: Floats) -> Floats:
+def _filled(scaled: Floats, shown: Flags, part: Floats) -> Floats:
     whole = scaled.copy()
     whole[shown] = part
     return whole
 
 
-def _is_signed(model: _Model, shown: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _is_signed(model: _Model, shown: Flags) -> Flags:
     return np.array([name == "buoyancy_trim" for name in model.names])[shown]
 
 
@@ -149,13 +148,13 @@ def _slopes(model: _Model, scaled: Floats, scatter: Floats) -> Floats:
     return np.array(columns).T
 
 
-def _shown(model: _Model) -> NDArray[np.bool_]:
+def _shown(model: _Model) -> Flags:
     """Which parameters move the free run at all."""
     slopes = _slopes(model, model.start, FIRST_SCATTER)
     return np.asarray(np.abs(slopes).max(axis=0) > UNSEEN)
 
 
-def _with_intervals(model: _Model, scaled: Floats, shown: NDArray[np.bool_], scatter: Floats) -> tuple[Fitted, ...]:
+def _with_intervals(model: _Model, scaled: Floats, shown: Flags, scatter: Floats) -> tuple[Fitted, ...]:
     slopes = _slopes(model, scaled, scatter)[:, shown]
     freedom = max(1, len(slopes) - slopes.shape[1])
     spread = np.sqrt(np.diag(np.linalg.pinv(slopes.T @ slopes))) * student.ppf(0.975, freedom)

@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.motion.contact import INELASTIC
 from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
 from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
@@ -16,7 +16,6 @@ from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
 from cocorosim_ros.world.water.flow import make_flow
 
-Floats = NDArray[np.float64]
 STILL = make_flow([])
 OPEN_WATER = Tank(np.full(3, -1e9), np.full(3, 1e9), np.zeros((0, 4)), np.zeros((0, 6)))
 

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.study.claims.answers import DASH, NO_RUNS, Answer, above, all_of
 from cocorosim_ros.study.experiments.design import Cell, load_design
@@ -24,7 +24,6 @@ from cocorosim_ros.world.state.state import YAW, X, Z
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 
-Floats = NDArray[np.float64]
 _RUNS, _TICKS, _EVERY = 20, 3000, 25
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.study.claims.answers import (
     DASH,
     NO_RUNS,
@@ -28,8 +28,6 @@ from cocorosim_ros.study.metrics import PAPER_METRICS
 from cocorosim_ros.study.results.bootstrap import LEAST, bootstrap_interval
 from cocorosim_ros.study.results.effect_size import Effect, effect
 from cocorosim_ros.study.results.results import Results
-
-Floats = NDArray[np.float64]
 
 WORSE = {"polarisation": LOWER, "shoal_speed": LOWER, "lost": HIGHER, "shoals": HIGHER}
 TOLERABLE = 2  # large effects of six, at most: "only 2 of the 6 metrics"

@@ -6,8 +6,8 @@ import math
 from dataclasses import fields
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.water import patch_counts
 from cocorosim_ros.scenario.scenario import Scenario
@@ -38,7 +38,7 @@ def runs_that_fit(scenario: Scenario) -> int:
     return max(1, int(most))
 
 
-def run_each(scenario: Scenario, first: int, count: int) -> tuple[Summary, NDArray[np.int64]]:
+def run_each(scenario: Scenario, first: int, count: int) -> tuple[Summary, Integers]:
     """Summaries of the runs `first` to `first + count - 1`, and how many ticks (runs,) each has made.
 
     One whose motion runs away has NaN for every number and makes fewer ticks than the scenario has; the others are
@@ -54,9 +54,7 @@ def run_each(scenario: Scenario, first: int, count: int) -> tuple[Summary, NDArr
     return _joined(run_each(scenario, first, half), run_each(scenario, first + half, count - half))
 
 
-def _joined(
-    before: tuple[Summary, NDArray[np.int64]], after: tuple[Summary, NDArray[np.int64]]
-) -> tuple[Summary, NDArray[np.int64]]:
+def _joined(before: tuple[Summary, Integers], after: tuple[Summary, Integers]) -> tuple[Summary, Integers]:
     parts = (np.concatenate([getattr(before[0], part.name), getattr(after[0], part.name)]) for part in fields(Summary))
     return Summary(*parts), np.concatenate([before[1], after[1]])
 
@@ -81,7 +79,7 @@ class _Observer:
     def __init__(self, scenario: Scenario, runs: int) -> None:
         names = [robot.name for robot in scenario.robots]
         order = sorted(range(len(names)), key=lambda robot: names[robot])
-        self._order: NDArray[np.int64] | None = None if order == list(range(len(names))) else np.array(order)
+        self._order: Integers | None = None if order == list(range(len(names))) else np.array(order)
         self._memory = new_memory(runs, len(names))
         self._position = np.empty((runs, len(names), 3))
         self._yaw = np.empty((runs, len(names)))
@@ -89,7 +87,7 @@ class _Observer:
         self._elapsed = np.zeros(runs, np.int64)
         self._tick_ns = scenario.tick_ns
 
-    def measure(self, state: NDArray[np.float64], values: NDArray[np.float64]) -> None:
+    def measure(self, state: Floats, values: Floats) -> None:
         """Write every metric of every run into `values` (runs, metrics)."""
         seen = state if self._order is None else state[:, self._order]
         self._position[...] = seen[..., X : Z + 1]

@@ -11,8 +11,8 @@ calls the same quantity angular momentum and angular velocity; the default follo
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.study.metrics.metric import COUZIN, READ, Family, Metric
 from cocorosim_ros.study.metrics.swarms import Swarms
@@ -21,7 +21,7 @@ _PATCH = 0.1
 
 
 @kernel
-def _fill_arms(swarms: Swarms, centre: NDArray[np.float64], arm: NDArray[np.float64]) -> None:
+def _fill_arms(swarms: Swarms, centre: Floats, arm: Floats) -> None:
     """The vector from the centre to each robot is in arm[..., :3], 1 over its length in arm[..., 3]."""
     position = swarms.position
     for run in range(arm.shape[0]):
@@ -36,10 +36,10 @@ def _fill_arms(swarms: Swarms, centre: NDArray[np.float64], arm: NDArray[np.floa
 
 @kernel
 def _write_momenta(
-    arm: NDArray[np.float64],
-    direction: NDArray[np.float64],
-    members: NDArray[np.bool_],
-    values: NDArray[np.float64],
+    arm: Floats,
+    direction: Floats,
+    members: Flags,
+    values: Floats,
     column: int,
 ) -> None:
     """The momentum with unit r is in values[:, column], that with raw r in the next column."""
@@ -60,7 +60,7 @@ def _write_momenta(
 
 
 @allocating_kernel
-def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     arm = np.empty((values.shape[0], swarms.shoal.shape[1], 4))
     for population in range(2):
         members, movers = swarms.members[population], swarms.movers[population]

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.world.state.pose_track import PoseTrack
@@ -30,13 +30,13 @@ class SampledTracks:
 
     names: tuple[str, ...]
     """(n,) robots in alphabetical order."""
-    stamp_ns: NDArray[np.int64]
+    stamp_ns: Integers
     """(t,) moments [ns]."""
-    position: NDArray[np.float64]
+    position: Floats
     """(t, n, 3) position [m; world], NaN where absent."""
-    yaw: NDArray[np.float64]
+    yaw: Floats
     """(t, n) heading [rad; world], NaN where absent."""
-    present: NDArray[np.bool_]
+    present: Flags
     """(t, n) robot has a pose at this moment."""
     findings: tuple[str, ...]
     """What was found on the way, in sentences: rates, gaps, poses left out."""
@@ -89,7 +89,7 @@ def _cleaned(name: str, track: PoseTrack, findings: list[str]) -> PoseTrack:
     return PoseTrack(unique.astype(np.int64), track.position[finite][first], track.yaw[finite][first])
 
 
-def _shared_stamps(tracks: Mapping[str, PoseTrack]) -> NDArray[np.int64] | None:
+def _shared_stamps(tracks: Mapping[str, PoseTrack]) -> Integers | None:
     first, *others = tracks.values()
     if all(np.array_equal(first.stamp_ns, other.stamp_ns) for other in others):
         return first.stamp_ns
@@ -101,7 +101,7 @@ def _median_interval_ns(tracks: Mapping[str, PoseTrack]) -> int:
     return max(1, round(float(np.median(intervals)))) if intervals else _SHORTEST_GAP_LIMIT_NS
 
 
-def _grid(tracks: Mapping[str, PoseTrack], interval_ns: int) -> NDArray[np.int64]:
+def _grid(tracks: Mapping[str, PoseTrack], interval_ns: int) -> Integers:
     if interval_ns <= 0:
         raise CocorosimError(f"The interval of {interval_ns} ns between moments must be positive.")
     start = min(int(track.stamp_ns[0]) for track in tracks.values())
@@ -127,7 +127,7 @@ def _sampling_sentence(tracks: Mapping[str, PoseTrack], interval_ns: int) -> str
 
 
 def _sampled(
-    tracks: Mapping[str, PoseTrack], moments: NDArray[np.int64], gap_limit_ns: int | None, findings: list[str]
+    tracks: Mapping[str, PoseTrack], moments: Integers, gap_limit_ns: int | None, findings: list[str]
 ) -> SampledTracks:
     shape = (moments.size, len(tracks))
     position, yaw, present = np.full((*shape, 3), np.nan), np.full(shape, np.nan), np.zeros(shape, np.bool_)
@@ -147,9 +147,7 @@ def _gap_limit_ns(track: PoseTrack) -> int:
     return max(_SHORTEST_GAP_LIMIT_NS, round(_INTERVALS_IN_GAP_LIMIT * median))
 
 
-def _interpolated(
-    track: PoseTrack, moments: NDArray[np.int64], limit_ns: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+def _interpolated(track: PoseTrack, moments: Integers, limit_ns: int) -> tuple[Floats, Floats, Flags]:
     """Position (t, 3), yaw (t,) and presence (t,) of one robot; a moment that has a pose gets just this
     pose.
     """
@@ -168,13 +166,13 @@ def _interpolated(
     return position, np.where(present, yaw, np.nan), present
 
 
-def _wrapped(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+def _wrapped(angle: Floats) -> Floats:
     """The angle in (-pi, pi]."""
-    wrapped: NDArray[np.float64] = np.pi - np.mod(np.pi - angle, 2.0 * np.pi)
+    wrapped: Floats = np.pi - np.mod(np.pi - angle, 2.0 * np.pi)
     return wrapped
 
 
-def _absence_sentences(name: str, track: PoseTrack, present: NDArray[np.bool_], limit_ns: int) -> list[str]:
+def _absence_sentences(name: str, track: PoseTrack, present: Flags, limit_ns: int) -> list[str]:
     gaps = np.diff(track.stamp_ns)
     long = gaps > limit_ns
     sentences = []

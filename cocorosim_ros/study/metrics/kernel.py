@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, compile_lines
 from cocorosim_ros.study.metrics import FAMILIES, METRICS
 from cocorosim_ros.study.metrics.memory import Memory
@@ -22,12 +20,12 @@ _measure_families = compile_lines(
 
 @allocating_kernel
 def _measure_swarms(
-    position: NDArray[np.float64],
-    yaw: NDArray[np.float64],
-    present: NDArray[np.bool_],
-    elapsed_ns: NDArray[np.int64],
+    position: Floats,
+    yaw: Floats,
+    present: Flags,
+    elapsed_ns: Integers,
     memory: Memory,
-    values: NDArray[np.float64],
+    values: Floats,
 ) -> None:
     swarms = new_swarms(position, elapsed_ns, memory)
     fill_presence(swarms, yaw, present)
@@ -42,12 +40,12 @@ def _measure_swarms(
 
 
 def measure_tick(
-    position: NDArray[np.float64],
-    yaw: NDArray[np.float64],
-    present: NDArray[np.bool_],
-    elapsed_ns: NDArray[np.int64],
+    position: Floats,
+    yaw: Floats,
+    present: Flags,
+    elapsed_ns: Integers,
     memory: Memory,
-    values: NDArray[np.float64],
+    values: Floats,
 ) -> None:
     """Every metric of every run at this tick is in `values`, and `memory` holds this tick.
 

@@ -10,8 +10,8 @@ back, up, down) with 120 degrees of opening. They do not see the whole sphere.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.study.metrics.memory import CONTACT_KINDS
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
@@ -24,7 +24,7 @@ _COS_HALF_OPENING = 0.5 - 1e-9
 
 
 @kernel
-def _cones(position: NDArray[np.float64], heading: NDArray[np.float64], run: int, i: int, j: int) -> tuple[bool, bool]:
+def _cones(position: Floats, heading: Floats, run: int, i: int, j: int) -> tuple[bool, bool]:
     """Whether robot i sees robot j: by any cone, and by any cone but the back one."""
     x = position[run, j, 0] - position[run, i, 0]
     y = position[run, j, 1] - position[run, i, 1]
@@ -37,7 +37,7 @@ def _cones(position: NDArray[np.float64], heading: NDArray[np.float64], run: int
 
 
 @kernel
-def _fill_contacts(swarms: Swarms, now: NDArray[np.bool_]) -> None:
+def _fill_contacts(swarms: Swarms, now: Flags) -> None:
     """Fill now (runs, n, kinds): the robot has contact."""
     position, heading, squared = swarms.position, swarms.heading, swarms.squared
     now[:] = False
@@ -55,7 +55,7 @@ def _fill_contacts(swarms: Swarms, now: NDArray[np.bool_]) -> None:
 
 
 @allocating_kernel
-def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     members, contact, lost = swarms.members[ALL], swarms.memory.contact, swarms.memory.lost
     now = np.empty_like(contact)
     _fill_contacts(swarms, now)

@@ -7,15 +7,15 @@ would guess half of the branches wrong.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 
 _SHORT = 16
 
 
 @kernel
-def middle_of_first(values: NDArray[np.float64], count: int) -> tuple[float, float]:
+def middle_of_first(values: Floats, count: int) -> tuple[float, float]:
     """The two middle values of `values[:count]` (twice the same for an odd count); NaN when count is 0.
 
     `values` is reordered; no NaN may be among them. The median is the mean of the two.
@@ -33,14 +33,14 @@ def middle_of_first(values: NDArray[np.float64], count: int) -> tuple[float, flo
 
 
 @kernel
-def median_of_first(values: NDArray[np.float64], count: int) -> float:
+def median_of_first(values: Floats, count: int) -> float:
     """Median of `values[:count]`, which are reordered; NaN when count is 0; no NaN may be among them."""
     lower, upper = middle_of_first(values, count)
     return float(0.5 * (lower + upper))
 
 
 @kernel
-def _select(values: NDArray[np.float64], count: int, rank: int) -> float:
+def _select(values: Floats, count: int, rank: int) -> float:
     """Quickselect: the value of that rank, with nothing larger to its left."""
     low, high = 0, count
     while high - low > _SHORT:
@@ -63,7 +63,7 @@ def _middle_of_three(a: float, b: float, c: float) -> float:
 
 
 @kernel
-def _smaller_first(values: NDArray[np.float64], low: int, high: int, pivot: float) -> int:
+def _smaller_first(values: Floats, low: int, high: int, pivot: float) -> int:
     """Move the values below the pivot to the front of values[low:high]; return where others start."""
     start = low
     for i in range(low, high):
@@ -75,7 +75,7 @@ def _smaller_first(values: NDArray[np.float64], low: int, high: int, pivot: floa
 
 
 @kernel
-def _equal_first(values: NDArray[np.float64], low: int, high: int, pivot: float) -> int:
+def _equal_first(values: Floats, low: int, high: int, pivot: float) -> int:
     """Move the values equal to the pivot to the front of values[low:high]; return where others start."""
     start = low
     for i in range(low, high):
@@ -87,7 +87,7 @@ def _equal_first(values: NDArray[np.float64], low: int, high: int, pivot: float)
 
 
 @kernel
-def _sort(values: NDArray[np.float64], low: int, high: int) -> None:
+def _sort(values: Floats, low: int, high: int) -> None:
     for i in range(low + 1, high):
         carried = values[i]
         for j in range(low, i):

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 CONTACT_KINDS = 3
 """Ways of being in contact that the lost counters tell apart."""
@@ -14,13 +15,13 @@ CONTACT_KINDS = 3
 class Memory(NamedTuple):
     """What the metrics of `runs` swarms of `robots` robots remember from tick to tick; changed in place."""
 
-    position: NDArray[np.float64]
+    position: Floats
     """(runs, robots, 3) at the previous tick [m; world]."""
-    present: NDArray[np.bool_]
+    present: Flags
     """(runs, robots) at the previous tick."""
-    contact: NDArray[np.bool_]
+    contact: Flags
     """(runs, robots, kinds) robot had contact when last seen."""
-    lost: NDArray[np.int64]
+    lost: Integers
     """(runs, kinds) events so far."""
 
 

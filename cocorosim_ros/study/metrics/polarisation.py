@@ -9,17 +9,15 @@ N (so do Jhawar et al. 2020); one that was absent at the previous tick does not 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.study.metrics.metric import COUZIN, READ, Family, Metric
 from cocorosim_ros.study.metrics.swarms import Swarms
 
 
 @kernel
-def _write_polarisation(
-    direction: NDArray[np.float64], members: NDArray[np.bool_], values: NDArray[np.float64], column: int
-) -> None:
+def _write_polarisation(direction: Floats, members: Flags, values: Floats, column: int) -> None:
     for run in range(members.shape[0]):
         x, y, z, count = 0.0, 0.0, 0.0, 0
         for i in range(members.shape[1]):
@@ -32,7 +30,7 @@ def _write_polarisation(
 
 
 @kernel
-def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     for population in range(2):
         _write_polarisation(swarms.heading, swarms.members[population], values, column)
         _write_polarisation(swarms.travel, swarms.movers[population], values, column + 1)

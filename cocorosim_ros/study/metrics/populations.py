@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.study.metrics.median import median_of_first
 from cocorosim_ros.study.metrics.swarms import ALL, CONTACT_RANGE, LARGEST, MEAN, MEDIAN, Swarms
@@ -48,7 +48,7 @@ def fill_shoals(swarms: Swarms) -> None:
 
 
 @kernel
-def _root(shoal: NDArray[np.int64], run: int, i: int) -> int:
+def _root(shoal: Integers, run: int, i: int) -> int:
     while shoal[run, i] != i:
         shoal[run, i] = shoal[run, shoal[run, i]]
         i = shoal[run, i]
@@ -71,7 +71,7 @@ def fill_populations(swarms: Swarms) -> None:
 
 
 @kernel
-def _largest_shoal(shoal: NDArray[np.int64], position: NDArray[np.float64], run: int) -> int:
+def _largest_shoal(shoal: Integers, position: Floats, run: int) -> int:
     """Root of the largest shoal, -1 if nobody has company."""
     best, best_size, best_spread = -1, 1, -1.0
     for root in range(shoal.shape[1]):
@@ -92,7 +92,7 @@ def _largest_shoal(shoal: NDArray[np.int64], position: NDArray[np.float64], run:
 
 
 @kernel
-def _spread(shoal: NDArray[np.int64], position: NDArray[np.float64], run: int, root: int) -> float:
+def _spread(shoal: Integers, position: Floats, run: int, root: int) -> float:
     """Sum of squared distances of a shoal's robots from their mean position."""
     total = 0.0
     for axis in range(3):
@@ -124,11 +124,11 @@ def fill_centres(swarms: Swarms) -> None:
 
 @kernel
 def write_centres(
-    position: NDArray[np.float64],
-    members: NDArray[np.bool_],
+    position: Floats,
+    members: Flags,
     run: int,
-    centre: NDArray[np.float64],
-    scratch: NDArray[np.float64],
+    centre: Floats,
+    scratch: Floats,
 ) -> None:
     """The members' mean position and the median of each coordinate are in centre[:, run]; NaN of nobody.
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.study.metrics.swarms import ALL, Swarms
 
 
 @kernel
-def fill_presence(swarms: Swarms, yaw: NDArray[np.float64], said: NDArray[np.bool_]) -> None:
+def fill_presence(swarms: Swarms, yaw: Floats, said: Flags) -> None:
     """Fill `members[ALL]` (those said to be present whose pose is finite) and `movers[ALL]`."""
     position, before = swarms.position, swarms.memory.present
     members, movers = swarms.members[ALL], swarms.movers[ALL]
@@ -24,7 +24,7 @@ def fill_presence(swarms: Swarms, yaw: NDArray[np.float64], said: NDArray[np.boo
 
 
 @kernel
-def fill_headings(swarms: Swarms, yaw: NDArray[np.float64]) -> None:
+def fill_headings(swarms: Swarms, yaw: Floats) -> None:
     """Fill `heading`; zeros for absent robots."""
     heading, members = swarms.heading, swarms.members[ALL]
     for run in range(yaw.shape[0]):

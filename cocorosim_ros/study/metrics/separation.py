@@ -8,8 +8,8 @@ summary is the median over time of these medians.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.study.metrics.median import middle_of_first
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
@@ -17,16 +17,14 @@ from cocorosim_ros.study.metrics.swarms import ALL, LARGEST, Swarms
 
 
 @kernel
-def _median_root(scratch: NDArray[np.float64], count: int) -> float:
+def _median_root(scratch: Floats, count: int) -> float:
     """Median of the square roots of `scratch[:count]`."""
     lower, upper = middle_of_first(scratch, count)
     return float(0.5 * (np.sqrt(lower) + np.sqrt(upper)))
 
 
 @kernel
-def _write_all_pairs(
-    squared: NDArray[np.float64], scratch: NDArray[np.float64], values: NDArray[np.float64], column: int
-) -> None:
+def _write_all_pairs(squared: Floats, scratch: Floats, values: Floats, column: int) -> None:
     for run in range(squared.shape[0]):
         count = 0
         for pair in range(squared.shape[1]):
@@ -36,7 +34,7 @@ def _write_all_pairs(
 
 
 @kernel
-def _write_within_shoals(swarms: Swarms, population: int, values: NDArray[np.float64], column: int) -> None:
+def _write_within_shoals(swarms: Swarms, population: int, values: Floats, column: int) -> None:
     members, shoal = swarms.members[population], swarms.shoal
     squared, scratch = swarms.squared, swarms.scratch
     n = shoal.shape[1]
@@ -54,10 +52,10 @@ def _write_within_shoals(swarms: Swarms, population: int, values: NDArray[np.flo
 
 @kernel
 def _write_nearest(
-    squared: NDArray[np.float64],
+    squared: Floats,
     n: int,
-    scratch: NDArray[np.float64],
-    values: NDArray[np.float64],
+    scratch: Floats,
+    values: Floats,
     column: int,
 ) -> None:
     for run in range(squared.shape[0]):
@@ -78,7 +76,7 @@ def _write_nearest(
 
 
 @kernel
-def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     _write_all_pairs(swarms.squared, swarms.scratch, values, column)
     for run in range(values.shape[0]):
         # All pairs are pairs of the only shoal; where there are several, the next two lines say better.

@@ -6,8 +6,9 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.metrics import METRICS
 from cocorosim_ros.study.metrics.kernel import measure_tick
@@ -34,9 +35,7 @@ class ShoalMonitor:
         self._ticks_with_absent = 0
         self._bad_poses = 0
 
-    def update(
-        self, stamp_ns: int, positions: ArrayLike, yaw: ArrayLike, present: ArrayLike | None = None
-    ) -> NDArray[np.float64]:
+    def update(self, stamp_ns: int, positions: ArrayLike, yaw: ArrayLike, present: ArrayLike | None = None) -> Floats:
         """Values (len(METRICS),) at this moment, NaN where a metric is undefined.
 
         stamp_ns: moment [ns], later than the previous one; positions: (n, 3) [m; world]; yaw: (n,) [rad];
@@ -55,16 +54,16 @@ class ShoalMonitor:
         taking_part = int(self._memory.present.sum())
         self._ticks_with_absent += taking_part < self._robots
         self._bad_poses += int(said.sum()) - taking_part
-        values: NDArray[np.float64] = row[0].copy()
+        values: Floats = row[0].copy()
         return values
 
     @property
-    def stamps_ns(self) -> NDArray[np.int64]:
+    def stamps_ns(self) -> Integers:
         """(ticks,) moments measured so far [ns]."""
         return self._stamps[: self._ticks].copy()
 
     @property
-    def series(self) -> NDArray[np.float64]:
+    def series(self) -> Floats:
         """(ticks, len(METRICS)) values measured so far."""
         return self._values[: self._ticks, 0].copy()
 

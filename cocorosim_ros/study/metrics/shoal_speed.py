@@ -8,8 +8,8 @@ leaves open what the centre is and who belongs to the shoal: the default is the 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
 from cocorosim_ros.study.metrics.populations import write_centres
@@ -17,9 +17,7 @@ from cocorosim_ros.study.metrics.swarms import ALL, MEAN, MEDIAN, Swarms
 
 
 @kernel
-def _fill_centres_of_movers(
-    swarms: Swarms, population: int, now: NDArray[np.float64], then: NDArray[np.float64]
-) -> None:
+def _fill_centres_of_movers(swarms: Swarms, population: int, now: Floats, then: Floats) -> None:
     """The centres at this and at the previous tick of the same robots are in now and then (2, runs, 3)."""
     members, movers, centre = swarms.members[population], swarms.movers[population], swarms.centre[population]
     for run in range(movers.shape[0]):
@@ -37,10 +35,10 @@ def _fill_centres_of_movers(
 
 @kernel
 def _write_speed(
-    now: NDArray[np.float64],
-    then: NDArray[np.float64],
-    elapsed_ns: NDArray[np.int64],
-    values: NDArray[np.float64],
+    now: Floats,
+    then: Floats,
+    elapsed_ns: Integers,
+    values: Floats,
     column: int,
 ) -> None:
     for run in range(elapsed_ns.shape[0]):
@@ -50,7 +48,7 @@ def _write_speed(
 
 
 @allocating_kernel
-def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     now, then = np.empty_like(swarms.centre[ALL]), np.empty_like(swarms.centre[ALL])
     for population in range(2):
         _fill_centres_of_movers(swarms, population, now, then)

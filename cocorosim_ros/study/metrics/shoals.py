@@ -6,15 +6,15 @@ The paper gives no definition of a shoal; a robot alone counts as one here, and 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
 from cocorosim_ros.study.metrics.swarms import Swarms
 
 
 @kernel
-def _measure(swarms: Swarms, values: NDArray[np.float64], column: int) -> int:
+def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     shoal = swarms.shoal
     for run in range(shoal.shape[0]):
         shoals, accompanied = 0, 0

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from cocorosim_ros.study.metrics import METRICS
 from cocorosim_ros.study.metrics.median import median_of_first
@@ -18,15 +18,15 @@ class Summary:
     out.
     """
 
-    value: NDArray[np.float64]
+    value: Floats
     """The mean, median or last value, as the metric's `summary` says; NaN if it was never defined."""
-    mean: NDArray[np.float64]
-    median: NDArray[np.float64]
-    defined: NDArray[np.int64]
+    mean: Floats
+    median: Floats
+    defined: Integers
     """Number of moments at which the metric was defined."""
 
 
-def summarise(values: NDArray[np.float64]) -> Summary:
+def summarise(values: Floats) -> Summary:
     """Summary of values (ticks, runs, len(METRICS)); the same run alone or among others gives the same
     bits.
     """
@@ -43,11 +43,11 @@ def summarise(values: NDArray[np.float64]) -> Summary:
 
 @allocating_kernel
 def _summarise(
-    values: NDArray[np.float64],
-    mean: NDArray[np.float64],
-    median: NDArray[np.float64],
-    last: NDArray[np.float64],
-    defined: NDArray[np.int64],
+    values: Floats,
+    mean: Floats,
+    median: Floats,
+    last: Floats,
+    defined: Integers,
 ) -> None:
     series = np.empty(values.shape[0] + 1)
     for run in range(values.shape[1]):

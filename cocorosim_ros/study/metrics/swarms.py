@@ -15,8 +15,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from cocorosim_ros.study.metrics.memory import Memory
 
@@ -35,36 +35,36 @@ class Swarms(NamedTuple):
     only.
     """
 
-    position: NDArray[np.float64]
+    position: Floats
     """(runs, n, 3) [m; world]."""
-    elapsed_ns: NDArray[np.int64]
+    elapsed_ns: Integers
     """(runs,) time since the previous tick [ns], not positive when there is none."""
     memory: Memory
     """The previous tick."""
-    members: NDArray[np.bool_]
+    members: Flags
     """(2, runs, n) of each population."""
-    movers: NDArray[np.bool_]
+    movers: Flags
     """(2, runs, n) those members of each population that were present at the previous tick, too."""
-    heading: NDArray[np.float64]
+    heading: Floats
     """(runs, n, 3) unit vector along the bow, horizontal."""
-    travel: NDArray[np.float64]
+    travel: Floats
     """(runs, n, 3) unit vector of the movement since the previous tick, zero for a robot exactly at rest."""
-    squared: NDArray[np.float64]
+    squared: Floats
     """(runs, n(n-1)/2) squared distances of the pairs (0,1), (0,2), ... (n-2,n-1) [m^2], +inf if one is
     absent.
     """
-    shoal: NDArray[np.int64]
+    shoal: Integers
     """(runs, n) lowest robot number in the robot's shoal, -1 for absent ones."""
-    one_shoal: NDArray[np.bool_]
+    one_shoal: Flags
     """(runs,) both populations are the same robots."""
-    centre: NDArray[np.float64]
+    centre: Floats
     """(2, 2, runs, 3) of population and kind, the centre of the members [m; world], NaN of nobody."""
-    scratch: NDArray[np.float64]
+    scratch: Floats
     """(max(n, n(n-1)/2) + 1,) working space for medians."""
 
 
 @allocating_kernel
-def new_swarms(position: NDArray[np.float64], elapsed_ns: NDArray[np.int64], memory: Memory) -> Swarms:
+def new_swarms(position: Floats, elapsed_ns: Integers, memory: Memory) -> Swarms:
     """Swarms whose shared work is not filled in yet."""
     runs, robots = position.shape[0], position.shape[1]
     pairs = robots * (robots - 1) // 2

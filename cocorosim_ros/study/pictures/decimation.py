@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.arrays import Floats, Integers
 
 _GAP_IN_INTERVALS = 3
 _SHORTEST_GAP_NS = 1_000_000_000
@@ -15,16 +16,16 @@ _SHORTEST_GAP_NS = 1_000_000_000
 class Envelope:
     """What a series does in successive groups of moments; each (groups,). NaN where a group has no value."""
 
-    time: NDArray[np.float64]
+    time: Floats
     """Mean time of the group's moments."""
-    low: NDArray[np.float64]
-    mean: NDArray[np.float64]
-    high: NDArray[np.float64]
+    low: Floats
+    mean: Floats
+    high: Floats
     per_group: int
     """Moments in one group (fewer in the last)."""
 
 
-def envelope(time: NDArray[np.float64], values: NDArray[np.float64], most: int) -> Envelope:
+def envelope(time: Floats, values: Floats, most: int) -> Envelope:
     """Lowest, mean and highest of at most `most` groups of equally many successive moments; (t,) each.
 
     No extreme is lost: the lowest and the highest value of the series are those of the groups.
@@ -47,7 +48,7 @@ def envelope(time: NDArray[np.float64], values: NDArray[np.float64], most: int) 
     )
 
 
-def every_nth(stamp_ns: NDArray[np.int64], most: int) -> tuple[NDArray[np.int64], int]:
+def every_nth(stamp_ns: Integers, most: int) -> tuple[Integers, int]:
     """Indices of every n-th moment and of the last one, and n, so that about `most` of them are left."""
     step = max(1, -(-stamp_ns.size // most))
     kept = np.arange(0, stamp_ns.size, step)
@@ -56,13 +57,13 @@ def every_nth(stamp_ns: NDArray[np.int64], most: int) -> tuple[NDArray[np.int64]
     return kept, step
 
 
-def with_breaks(stamp_ns: NDArray[np.int64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+def with_breaks(stamp_ns: Integers, points: Floats) -> Floats:
     """The points (t, d) with a row of NaN in each gap, so that no line is drawn across it."""
     gaps = np.flatnonzero(np.diff(stamp_ns) > longest_interval(stamp_ns))
     return np.insert(points, gaps + 1, np.nan, axis=0)
 
 
-def longest_interval(stamp_ns: NDArray[np.int64]) -> float:
+def longest_interval(stamp_ns: Integers) -> float:
     """Time [ns] between two poses beyond which it is a gap: three median intervals, and one second at least."""
     if stamp_ns.size < 2:
         return float(_SHORTEST_GAP_NS)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
+from cocorosim_ros.foundation.arrays import Floats, Integers
 
 
 @dataclass(frozen=True)
@@ -29,7 +28,7 @@ class ScenarioFacts:
 class MetricSeries:
     """All metrics over time."""
 
-    stamp_ns: NDArray[np.int64]
+    stamp_ns: Integers
     """(t,) moments [ns]."""
-    values: NDArray[np.float64]
+    values: Floats
     """(t, len(METRICS)) in the order of the metrics table, NaN where undefined."""

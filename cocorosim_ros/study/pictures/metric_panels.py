@@ -8,8 +8,8 @@ from typing import Literal
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.study.metrics import COLUMN, METRICS
 from cocorosim_ros.study.metrics.summary import summarise
 from cocorosim_ros.study.pictures.decimation import envelope
@@ -26,11 +26,11 @@ _BOUNDED = ("polarisation", "angular_momentum")
 class TimeAxis:
     """Times of all panels in a unit that suits the length of the run."""
 
-    time: NDArray[np.float64]
+    time: Floats
     unit: str
 
 
-def time_axis(stamp_ns: NDArray[np.int64]) -> TimeAxis:
+def time_axis(stamp_ns: Integers) -> TimeAxis:
     """Time since the first stamp, in s, min or h."""
     seconds = (stamp_ns - stamp_ns[0]) / 1e9
     length = float(seconds[-1])
@@ -66,7 +66,7 @@ def draw_metric(axes: Axes, name: str, series: MetricSeries, axis: TimeAxis) -> 
         axes.set_xlim(axis.time[0], axis.time[-1])
 
 
-def _set_scale(axes: Axes, name: str, unit: str, values: NDArray[np.float64]) -> None:
+def _set_scale(axes: Axes, name: str, unit: str, values: Floats) -> None:
     axes.grid(color="#dddddd", linewidth=0.7)
     axes.set_axisbelow(True)
     for side in ("top", "right"):

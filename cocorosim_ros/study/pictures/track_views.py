@@ -13,8 +13,8 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.study.pictures.decimation import every_nth, with_breaks
 from cocorosim_ros.study.pictures.facts import ScenarioFacts
 from cocorosim_ros.world.state.pose_track import PoseTrack
@@ -27,7 +27,7 @@ _TEN_COLOURS = 10
 _ARROW_SHARE = 0.055
 _MARGIN_SHARE = 0.025
 
-Extent = tuple[NDArray[np.float64], NDArray[np.float64]]
+Extent = tuple[Floats, Floats]
 
 
 def robot_colours(names: list[str]) -> dict[str, tuple[float, float, float, float]]:

@@ -11,9 +11,8 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 LEAST = 6
 _DRAWS, _CONFIDENCE = 2000, 0.95

@@ -12,10 +12,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import optimize, stats
 
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 SMALL, MEDIUM, LARGE = 0.56, 0.64, 0.71
 

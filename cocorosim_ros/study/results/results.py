@@ -14,14 +14,12 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.experiments.results_folder import DESIGN, group_rows, read_folder, read_note
 from cocorosim_ros.study.metrics import METRICS
 from cocorosim_ros.study.results.effect_size import Effect, effect
-
-Floats = NDArray[np.float64]
 
 SEPARATOR = ", "
 """Between a group's name and the choice that it is under."""

@@ -14,13 +14,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.study.results.effect_size import SMALL
 from cocorosim_ros.study.results.results import Results
-
-Floats = NDArray[np.float64]
 
 SETS = 20
 SIZES = (1, 5, 10, 50, 100, 200, 300, 400, 500)

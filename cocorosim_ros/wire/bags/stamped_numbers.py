@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 ENCAPSULATION, STAMP, FRAME_LENGTH, FRAME = 4, 4, 12, 16  # byte offsets in the CDR bytes
 PADDING = 3  # bytes at most behind the last number
 
-FloatArray = NDArray[np.float64]
-Stamps = NDArray[np.int64]
+Stamps = Integers
 
 
 @dataclass(frozen=True)
@@ -26,8 +26,8 @@ class StampedNumbers:
     """
 
     stamp_ns: Stamps
-    numbers: FloatArray
-    readable: NDArray[np.bool_]
+    numbers: Floats
+    readable: Flags
     frames: tuple[str, ...]
 
 
@@ -50,7 +50,7 @@ def numbers_at(end: int) -> int:
     return ENCAPSULATION + (end - ENCAPSULATION + 7) // 8 * 8
 
 
-def decode_layout(messages: Sequence[bytes], place: int, count: int, order: str) -> tuple[Stamps, FloatArray]:
+def decode_layout(messages: Sequence[bytes], place: int, count: int, order: str) -> tuple[Stamps, Floats]:
     """(n,) stamps [ns] and (n, count) numbers of messages whose numbers begin at one place; order is < or >."""
     end = place + 8 * count
     layout = np.dtype(

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.stamped_numbers import read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
@@ -16,8 +17,6 @@ from cocorosim_ros.world.state.pose_track import PoseTrack
 
 POSE = ROBOT_TOPICS["pose"]
 NUMBERS = 7  # x y z of the position, x y z w of the quaternion
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class RecordedTrack(PoseTrack):
     unreadable: int  # dropped: not a PoseStamped
 
     @property
-    def time(self) -> FloatArray:
+    def time(self) -> Floats:
         """(n,) [s] since the first pose of this robot."""
         return np.asarray((self.stamp_ns - self.stamp_ns[:1]) * 1e-9, dtype=np.float64)
 
@@ -75,9 +74,7 @@ def pose_track(messages: Sequence[bytes]) -> RecordedTrack:
     )
 
 
-def first_of_each_stamp(
-    stamps: NDArray[np.int64], numbers: FloatArray, rows: NDArray[np.intp]
-) -> tuple[NDArray[np.intp], int, int]:
+def first_of_each_stamp(stamps: Integers, numbers: Floats, rows: NDArray[np.intp]) -> tuple[NDArray[np.intp], int, int]:
     """Rows of the first recorded of each stamp, sorted; how many equal and unequal ones were dropped."""
     rows = rows[np.argsort(stamps[rows], kind="stable")]
     first = np.ones(len(rows), dtype=bool)
@@ -87,14 +84,14 @@ def first_of_each_stamp(
     return rows[first], int(np.count_nonzero(same & ~first)), int(np.count_nonzero(~same))
 
 
-def yaw_of_quaternions(quaternion: FloatArray) -> FloatArray:
+def yaw_of_quaternions(quaternion: Floats) -> Floats:
     """(n,) yaw [rad] of (n, 4) quaternions x y z w of any length; NaN for zero ones."""
     x, y, z, w = quaternion.T
     yaw = np.arctan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z)
     return np.where((quaternion == 0).all(axis=1), np.nan, yaw)
 
 
-def decode_poses(messages: Sequence[bytes]) -> tuple[FloatArray, FloatArray]:
+def decode_poses(messages: Sequence[bytes]) -> tuple[Floats, Floats]:
     """Position (n, 3) [m; world] and yaw (n,) [rad] of n PoseStamped messages in their order; NaN where unreadable."""
     numbers = read_stamped_numbers(messages, NUMBERS).numbers
     return numbers[:, :3], yaw_of_quaternions(numbers[:, 3:])

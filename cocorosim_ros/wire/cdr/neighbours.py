@@ -6,13 +6,12 @@ import struct
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.radio_messages import ENCAPSULATION
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
-Floats = NDArray[np.float64]
 TYPE = "cocorosim_msgs/msg/Neighbours"
 
 

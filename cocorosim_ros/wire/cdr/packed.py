@@ -18,12 +18,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.cdr import field_paths
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 from cocorosim_ros.wire.cdr.type_store import deserialize, serialize
-
-FloatArray = NDArray[np.float64]
 
 
 class PackedMessage:
@@ -65,7 +64,7 @@ class PackedMessage:
                 encoded[row] = data
         return encoded
 
-    def decode(self, data: bytes, row: int = 0) -> FloatArray:
+    def decode(self, data: bytes, row: int = 0) -> Floats:
         """(f,) the fields of a message, in the order of `fields`; NaN for a named element that it lacks.
 
         Raises CocorosimError if the bytes are no such message, or name an element that the template of this
@@ -98,7 +97,7 @@ class _Layout:
         ascending = self.offsets == sorted(self.offsets)
         self.column_order = None if ascending else np.argsort(np.argsort(self.offsets))
 
-    def decode_generally(self, data: bytes) -> FloatArray:
+    def decode_generally(self, data: bytes) -> Floats:
         message = deserialize(self.type_name, data)
         self._refuse_unknown_elements(message)
         try:
@@ -129,7 +128,7 @@ class _Group:
             for first, last in _contiguous_runs(layouts[0].offsets)
         ]
 
-    def encode(self, stamps: int | NDArray[np.int64], values: FloatArray) -> list[bytes]:
+    def encode(self, stamps: int | Integers, values: Floats) -> list[bytes]:
         for index, places in enumerate(self._stamps):
             places[...] = stamps if isinstance(stamps, int) else stamps[:, index]
         for columns, places in self._runs:
@@ -159,7 +158,7 @@ def _offsets(template: Any, fields: Sequence[str], stamps: Sequence[str]) -> tup
     return places[: len(fields)], places[len(fields) :]
 
 
-def _packed_stamps(stamp_ns: int | ArrayLike, count: int, fields: int) -> int | NDArray[np.int64]:
+def _packed_stamps(stamp_ns: int | ArrayLike, count: int, fields: int) -> int | Integers:
     """Stamps as the 8 bytes that CDR holds: seconds (int32) below nanoseconds (uint32)."""
     if isinstance(stamp_ns, int):
         seconds, nanoseconds = divmod(stamp_ns, NANOSECONDS)

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.cdr.kernels.inbox_rows import MALFORMED, rows_of_inbox
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
@@ -95,7 +95,7 @@ def read_inbox(data: bytes) -> list[RadioMessage]:
     return _guarded(data, read)
 
 
-def hear(data: bytes | None, rows: NDArray[np.float64]) -> int:
+def hear(data: bytes | None, rows: Floats) -> int:
     """Write what a RadioInbox holds into `rows` (capacity, MESSAGE_SIZE); return the number of messages.
 
     No inbox: nothing was heard. Raises CocorosimError for bytes that hold something else.

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
-from cocorosim_ros.wire.conversion.rows import Floats, Rows, Stamps, in_si
+from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
 from cocorosim_ros.wire.conversion.streams import StreamRows, heading_of_travel, stream_rows, travels
 
 COMMAND = "thruster_command"
@@ -67,7 +67,7 @@ def joined(parts: list[Stream], findings: list[str]) -> Stream:
     return _with_heading(stream) if stream.travels else stream
 
 
-def _robots(mapped: RobotMap, rows: Rows, named: str) -> dict[str, NDArray[np.bool_]]:
+def _robots(mapped: RobotMap, rows: Rows, named: str) -> dict[str, Flags]:
     """(n,) which rows are whose, by the robots' names."""
     everything = np.ones(rows.count, dtype=bool)
     if mapped.column is None:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Floats
 
 _HALF = math.sqrt(0.5)
 _NED_TO_ENU = np.array([_HALF, _HALF, 0.0, 0.0])  # half a turn about the line between north and east

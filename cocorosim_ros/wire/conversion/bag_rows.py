@@ -6,18 +6,18 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.base import TypesysError
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
 from cocorosim_ros.wire.cdr import field_paths, stamps, type_store
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Floats, Stamps
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps
 
 
 class BagRows:
@@ -61,7 +61,7 @@ class BagRows:
         """The field at a path, as text; 'nan' where a message lacks that element of a list."""
         return [str(value) for value in self._fields(column)]
 
-    def stamps(self, when: TimeMap) -> tuple[Stamps, NDArray[np.bool_]]:
+    def stamps(self, when: TimeMap) -> tuple[Stamps, Flags]:
         """(n,) times [ns]: at a path, or of the header, or when recorded if the type has no header."""
         if when.stamp is not None:
             found = [_nanoseconds(value) for value in self._fields(when.stamp)]

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Floats, Stamps, exact_nanoseconds
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, exact_nanoseconds
 
 
 class CsvRows:
@@ -48,7 +48,7 @@ class CsvRows:
         except ValueError:
             return np.array([self._number(row, text, column) for row, text in enumerate(texts)])
 
-    def stamps(self, when: TimeMap) -> tuple[Stamps, NDArray[np.bool_]]:
+    def stamps(self, when: TimeMap) -> tuple[Stamps, Flags]:
         """(n,) times [ns] and whether each is known; a row whose time is missing has none."""
         if when.step_ns is not None and when.counter is None:
             times = [round(row * when.step_ns) for row in range(self.count)]
@@ -67,7 +67,7 @@ class CsvRows:
                     raise self._no_number(row, text, column) from error
         return self._checked(total, when, known)
 
-    def _checked(self, times: list[int], when: TimeMap, known: NDArray[np.bool_]) -> tuple[Stamps, NDArray[np.bool_]]:
+    def _checked(self, times: list[int], when: TimeMap, known: Flags) -> tuple[Stamps, Flags]:
         shifted = [time + when.start_ns for time in times]
         for row, time in enumerate(shifted):
             if not 0 <= time <= LATEST_NS:

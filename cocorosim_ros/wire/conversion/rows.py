@@ -7,13 +7,12 @@ from fractions import Fraction
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion.conversion_map import ColumnValue, CommandValue, FixedValue, TimeMap, Value
 
-Floats = NDArray[np.float64]
-Stamps = NDArray[np.int64]
+Stamps = Integers
 
 LATEST_NS = 2**63 - 1
 
@@ -30,7 +29,7 @@ class Rows(Protocol):
     def words(self, column: Entry) -> list[str]:
         """The cells of a column as they stand there."""
 
-    def stamps(self, when: TimeMap) -> tuple[Stamps, NDArray[np.bool_]]:
+    def stamps(self, when: TimeMap) -> tuple[Stamps, Flags]:
         """(n,) times [ns] and whether each is known."""
 
 

@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion import axes
 from cocorosim_ros.wire.conversion.conversion_map import TravelValue, Value
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
-Floats = NDArray[np.float64]
 Columns = Mapping[str, Floats]
 
 _QUATERNION = ("qx", "qy", "qz", "qw")

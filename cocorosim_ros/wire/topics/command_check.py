@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.cdr.packed import PackedMessage
-
-Floats = NDArray[np.float64]
 
 
 def read_command(decoder: PackedMessage, actuators: tuple[str, ...], data: bytes) -> tuple[Floats, str]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.neighbours import read_neighbours
 from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.cdr.radio_messages import RadioEncoder, RadioMessage, hear
@@ -21,8 +21,6 @@ from cocorosim_ros.wire.topics.swarm_messages import (
 )
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT
-
-Floats = NDArray[np.float64]
 
 
 class ObservationDecoder:

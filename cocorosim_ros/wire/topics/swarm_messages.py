@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
@@ -15,7 +15,6 @@ from cocorosim_ros.wire.topics.body import BodyDescription
 from cocorosim_ros.world.state.readings import Readings
 from cocorosim_ros.world.state.state import YAW, X, Z
 
-Floats = NDArray[np.float64]
 WORLD_FRAME = "world"
 UNKNOWN_ORIENTATION = np.array([-1.0, 0, 0, 0, 0, 0, 0, 0, 0])  # REP 145: orientation is not estimated
 

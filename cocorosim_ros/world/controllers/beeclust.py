@@ -13,16 +13,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.functions import set_depth, set_relative_heading, set_speed
 from cocorosim_ros.world.controllers.request import NOTES, TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 SETTINGS = ("meeting_range", "longest_wait", "half_light", "parting_time", "speed", "depth", "turn_gain")
 MEETING_RANGE, LONGEST_WAIT, HALF_LIGHT, PARTING_TIME = 0, 1, 2, 3

@@ -5,15 +5,11 @@ The rules and their sources stand in controllers.boids_rules.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.boids_rules import SETTINGS, say_velocity, swim_by_blue_light
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 
 @kernel

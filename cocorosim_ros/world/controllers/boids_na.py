@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.controllers.boids_rules import (
     ALIGNMENT_WEIGHT,
@@ -25,7 +23,6 @@ from cocorosim_ros.world.controllers.boids_rules import (
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.state.observation import Observation
 
-Floats = NDArray[np.float64]
 KEEP_DIVISOR = len(SETTINGS)
 
 

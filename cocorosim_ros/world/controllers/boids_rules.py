@@ -20,9 +20,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine, wrap_angle
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, four_at, in_fours
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array, unset_stack_array
@@ -30,8 +28,6 @@ from cocorosim_ros.world.controllers.medians import ROOM, coordinate_median
 from cocorosim_ros.world.controllers.request import DIVE, DIVE_AT_SPEED, DIVE_MODE, HEADING, SPEED, TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_LENGTH
-
-Floats = NDArray[np.float64]
 
 SETTINGS = (
     "cohesion_weight",

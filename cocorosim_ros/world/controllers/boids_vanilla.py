@@ -11,9 +11,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array, unset_stack_array
 from cocorosim_ros.world.controllers.boids_rules import (
@@ -34,7 +32,6 @@ from cocorosim_ros.world.controllers.medians import ROOM, coordinate_median
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
 
-Floats = NDArray[np.float64]
 HALF_VIEW = 0.75 * math.pi  # rad
 
 

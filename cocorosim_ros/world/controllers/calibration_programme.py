@@ -10,14 +10,12 @@ Source: the measurements of Read et al. 2013, section 4.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.functions import set_actuator
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 SETTINGS = ("straight_time", "turn_time", "pump_time", "rest_time", "thrust", "turn_thrust", "pump")
 STRAIGHT_TIME, TURN_TIME, PUMP_TIME, REST_TIME = 0, 1, 2, 3

@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel
 from cocorosim_ros.world.controllers import CONTROLLER_CODE, CONTROLLERS
@@ -25,8 +25,6 @@ from cocorosim_ros.world.controllers.operating_system import (
 )
 from cocorosim_ros.world.controllers.request import DIRECT, DIRECT_LIMIT, FRACTIONS, HEADING, REQUEST_SIZE
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 LAST_TIME = REQUEST_SIZE  # s, NaN before the first cycle
 LAST_PRESSURE = REQUEST_SIZE + 1  # Pa

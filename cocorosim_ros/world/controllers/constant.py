@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.request import DIRECT, FRACTIONS
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -6,14 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH
 
-Floats = NDArray[np.float64]
 # Topics of a robot that exist only where its controller asks for them.
 EXTRA_TOPICS = ("illuminance", "concentration", "blue_light_rx", "neighbours")
 

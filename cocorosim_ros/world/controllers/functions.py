@@ -10,9 +10,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.request import (
@@ -26,8 +24,6 @@ from cocorosim_ros.world.controllers.request import (
     SPEED,
 )
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 
 @kernel

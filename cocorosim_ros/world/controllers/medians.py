@@ -11,14 +11,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, in_fours, lanes
 from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, outlined_kernel, unset_stack_array
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
 
-Floats = NDArray[np.float64]
 ROOM = LANES * HEARING_LIMIT  # numbers in a list of rows
 FEW = 12  # rows; as many as eleven robots hear, and a little more
 

@@ -17,9 +17,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.functions import (
@@ -30,8 +28,6 @@ from cocorosim_ros.world.controllers.functions import (
 )
 from cocorosim_ros.world.controllers.request import TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 SETTINGS = (
     "sensor_range",

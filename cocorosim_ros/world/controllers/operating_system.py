@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.request import (
@@ -24,9 +22,6 @@ from cocorosim_ros.world.controllers.request import (
 )
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 SYSTEM_NUMBERS = (
     "wall_threshold",

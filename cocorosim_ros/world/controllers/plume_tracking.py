@@ -15,16 +15,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.functions import set_absolute_heading, set_depth, set_speed
 from cocorosim_ros.world.controllers.request import NOTES, TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 SETTINGS = ("threshold", "arrival", "upstream", "leg", "speed", "depth", "turn_gain")
 THRESHOLD, ARRIVAL, UPSTREAM, LEG = 0, 1, 2, 3

@@ -8,16 +8,12 @@ from each row's to the next one's.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.functions import set_actuator
 from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
 from cocorosim_ros.world.state.observation import Observation
-
-Floats = NDArray[np.float64]
 
 ROWS = 16
 MOTIONS = ("ahead", "turn", "rise")

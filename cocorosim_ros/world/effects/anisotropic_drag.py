@@ -15,14 +15,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.moment import Moment
 
-Floats = NDArray[np.float64]
 TOTAL_SPEED, OWN_SPEED, STRIPS = 0.0, 1.0, 2.0
 STILL = 1e-4  # rad/s, below which strips all move alike
 

@@ -6,15 +6,12 @@ Source: Graver, Underwater Gliders (2005), section 4.1.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import Z
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.moment import Moment
 
-Floats = NDArray[np.float64]
 ATMOSPHERE = 10.33  # m of water that weigh as much as the air above
 
 

@@ -10,9 +10,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.state.state import YAW
@@ -20,7 +18,6 @@ from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.regressors import fill_regressors
 
-Floats = NDArray[np.float64]
 WORLD_X, WORLD_Z = 4, 6  # surge, sway, heave, yaw, world_x, world_y, world_z are 0 to 6
 
 

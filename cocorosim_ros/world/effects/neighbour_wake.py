@@ -11,16 +11,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, Moment
-
-Floats = NDArray[np.float64]
 
 REFERENCE = 0.1  # m
 JET_RADIUS = 0.05  # m

@@ -6,13 +6,9 @@ Source: Read et al. 2013, equation (4), with up positive.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.terms.effect import Effect, Parameter
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -6,15 +6,11 @@ Source: Read et al. 2013, section 3.1.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.effect import Effect, Parameter
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -5,15 +5,12 @@ The step is a cubic within 0.02 m above and below the layer, for water mixes and
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import Z
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.moment import Moment
 
-Floats = NDArray[np.float64]
 HALF_WIDTH = 0.02  # m
 
 

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import YAW, X, Y
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.moment import Moment
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -8,13 +8,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.terms.effect import Effect, Parameter
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -10,14 +10,9 @@ Source: Read et al. 2013, sections 2.1 ("direct message passing to the nearest A
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, Inbox
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 TO_NEAREST = 0
 FROM_NEAREST = 1

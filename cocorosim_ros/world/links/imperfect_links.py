@@ -12,17 +12,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.checks.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT, Inbox
 
-Floats = NDArray[np.float64]
 LONG_AGO = -(2**40)  # ticks
 
 
 @kernel
-def keep_messages(inbox: Inbox, chance: Floats, probability: float, robots: NDArray[np.int64]) -> None:
+def keep_messages(inbox: Inbox, chance: Floats, probability: float, robots: Integers) -> None:
     """Drop the messages whose `chance` (runs, len(robots), capacity) is below `probability`; close the gaps."""
     for run in range(inbox.heard.shape[0]):
         for index in range(robots.shape[0]):
@@ -68,7 +68,7 @@ class ImperfectLink(CorruptionAtWork):
         elif self._kind == "delay":
             self._delay(tick, inbox)
 
-    def _is_payload(self, inbox: Inbox) -> NDArray[np.bool_]:
+    def _is_payload(self, inbox: Inbox) -> Flags:
         """Which numbers of the rows (runs, chosen, capacity, PAYLOAD_LIMIT) are part of a message."""
         length = inbox.message[:, self._chosen][..., MESSAGE_LENGTH : MESSAGE_LENGTH + 1]
         return np.asarray(np.arange(PAYLOAD_LIMIT) < length)

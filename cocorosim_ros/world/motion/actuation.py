@@ -9,16 +9,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, outlined_kernel
 from cocorosim_ros.world.state.state import FOLLOWED, MEMORY_SIZE, RATE
 from cocorosim_ros.world.terms.response import delayed, relaxed
 from cocorosim_ros.world.vehicle_model.hooks import bits, calls, hooks
 from cocorosim_ros.world.vehicle_model.vehicles import BUOYANCY_GAIN, LAW_BITS, THRUST_GAIN, YAW_TORQUE_GAIN, Body
 
-Floats = NDArray[np.float64]
 PUMP_RATE_TIME = 0.5  # s, over which the rate of the pumps' force is taken; the time between commands of Lily
 ACTUATION_BITS = bits("command") | bits("response") | LAW_BITS
 
@@ -26,7 +23,7 @@ ACTUATION_BITS = bits("command") | bits("response") | LAW_BITS
 class Fitting(NamedTuple):
     """The actuators of one robot as the effects see them."""
 
-    is_pump: NDArray[np.bool_]  # (actuators,)
+    is_pump: Flags  # (actuators,)
     lever: Floats  # (actuators,) yaw moment per newton [m]; positive for a right-hand thruster that pushes forwards
     limit: Floats  # (actuators, 2) force at command +1 and -1, both positive [N]
 

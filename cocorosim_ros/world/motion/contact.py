@@ -6,15 +6,11 @@ there either).
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, X
 from cocorosim_ros.world.surroundings.tank import Tank
-
-Floats = NDArray[np.float64]
 
 STOP_POSITION = 0  # the paper's: the coordinate stops, the velocity is kept
 INELASTIC = 1  # the velocity into the wall is lost

@@ -13,9 +13,7 @@ Assumes: the pressure gradient that accelerates curved or unsteady flow does not
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, outlined_kernel, stack_array, stack_like
 from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS
@@ -24,8 +22,6 @@ from cocorosim_ros.world.terms.moment import Moment, add_thrust, clearance, pump
 from cocorosim_ros.world.vehicle_model.hooks import bits, calls, hooks
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, PARAMETER_COLUMNS, YAW_INERTIA, Body
 from cocorosim_ros.world.water.flow import add_water_velocity
-
-Floats = NDArray[np.float64]
 
 _BASIC = hooks("wrench", BASIC_EFFECTS)
 _CATALOGUE = hooks("wrench", CATALOGUE_EFFECTS)

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import numpy as np
 from numba.extending import overload
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.motion.dynamics import basic_rate, state_rate
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, LAW_BITS, Body, Surroundings, Vehicles, body_of
-
-Floats = NDArray[np.float64]
 
 
 class Group(NamedTuple):

@@ -8,15 +8,11 @@ at the paper's 0.5 s it is off by several percent, and the paper's yaw inertia c
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, stack_like
 from cocorosim_ros.world.motion.group import Fours, Group, rate_of
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
-
-Floats = NDArray[np.float64]
 
 
 @kernel

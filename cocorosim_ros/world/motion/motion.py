@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES, in_fours
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS, actuate, admitted
@@ -29,8 +29,6 @@ from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_COLUMNS, Surroundings, Vehicles, as_runs, body_of
-
-Floats = NDArray[np.float64]
 
 
 class Stepping(NamedTuple):

@@ -9,16 +9,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.motion.contact import INELASTIC
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES, four, four_at, in_fours, put_four_at, transposed
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.motion.group import Fours, Group
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_COLUMNS
 
-Floats = NDArray[np.float64]
 SIDE_BY_SIDE = 12  # robots of a group
 FOURS = SIDE_BY_SIDE // LANES
 SCRATCH_ROWS = 2  # of an integrator

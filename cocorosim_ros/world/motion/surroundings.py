@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
 from cocorosim_ros.world.state.state import STATE_SIZE, YAW, X, Z
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE, add_thrust
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, LAW_BITS, Vehicles
 
-Floats = NDArray[np.float64]
 LOOKING = EFFECT_BIT["neighbour_wake"] | LAW_BITS
 
 
@@ -25,7 +24,7 @@ def _somebody_looks(vehicles: Vehicles) -> bool:
 
 
 @kernel
-def describe_neighbour(row: Floats, actuator_wrench: Floats, is_pump: NDArray[np.bool_], neighbour: Floats) -> None:
+def describe_neighbour(row: Floats, actuator_wrench: Floats, is_pump: Flags, neighbour: Floats) -> None:
     """Write (NEIGHBOUR_SIZE,) the place [m] and the thrusters' horizontal force [N] of a robot, both in the world."""
     thrust = stack_array(4)
     add_thrust(row[STATE_SIZE:], actuator_wrench, is_pump, thrust)

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, four, in_fours, lanes
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
@@ -30,8 +31,7 @@ from cocorosim_ros.world.sensors.instruments import Instruments
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank, is_open_water, ray_range
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int32]
+Robots = NDArray[np.int32]
 NOWHERE, NOBODY = math.inf, -1.0
 
 
@@ -53,7 +53,7 @@ def _look(cones: Floats, place: tuple[float, float, float, float, float], found:
 
 
 @kernel
-def _write_down(found: tuple[Any, Any], first: int, reading: Floats, nearest: NDArray[np.int64]) -> None:
+def _write_down(found: tuple[Any, Any], first: int, reading: Floats, nearest: Integers) -> None:
     """Write what was found in four cones, the first of which is that of sensor `first`."""
     ranges, numbers = lanes(found[0]), lanes(found[1])
     for lane in range(min(LANES, reading.shape[0] - first)):
@@ -63,7 +63,7 @@ def _write_down(found: tuple[Any, Any], first: int, reading: Floats, nearest: ND
 
 @kernel
 def neighbour_ranges(
-    states: Floats, robot: int, nearby: Integers, cones: Floats, reading: Floats, nearest: NDArray[np.int64]
+    states: Floats, robot: int, nearby: Robots, cones: Floats, reading: Floats, nearest: Integers
 ) -> None:
     """Write the range [m] of the nearest robot in each cone of `robot` into `reading` (sensors,).
 

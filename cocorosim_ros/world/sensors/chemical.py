@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-
-Floats = NDArray[np.float64]
 
 
 @kernel
-def measure_concentration(present: Floats, wanted: NDArray[np.bool_], reading: Floats) -> None:
+def measure_concentration(present: Floats, wanted: Flags, reading: Floats) -> None:
     """Write the concentration `present` (runs, robots) [kg/m^3] of those who are `wanted` (robots,) into `reading`."""
     for run in range(reading.shape[0]):
         for robot in range(reading.shape[1]):

@@ -5,14 +5,10 @@ Source: Read et al. 2013, section 2.1; its operating system returns the exact he
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import YAW
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.world.sensors.instruments import Instruments
 
-Floats = NDArray[np.float64]
 HALVES = 2  # vectors side by side: a processor does not wait for the one while it is at the other
 AXIS, COSINE, REACH, CONE_SIZE = 0, 3, 4, 5  # numbers of a cone: unit vector [body], of half its angle, range [m]
 

@@ -12,13 +12,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.checks.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.scenario.parts.corruption import RANGES, SENSOR_CHANNELS, Corruption
 from cocorosim_ros.world.state.readings import Readings
 
-Floats = NDArray[np.float64]
 # Channel to the field of Readings and the columns of it.
 _PLACES: dict[str, tuple[str, slice | None]] = {
     "compass": ("compass", None),

@@ -8,16 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine, wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.state.readings import Readings
 from cocorosim_ros.world.state.state import YAW
 
-Floats = NDArray[np.float64]
 LATE_TOPICS = ("compass", "pressure", "imu", "velocity")
 """The streams whose latency a simulation has (sensors.latency)."""
 

@@ -6,16 +6,13 @@ Source: Read et al. 2013, section 5.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.state.neighbourhood import Neighbourhood
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, X, Y, Z
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 
-Floats = NDArray[np.float64]
 EXACT_RANGE = 0.5  # m, Read et al. 2013, section 5
 
 
@@ -32,7 +29,7 @@ def _note(there: Floats, offset: Floats, place: Floats, velocity: Floats) -> Non
 
 @kernel
 def exact_neighbours(
-    state: Floats, wanted: NDArray[np.bool_], reach: float, neighbours: Neighbours, neighbourhood: Neighbourhood
+    state: Floats, wanted: Flags, reach: float, neighbours: Neighbours, neighbourhood: Neighbourhood
 ) -> None:
     """Write who is within `reach` [m] of every robot that is `wanted` (robots,) into `neighbourhood`.
 

@@ -6,13 +6,9 @@ measurement, under the forces that the actuators deliver then.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW_RATE
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 
 class Instruments(NamedTuple):
@@ -21,7 +18,7 @@ class Instruments(NamedTuple):
     neighbour_range: Floats  # (robots, sensors) [m]
     obstacle_range: Floats  # (robots, sensors) [m]
     ray: Floats  # (robots, sensors, rays, 3) unit vectors [body]
-    ray_count: NDArray[np.int64]  # (robots, sensors)
+    ray_count: Integers  # (robots, sensors)
     water_density: Floats  # (robots,) [kg/m^3], by which the pressure sensor is calibrated
     gravity: Floats  # (robots,) [m/s^2]
-    velocity_measured: NDArray[np.bool_]  # (robots,)
+    velocity_measured: Flags  # (robots,)

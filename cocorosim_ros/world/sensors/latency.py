@@ -8,12 +8,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.effects import LATE_TOPICS
 from cocorosim_ros.world.state.readings import Readings
 
-Floats = NDArray[np.float64]
 _FIELDS = {
     "compass": ("compass",),
     "pressure": ("pressure",),

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import X, Z
 from cocorosim_ros.world.surroundings.lamps import Lamps, illuminance_at
 
-Floats = NDArray[np.float64]
-
 
 @kernel
-def measure_light(state: Floats, lamps: Lamps, wanted: NDArray[np.bool_], reading: Floats) -> None:
+def measure_light(state: Floats, lamps: Lamps, wanted: Flags, reading: Floats) -> None:
     """Write the illuminance [lx] at every robot that is `wanted` (robots,) into `reading` (runs, robots)."""
     for run in range(state.shape[0]):
         for robot in range(state.shape[1]):

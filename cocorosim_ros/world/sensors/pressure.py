@@ -5,14 +5,10 @@ Source: hydrostatics; the constants are the contract's.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import Z
-
-Floats = NDArray[np.float64]
 
 
 @kernel

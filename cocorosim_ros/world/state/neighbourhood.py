@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.arrays import Floats, Integers
 
 
 class Neighbourhood(NamedTuple):
     """Who is within range of whom at one tick; leading axes (runs, robots)."""
 
-    found: NDArray[np.int64]  # (runs, robots) neighbours
-    who: NDArray[np.int64]  # (runs, robots, capacity) index of the neighbour, ascending
-    offset: NDArray[np.float64]  # (runs, robots, capacity, 3) from the robot to the neighbour [m; body]
-    velocity: NDArray[np.float64]  # (runs, robots, capacity, 3) of the neighbour over ground [m/s; world]
+    found: Integers  # (runs, robots) neighbours
+    who: Integers  # (runs, robots, capacity) index of the neighbour, ascending
+    offset: Floats  # (runs, robots, capacity, 3) from the robot to the neighbour [m; body]
+    velocity: Floats  # (runs, robots, capacity, 3) of the neighbour over ground [m/s; world]
 
 
 def empty_neighbourhood(runs: int, robots: int, capacity: int) -> Neighbourhood:

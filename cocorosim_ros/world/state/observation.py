@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.radio import MESSAGE_SIZE
-
-Floats = NDArray[np.float64]
 
 
 class Observation(NamedTuple):

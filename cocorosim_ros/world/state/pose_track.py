@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
+from cocorosim_ros.foundation.arrays import Floats, Integers
 
 
 @dataclass(frozen=True)
 class PoseTrack:
     """Poses of one robot in the order of their stamps."""
 
-    stamp_ns: NDArray[np.int64]
+    stamp_ns: Integers
     """(t,) moment of each pose [ns]."""
-    position: NDArray[np.float64]
+    position: Floats
     """(t, 3) position [m; world]."""
-    yaw: NDArray[np.float64]
+    yaw: Floats
     """(t,) heading [rad; world, counter-clockwise from +x]."""

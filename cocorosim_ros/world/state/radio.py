@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from cocorosim_ros.foundation.arrays import Floats, Integers
 
 MESSAGE_LENGTH = 0  # column that holds how many numbers the message has; 0: the robot was silent
 PAYLOAD_LIMIT = 8  # numbers a radio message can carry
@@ -16,10 +17,10 @@ HEARING_LIMIT = 64  # messages that a robot can hear in one tick
 class Inbox(NamedTuple):
     """What every robot has heard at one tick; leading axes (runs, robots)."""
 
-    heard: NDArray[np.int64]  # (runs, robots) messages heard
-    sender: NDArray[np.int64]  # (runs, robots, capacity) index of the sender, ascending
-    message: NDArray[np.float64]  # (runs, robots, capacity, MESSAGE_SIZE)
-    age: NDArray[np.int64]  # (runs, robots, capacity) ticks since it was said
+    heard: Integers  # (runs, robots) messages heard
+    sender: Integers  # (runs, robots, capacity) index of the sender, ascending
+    message: Floats  # (runs, robots, capacity, MESSAGE_SIZE)
+    age: Integers  # (runs, robots, capacity) ticks since it was said
 
 
 def empty_inbox(runs: int, robots: int, capacity: int) -> Inbox:

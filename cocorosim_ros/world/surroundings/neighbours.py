@@ -17,12 +17,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.world.state.state import X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Sorting = tuple[Integers, Integers, Integers, Floats]  # cell of each robot, first of each cell, robots, places
 
 GRID_FROM = 48  # robots; below, sorting costs more than it saves

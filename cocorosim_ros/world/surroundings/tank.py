@@ -8,12 +8,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-
-Floats = NDArray[np.float64]
 
 SAFE_DISTANCE = 1e-6  # m, more than the rounding of any ray
 

@@ -5,13 +5,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import MEMORY_SIZE, RATE, STATE_SIZE, X, Z
-
-Floats = NDArray[np.float64]
 
 # Columns of a neighbour: place [m; world], force of its thrusters [N; world].
 NEIGHBOUR_FORCE = 3
@@ -25,7 +21,7 @@ class Moment(NamedTuple):
     thrust: Floats  # (4,) wrench of the thrusters, without any effect [N, N m; body]
     force: Floats  # (actuators,) [N]
     actuator_wrench: Floats  # (actuators, 4) per newton [1, 1, 1, m; body]
-    is_pump: NDArray[np.bool_]  # (actuators,)
+    is_pump: Flags  # (actuators,)
     pump: float  # force of the pumps [N], up positive
     pump_rate: float  # its rate of change [N/s]
     drag: float  # quadratic, of the basic physics [kg/m]
@@ -45,7 +41,7 @@ def clearance(row: Floats, lower: Floats, upper: Floats) -> float:
 
 
 @kernel
-def add_thrust(force: Floats, actuator_wrench: Floats, is_pump: NDArray[np.bool_], total: Floats) -> None:
+def add_thrust(force: Floats, actuator_wrench: Floats, is_pump: Flags, total: Floats) -> None:
     """Add the wrench of all thrusters to `total` (4,)."""
     for actuator in range(actuator_wrench.shape[0]):
         if not is_pump[actuator]:
@@ -54,7 +50,7 @@ def add_thrust(force: Floats, actuator_wrench: Floats, is_pump: NDArray[np.bool_
 
 
 @kernel
-def pump_force(row: Floats, is_pump: NDArray[np.bool_]) -> tuple[float, float]:
+def pump_force(row: Floats, is_pump: Flags) -> tuple[float, float]:
     """Force [N] of all pumps of a robot, and the rate [N/s] at which it changes."""
     actuators = is_pump.shape[0]
     memory = STATE_SIZE + 2 * actuators

@@ -8,15 +8,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.terms.moment import Moment, neighbour_distance
-
-Floats = NDArray[np.float64]
 
 
 class Regressor(NamedTuple):

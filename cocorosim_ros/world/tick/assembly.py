@@ -10,8 +10,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
 from cocorosim_ros.scenario.parts.light import Light
@@ -35,7 +35,6 @@ from cocorosim_ros.world.tick.world import World
 from cocorosim_ros.world.vehicle_model.platform_effects import active_bits, build_faults, check_platform, parameter_row
 from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
 
-Floats = NDArray[np.float64]
 STEERING_ACTUATORS = ("left", "right", "buoyancy")
 
 
@@ -70,7 +69,7 @@ def build_wants(robots: Sequence[RobotDescription]) -> Wants:
     """What the controllers of the robots ask for."""
     controllers = [CONTROLLERS[robot.controller.behaviour] for robot in robots]
 
-    def who(topic: str) -> NDArray[np.bool_]:
+    def who(topic: str) -> Flags:
         return np.array([topic in controller.needs for controller in controllers])
 
     speaks_light = np.array([controller.medium == "blue_light" for controller in controllers])

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.controllers.conduct import conduct_one, speak_by_code
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.perception import Perception
-
-Floats = NDArray[np.float64]
 
 
 @kernel

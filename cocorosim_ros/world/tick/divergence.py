@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.world.state.state import STATE_SIZE
@@ -23,7 +23,7 @@ class RanAwayError(CocorosimError):
 
 
 @kernel
-def _sum_of_motion(state: NDArray[np.float64]) -> float:
+def _sum_of_motion(state: Floats) -> float:
     """Of all numbers that are the motion of a robot; not finite if one of them is not."""
     sums, total = stack_array(STATE_SIZE), 0.0
     for run in range(state.shape[0]):
@@ -35,7 +35,7 @@ def _sum_of_motion(state: NDArray[np.float64]) -> float:
     return total
 
 
-def check_motion(state: NDArray[np.float64], world: World, tick: int) -> None:
+def check_motion(state: Floats, world: World, tick: int) -> None:
     """Nothing while every state (runs, robots, row) is a number after `tick` ticks; else raises RanAwayError."""
     if math.isfinite(_sum_of_motion(state)):
         return

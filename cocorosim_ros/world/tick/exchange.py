@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.links.blue_light import deliver_light
 from cocorosim_ros.world.links.imperfect_links import ImperfectLink, imperfect_links
 from cocorosim_ros.world.links.radio import deliver
@@ -12,8 +10,6 @@ from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_LENGTH, Inbox
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.world import World
-
-Floats = NDArray[np.float64]
 
 
 class Exchange:
@@ -35,7 +31,7 @@ class Exchange:
         """Whether anybody hears over blue light."""
         return bool(self._wants.blue_light.any())
 
-    def carry(self, tick: int, state: Floats, said: Floats, neighbours: Neighbours, nearest: NDArray[np.int64]) -> None:
+    def carry(self, tick: int, state: Floats, said: Floats, neighbours: Neighbours, nearest: Integers) -> None:
         """Deliver what was `said` (runs, robots, MESSAGE_SIZE) at this tick, with the state of this moment.
 
         `neighbours` are those in this state, `nearest` (runs, robots, sensors) who was seen in each cone.
@@ -52,7 +48,7 @@ class Exchange:
                 link.spoil(tick, self.light)
 
 
-def _sent(tick: int, said: Floats, speakers: NDArray[np.bool_], links: list[ImperfectLink]) -> Floats:
+def _sent(tick: int, said: Floats, speakers: Flags, links: list[ImperfectLink]) -> Floats:
     """What goes out over one medium: the words of its `speakers` (robots,), as often as the link allows."""
     if speakers.all() and not links:
         return said

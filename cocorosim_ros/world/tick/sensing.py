@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
 from cocorosim_ros.world.motion.dynamics import relative_velocity, state_rate
 from cocorosim_ros.world.motion.surroundings import look_around
@@ -21,9 +19,6 @@ from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.vehicle_model.vehicles import Surroundings, Vehicles, body_of
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 
 class Afloat(NamedTuple):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.controllers.conduct import blank_memory
 from cocorosim_ros.world.motion.motion import apply_commands, move
 from cocorosim_ros.world.sensors.chemical import measure_concentration
@@ -27,8 +27,6 @@ from cocorosim_ros.world.tick.sensing import Afloat, sense
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.water import MovingWater
 from cocorosim_ros.world.tick.world import World
-
-Floats = NDArray[np.float64]
 
 
 class Simulation:

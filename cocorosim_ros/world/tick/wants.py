@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Flags = NDArray[np.bool_]
+from cocorosim_ros.foundation.arrays import Flags
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.checks.seeding import generator
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 from cocorosim_ros.scenario.parts.plume import Plume
@@ -17,8 +17,6 @@ from cocorosim_ros.world.water.force_field.force_field import ForceField
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
 from cocorosim_ros.world.water.patches import Patches
 from cocorosim_ros.world.water.plume import Puffs, carry, concentrations, no_puffs, release
-
-Floats = NDArray[np.float64]
 
 
 def _no_jets() -> Floats:

@@ -7,8 +7,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.currents import GriddedCurrent, VelocityCurrent
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
@@ -20,7 +20,6 @@ from cocorosim_ros.world.water.flow import make_flow
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
 from cocorosim_ros.world.water.patches import Patches
 
-Floats = NDArray[np.float64]
 _NO_JET = [-1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
 _HORIZONTAL = 1e-6
 

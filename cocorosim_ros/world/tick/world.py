@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.links.blue_light import TO_NEAREST
@@ -32,7 +30,7 @@ class World:
     vehicles: Vehicles
     instruments: Instruments
     crew: Crew
-    radio_range: NDArray[np.float64]  # (robots,) [m]
+    radio_range: Floats  # (robots,) [m]
     wants: Wants | None = None  # None: nobody wants anything
     lamps: Lamps = field(default_factory=darkness)
     light_delivery: int = TO_NEAREST  # DELIVERY_CODE of blue light

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.platform import Platform, check_effects
@@ -19,7 +19,6 @@ from cocorosim_ros.world.terms import law_places as laws
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
 
-Floats = NDArray[np.float64]
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
 
 EQUATIONS = len(laws.EQUATIONS)

@@ -5,13 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.effects import BASIC_EFFECTS, EFFECTS, LAWS
-
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 MASS = 0  # kg
 YAW_INERTIA = 1  # kg m^2
@@ -26,7 +23,7 @@ class Vehicles(NamedTuple):
     """Physical numbers with leading axes (runs, robots)."""
 
     parameters: Floats  # (runs, robots, parameters) columns of PARAMETER_COLUMNS, SI units
-    active: NDArray[np.int64]  # (runs, robots) one bit per effect, in the order of EFFECTS
+    active: Integers  # (runs, robots) one bit per effect, in the order of EFFECTS
     actuator_wrench: Floats  # (runs, robots, actuators, 4) X, Y, Z, N per newton [1, 1, 1, m; body]
     actuator_limit: Floats  # (runs, robots, actuators, 2) force at command +1 and -1, both positive [N]
     is_pump: Flags  # (runs, robots, actuators) whether it changes the robot's volume

@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import compile_lines
 from cocorosim_ros.world.water.currents import CURRENTS
 
-Floats = NDArray[np.float64]
 CURRENT_CODE = {name: code for code, name in enumerate(CURRENTS)}
 _HEAD = 3
 

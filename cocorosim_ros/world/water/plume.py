@@ -13,13 +13,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.water.flow import add_water_velocity
 
-Floats = NDArray[np.float64]
 _FAR = 8.0  # standard deviations, beyond which a cloud has less than 1e-14 of its height
 
 

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Flags
+
 FEWEST = 8  # independent readings, below which nothing is concluded
 CLEAR = 0.36  # agreement of the best explanation (a correlation of 0.6), below which nothing is concluded
 MOST, EXTREME = 0.9, 2.0  # quantile, and how many of it no motion exceeds often
@@ -15,7 +17,7 @@ FINEST = 0.02  # of 1 - agreement: models of frames are not better than that
 Numbers = NDArray[Any]
 
 
-def both_given(left: Numbers, right: Numbers) -> NDArray[np.bool_]:
+def both_given(left: Numbers, right: Numbers) -> Flags:
     """(n,) where both are numbers."""
     return np.asarray(np.isfinite(left) & np.isfinite(right))
 

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex, Expected, expected_motion
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 NARROW, NARROWEST, WIDEST = 0.15, 0.1, 2.0  # of a bin: coasting times; s; s

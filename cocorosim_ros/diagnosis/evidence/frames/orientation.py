@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correla
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+from cocorosim_ros.foundation.arrays import Floats
 
 PRICE = 10.0  # nats, of a change
 MARGIN = 10.0  # nats, by which the changed streams must be better after paying for it

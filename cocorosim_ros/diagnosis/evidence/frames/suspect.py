@@ -28,7 +28,8 @@ from cocorosim_ros.diagnosis.evidence.frames.upright import (
     height_upside_down,
     lift_upside_down,
 )
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 Found = list[FrameSuspicion]

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
+from cocorosim_ros.foundation.arrays import Floats
 
 COMMAND = "thruster_command"
 

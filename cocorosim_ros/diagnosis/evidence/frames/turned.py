@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+from cocorosim_ros.foundation.arrays import Floats
 
 Turned = tuple[int, int]  # mirrored?, quarter turns: e(v) = i^quarters v, or i^quarters conj(v), for v = x + iy
 SAME: Turned = (0, 0)

@@ -9,8 +9,9 @@ import numpy as np
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, slope
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine, scaled
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 

@@ -9,7 +9,8 @@ import numpy as np
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 CERTAIN = float("inf")

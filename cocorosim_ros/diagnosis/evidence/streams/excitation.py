@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.foundation.arrays import Floats
 
 STEP = 0.1  # of the maximum: a sudden change at least as large
 TINY = 5e-3  # of the maximum: a change that is none

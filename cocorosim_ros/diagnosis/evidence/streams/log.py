@@ -6,11 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
-
-Floats = NDArray[np.float64]
 
 # Columns of each stream's values, SI units.
 STREAMS: dict[str, tuple[str, ...]] = {

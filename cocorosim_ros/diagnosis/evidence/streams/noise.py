@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
+from cocorosim_ros.foundation.arrays import Floats
 
 LOW_ORDER, HIGH_ORDER = 4, 6  # polynomials of lower degree than the order leave no residual
 WITHIN_ONE_SIGMA = 0.6826894921370859  # share of a normal distribution
@@ -102,5 +101,5 @@ def _scale(residuals: Floats) -> float:
 
 def _quiet_scale(residuals: Floats) -> float:
     """The scale in the quieter quarter of the time, where motion shows least."""
-    parts: list[NDArray[np.float64]] = np.array_split(residuals, min(BLOCKS, residuals.size // FEWEST))
+    parts: list[Floats] = np.array_split(residuals, min(BLOCKS, residuals.size // FEWEST))
     return float(np.quantile([_scale(part) for part in parts], QUIET_QUARTER))

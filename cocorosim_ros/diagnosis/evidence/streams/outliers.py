@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats
 from cocorosim_ros.diagnosis.evidence.streams.noise import WITHIN_ONE_SIGMA
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
 NEIGHBOURHOOD = 5  # readings: up to two in a row are told from the other three
 FAR = 12.0  # times the scale of what is usual, and the noise of a reading
@@ -16,7 +15,7 @@ LONGEST = 0.5  # s that a heading may be away
 MOST_AWAY = 0.2  # share of the readings of a heading
 
 
-def outliers(value: Floats, noise: float) -> NDArray[np.bool_]:
+def outliers(value: Floats, noise: float) -> Flags:
     """(n,) which readings lie farther from the median of five neighbours than noise and motion ever do.
 
     Where readings rise or fall steadily the median is the middle one, so that motion does not show. noise is that of a
@@ -37,7 +36,7 @@ def outliers(value: Floats, noise: float) -> NDArray[np.bool_]:
     return found
 
 
-def away(time: Floats, angle: Floats, noise: float) -> NDArray[np.bool_]:
+def away(time: Floats, angle: Floats, noise: float) -> Flags:
     """(n,) which readings of a heading belong to a leap and the leap back soon after it.
 
     So leaps what a tracker says that confuses the marks on a robot. time (n,) [s], angle (n,) [rad], not wrapped. None

@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.streams.log import Floats, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import Stream
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
 FULL_TURN = 2.0 * np.pi
 CONTINUOUS = 0.2  # s between readings of a gyroscope that can be integrated
@@ -47,7 +47,7 @@ def unwrapped(
     return result
 
 
-def _covered(moments: Floats, other: Floats) -> NDArray[np.bool_]:
+def _covered(moments: Floats, other: Floats) -> Flags:
     """(n-1,) whether the other stream has readings throughout the interval between two moments."""
     first, last = np.searchsorted(other, moments[:-1]), np.searchsorted(other, moments[1:])
     inside = last - first

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT
 
@@ -16,7 +17,7 @@ MALFORMED = -1
 
 
 @kernel
-def rows_of_inbox(data: Bytes, rows: NDArray[np.float64]) -> int:
+def rows_of_inbox(data: Bytes, rows: Floats) -> int:
     """Write the payloads in the bytes of a RadioInbox, little endian, into `rows` (capacity, MESSAGE_SIZE).
 
     Returns how many there are, `capacity` at most, or MALFORMED where the bytes end too early. Of a payload the

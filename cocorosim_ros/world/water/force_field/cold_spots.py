@@ -10,13 +10,12 @@ import math
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Integers
 from cocorosim_ros.scenario.parts.force_currents import ColdSpots
 from cocorosim_ros.world.water.force_field.pulls import Pull, Spots, list_by_plane
 from cocorosim_ros.world.water.patches import Patches
 
-Floats = NDArray[np.float64]
 _SPARE = 10.0
 
 
@@ -53,7 +52,7 @@ def no_spots(settings: ColdSpots, lifetime: int, patches: Patches) -> Spots:
     )
 
 
-def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generator) -> NDArray[np.int64]:
+def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generator) -> Integers:
     """(n, 3) patches (z, y, x) that become cold spots in one step."""
     if settings.spawning == "released":
         expected = 2.0 * settings.probability * patches.total
@@ -68,7 +67,7 @@ def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generato
     return np.stack([z, y, x], axis=1)
 
 
-def spawn(spots: Spots, step: int, places: NDArray[np.int64]) -> Spots:
+def spawn(spots: Spots, step: int, places: Integers) -> Spots:
     """The spots with those of `step` in place of the oldest, who have lived out; room is added when it lacks."""
     lack = len(places) - spots.place.shape[1]
     if lack > 0:

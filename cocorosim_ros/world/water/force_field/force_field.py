@@ -7,8 +7,8 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 from cocorosim_ros.world.water.force_field.cold_spots import new_places, no_spots, pull_of, spawn
@@ -24,8 +24,6 @@ from cocorosim_ros.world.water.force_field.spreading import (
 from cocorosim_ros.world.water.force_field.wakes import blow_wakes
 from cocorosim_ros.world.water.force_field.walls import redirect_at_walls, wall_scratch
 from cocorosim_ros.world.water.patches import Patches
-
-Floats = NDArray[np.float64]
 
 PATCHES_FOR_THREADS = 1_000_000  # below, threads cost more than they save and many runs keep all processors busy
 

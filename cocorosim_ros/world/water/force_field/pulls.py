@@ -11,10 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import add_four, allocating_kernel, kernel
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 # A spot pulls at 3 x 3 patches of a plane: three stretches of four, one of them with weight zero. At walls they begin
 # elsewhere so as to stay in the water: four cases along x (first column, between, last but one, last) and three along y
 # (first row, between, last), times three planes.
@@ -33,8 +32,8 @@ class Pull(NamedTuple):
 class Spots(NamedTuple):
     """The spots that are alive, by the step in which they appeared; rows are used in turn."""
 
-    place: NDArray[np.int64]  # (lifetime, capacity, 3) z, y, x in patches
-    number: NDArray[np.int64]  # (lifetime,)
+    place: Integers  # (lifetime, capacity, 3) z, y, x in patches
+    number: Integers  # (lifetime,)
     strength: Floats  # (lifetime,) [N] by age
     shape: Integers  # (3,) of the water: nz, ny, nx
     reached: NDArray[np.uint64]  # (lifetime, 3 capacity) the spots that reach into each plane, see pulls

@@ -9,14 +9,10 @@ Source: Read et al. 2013, section 3.1 and figure 2c.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import X, Y, Z
 from cocorosim_ros.world.water.patches import Patches, is_water, nearest_patch
-
-Floats = NDArray[np.float64]
 
 
 @kernel

@@ -9,12 +9,11 @@ Source: Read et al. 2013, equation (5) with its footnote 4 (fewer neighbours at 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 
-Floats = NDArray[np.float64]
 BLOCK = 27
 
 

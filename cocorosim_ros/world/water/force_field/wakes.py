@@ -9,15 +9,11 @@ Source: Read et al. 2013, section 3.1 and figure 2a.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.state.state import STATE_SIZE, YAW, X, Y, Z
 from cocorosim_ros.world.water.patches import Patches, is_water, patch_at
-
-Floats = NDArray[np.float64]
 
 # Columns of a jet: the actuator it belongs to (-1: none), its part of the actuator's force, the direction in which the
 # actuator pushes and the direction outwards, both horizontal unit vectors [body].

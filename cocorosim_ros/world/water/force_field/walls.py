@@ -9,11 +9,9 @@ Source: behaviour of the authors' released model; the paper says nothing about i
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-
-Floats = NDArray[np.float64]
 
 
 def wall_scratch(shape: tuple[int, int, int]) -> Floats:
