@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
 from typing import Literal
 
-from cocorosim_ros.scenario.checks.scenario_checks import check_scenario
 from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
 from cocorosim_ros.scenario.parts.corruption import Corruption, corruptions_tree, read_corruptions
 from cocorosim_ros.scenario.parts.light import Light
@@ -16,19 +13,17 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.swarm import SwarmGroup, read_swarm, swarm_tree
 from cocorosim_ros.scenario.parts.tank import Box, Sphere, Tank
 from cocorosim_ros.scenario.parts.water import Water
-from cocorosim_ros.scenario.reading.config_files import find_config
-from cocorosim_ros.scenario.reading.entry import Entry, entry_of
+from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text, read_nanoseconds
 from cocorosim_ros.scenario.reading.records import (
     TEXT,
     choice,
     nested,
     quantity,
-    read_record,
     record_tree,
     stored,
 )
-from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml, yaml_text
+from cocorosim_ros.scenario.reading.yaml_file import yaml_text
 
 __all__ = [
     "Box",
@@ -40,9 +35,6 @@ __all__ = [
     "Scenario",
     "Sphere",
     "Tank",
-    "load_scenario",
-    "parse_scenario",
-    "read_scenario",
 ]
 _LARGEST_SEED = 2**63 - 1
 
@@ -190,32 +182,3 @@ class Scenario:
         if self.radio.range is None:
             return platform
         return replace(platform, sensors=replace(platform.sensors, radio_range=self.radio.range))
-
-
-def load_scenario(
-    name_or_path: str | Path,
-    seed: int | None = None,
-    duration: str | None = None,
-    external: Sequence[str] | None = None,
-) -> Scenario:
-    """The scenario of that name in config/scenarios, or of that file, with what is given replaced.
-
-    duration: text with a unit, such as '60 s'. external: names of robots that somebody else controls.
-    Raises CocorosimError: one sentence with file, line and key for whatever is wrong with it.
-    """
-    entry = load_yaml(find_config("scenarios", str(name_or_path)))
-    options = {"seed": seed, "duration": duration, "external": None if external is None else list(external)}
-    given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
-    return read_scenario(replace(entry, value={**entry.mapping(), **given}))
-
-
-def parse_scenario(yaml: str, origin: str) -> Scenario:
-    """The scenario that `Scenario.to_yaml` wrote; complaints name `origin`."""
-    return read_scenario(parse_yaml(yaml, origin))
-
-
-def read_scenario(entry: Entry) -> Scenario:
-    """The checked scenario that a mapping describes."""
-    scenario = replace(read_record(Scenario, entry), origin=entry.file)
-    check_scenario(scenario, entry.mapping())
-    return scenario

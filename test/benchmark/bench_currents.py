@@ -14,7 +14,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cocorosim_ros.scenario import load_scenario, start_poses
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.water.force_field.cold_spots import new_places

@@ -30,8 +30,8 @@ from cocorosim_ros.graph.nodes.tick_recorder import TickRecorder
 from cocorosim_ros.graph.runs.body_side import BodySide, SwarmMessages
 from cocorosim_ros.graph.runs.run_record import RunRecord
 from cocorosim_ros.graph.runs.warm_up import compile_everything
-from cocorosim_ros.scenario.scenario import load_scenario
 from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.tick.simulation import Simulation
 
 JIFFY = 1.0 / os.sysconf("SC_CLK_TCK")

@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from machine import at_once
 
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.swarm import StartBox
-from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 

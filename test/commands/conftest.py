@@ -16,8 +16,8 @@ import pytest
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_record import RunRecord
-from cocorosim_ros.scenario.scenario import load_scenario
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.checks.loading import load_scenario
 
 PROGRAM = "import sys; from cocorosim_ros.commands.main import main; sys.argv[0] = 'cocorosim'; main()"
 

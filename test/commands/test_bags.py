@@ -13,10 +13,10 @@ from rosbags.highlevel import AnyReader
 
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.run_record import RunRecord
-from cocorosim_ros.scenario.scenario import load_scenario
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 from cocorosim_ros.wire.bags.comparison import bag_digest
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.checks.loading import load_scenario
 
 BAGS = Path(__file__).parents[2] / "bags"
 FOLDER = BAGS / "five_lilys"

@@ -50,8 +50,8 @@ def test_a_recording_is_fitted_and_written(typed: Typed, tmp_path: Path) -> None
     from cocorosim_ros.graph.runs.in_process import run_in_process
     from cocorosim_ros.graph.runs.run_record import RunRecord
     from cocorosim_ros.scenario.parts.platform import load_platform
-    from cocorosim_ros.scenario.scenario import load_scenario
     from cocorosim_ros.wire.topics.body import describe_body
+    from cocorosim_ros.world.checks.loading import load_scenario
 
     scenario = load_scenario("calibration_run")
     record = RunRecord(tmp_path / "bag", [describe_body(robot) for robot in scenario.robots], {})

@@ -14,7 +14,7 @@ import pytest
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import load_platform
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 
 Command = Callable[..., SimpleNamespace]
 SENTENCE = "The left thruster of lily_1 [sic] is 5 % weaker than the right one."

@@ -11,7 +11,7 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
 from cocorosim_ros.diagnosis.report.manoeuvre_scenario import PROGRAMMES, RAMPED, scenario_of
 from cocorosim_ros.scenario.parts.platform import load_platform
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.controllers.programme import ROWS
 
 
@@ -26,7 +26,7 @@ CASES = [*((name, "lily") for name in MANOEUVRES), *(("zig_zag", name) for name 
 @pytest.mark.parametrize(("name", "platform"), CASES)
 def test_it_can_be_driven(name: str, platform: str, tmp_path: Path) -> None:
     """It loads, lasts whole rounds of ten minutes at least, and its first ticks do what its first row says."""
-    from cocorosim_ros.scenario.checks.seeding import start_poses
+    from cocorosim_ros.world.seeding.seeding import start_poses
     from cocorosim_ros.world.tick.assembly import build_world
     from cocorosim_ros.world.tick.simulation import Simulation
 

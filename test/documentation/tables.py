@@ -10,10 +10,10 @@ import click
 
 from cocorosim_ros.commands.main import COMMANDS, cocorosim
 from cocorosim_ros.scenario.reading.config_files import config_names
-from cocorosim_ros.scenario.scenario import load_scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
 from cocorosim_ros.wire.topics.service_quality import PROFILES
 from cocorosim_ros.wire.topics.topics import GLOBAL_TOPICS, ROBOT_TOPICS, Topic
+from cocorosim_ros.world.checks.loading import load_scenario
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"

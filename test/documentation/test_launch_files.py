@@ -16,7 +16,7 @@ from ruamel.yaml import YAML
 from cocorosim_ros.graph.nodes import controller_node, metrics_node, physics_node
 from cocorosim_ros.graph.nodes.graph import GraphPlan
 from cocorosim_ros.graph.runs.in_process import run_in_process
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 
 ROOT = Path(__file__).parents[2]
 LAUNCH = ROOT / "cocorosim_ros/graph/launch"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 
 GOOD = """\
 name: small

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import entry_of
 from cocorosim_ros.scenario.reading.records import record_tree
-from cocorosim_ros.scenario.scenario import load_scenario, read_scenario
+from cocorosim_ros.world.checks.loading import load_scenario, read_scenario
 
 TREE = record_tree(load_scenario("eleven_lilys"))
 WRONG = st.one_of(

@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 
 import cocorosim_ros
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading import config_files
 from cocorosim_ros.scenario.reading.config_files import config_names, find_config
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 
 CONFIG = Path(cocorosim_ros.__file__).parents[1] / "config"
 FILES = sorted(CONFIG.glob("*/*.yaml"))

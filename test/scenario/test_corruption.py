@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from cocorosim_ros.scenario.parts.corruption import longest_delay
-from cocorosim_ros.scenario.scenario import load_scenario, parse_scenario
+from cocorosim_ros.world.checks.loading import load_scenario, parse_scenario
 
 DURATION = "duration: 10 s"
 ScenarioFile = Callable[..., Path]

@@ -8,8 +8,8 @@ import math
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario.checks.seeding import generator, start_poses
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import generator, start_poses
 
 from .conftest import BOX, ScenarioFile
 

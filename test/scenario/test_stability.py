@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.checks.stability import STABLE_INTERVAL, fastest_rate, longest_stable_step
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
-from cocorosim_ros.scenario.scenario import read_scenario
+from cocorosim_ros.world.checks.loading import read_scenario
+from cocorosim_ros.world.checks.stability import STABLE_INTERVAL, fastest_rate, longest_stable_step
 
 TEXT = """
 name: fast

@@ -10,7 +10,8 @@ import pytest
 import xarray
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.scenario import Scenario, load_scenario, parse_scenario
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.loading import load_scenario, parse_scenario
 from cocorosim_ros.world.tick.assembly import build_world
 
 HEAD = """

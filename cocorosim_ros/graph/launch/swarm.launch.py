@@ -13,7 +13,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
 
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 
 PACKAGE = "cocorosim_ros"
 ARGUMENTS = {

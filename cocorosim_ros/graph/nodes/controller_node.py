@@ -22,7 +22,8 @@ from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_l
 from cocorosim_ros.graph.nodes.wiring import LONGEST_WAIT, Waiter
 from cocorosim_ros.scenario.parts.controller_file import ControllerDescription, load_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
-from cocorosim_ros.scenario.scenario import RobotDescription, load_scenario
+from cocorosim_ros.scenario.scenario import RobotDescription
+from cocorosim_ros.world.checks.loading import load_scenario
 
 PARAMETERS = (
     NodeParameter("scenario", "", "scenario that has this robot; empty: `platform` and `controller` say what it is"),

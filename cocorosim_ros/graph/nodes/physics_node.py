@@ -14,7 +14,8 @@ from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_m
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
 from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell, Terms
 from cocorosim_ros.graph.nodes.wiring import Waiter
-from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 
 PARAMETERS = (
     NodeParameter("scenario", "eleven_lilys", "name of a scenario in config/scenarios, or path of a file"),

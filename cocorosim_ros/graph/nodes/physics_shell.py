@@ -17,13 +17,13 @@ from cocorosim_ros.graph.runs.body_side import BodySide
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, run_topics
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.corruption import longest_delay
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import write_payload
 from cocorosim_ros.wire.topics.topics import TOPICS
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.tick.step_barrier import COMMAND, RADIO_MESSAGE, StepBarrier

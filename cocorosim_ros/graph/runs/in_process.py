@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 from cocorosim_ros.graph.runs.body_side import BodySide
 from cocorosim_ros.graph.runs.run_record import STATUS_TOPIC, RunRecord
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.corruption import longest_delay
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.radio_messages import RadioMessage
@@ -14,6 +13,7 @@ from cocorosim_ros.wire.cdr.status import end_of_run
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import AnswerEncoder, read_payload
 from cocorosim_ros.wire.topics.topics import robot_topic
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 

@@ -13,7 +13,7 @@ from typing import Any
 from cocorosim_ros import __version__
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
-from cocorosim_ros.scenario.scenario import Scenario, parse_scenario
+from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples, sample_tracks
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
@@ -21,6 +21,7 @@ from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.tracks import read_poses
 from cocorosim_ros.wire.topics.topics import robot_topic
+from cocorosim_ros.world.checks.loading import parse_scenario
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
 _TOPICS_SHOWN = 5

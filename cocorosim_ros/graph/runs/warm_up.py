@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.graph.runs.body_side import BodySide
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.wire.bags.tracks import decode_poses
@@ -14,6 +13,7 @@ from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import ObservationDecoder
 from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.controllers.conduct import blank_memory, conduct_one
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE
 from cocorosim_ros.world.tick.assembly import build_crew, build_world
 from cocorosim_ros.world.tick.simulation import Simulation

@@ -15,11 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.study.claims.answers import DASH, NO_RUNS, Answer, above, all_of
 from cocorosim_ros.study.experiments.design import Cell, load_design
 from cocorosim_ros.study.metrics.swarms import CONTACT_RANGE
 from cocorosim_ros.study.results.bootstrap import bootstrap_interval
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.state.state import YAW, X, Z
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation

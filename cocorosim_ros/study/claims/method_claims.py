@@ -15,14 +15,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.swarm import StartBox
-from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.claims.answers import DASH, NO_RUNS, NOT_DECIDABLE, NOT_REPRODUCED, REPRODUCED, Answer, above
 from cocorosim_ros.study.metrics import PAPER_METRICS
 from cocorosim_ros.study.results.effect_size import SMALL
 from cocorosim_ros.study.results.results import Results
 from cocorosim_ros.study.results.sample_size import Consistency, baseline_consistency, median_by_chance
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 

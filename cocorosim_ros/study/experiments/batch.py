@@ -8,13 +8,13 @@ from dataclasses import fields
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.water import patch_counts
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics import METRICS
 from cocorosim_ros.study.metrics.kernel import measure_tick
 from cocorosim_ros.study.metrics.memory import new_memory
 from cocorosim_ros.study.metrics.summary import Summary, summarise
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.state.state import YAW, X, Z
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.divergence import RanAwayError

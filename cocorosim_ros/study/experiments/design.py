@@ -9,12 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.checks.seeding import generator
 from cocorosim_ros.scenario.reading.config_files import config_names, find_config, referenced_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
-from cocorosim_ros.scenario.scenario import Scenario, read_scenario
+from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
+from cocorosim_ros.world.checks.loading import read_scenario
+from cocorosim_ros.world.seeding.seeding import generator
 
 MOST_RUNS = 1_000_000  # whose table of results, about 1 kB a run, is put in order in memory
 _LARGEST_SEED = 2**63 - 1

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 import pyarrow as pa
 
-from cocorosim_ros.scenario.scenario import parse_scenario
 from cocorosim_ros.study.experiments.batch import run_each, runs_that_fit
 from cocorosim_ros.study.experiments.code_version import version
 from cocorosim_ros.study.experiments.design import Design
 from cocorosim_ros.study.metrics import METRICS
+from cocorosim_ros.world.checks.loading import parse_scenario
 
 STATISTICS = ("", "_time_mean", "_time_median")
 """What follows a metric's name in a column: nothing for the value in which its own definition sums up a run."""

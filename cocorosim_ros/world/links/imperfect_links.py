@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.scenario.checks.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.scenario.parts.corruption import Corruption
+from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT, Inbox
 
 LONG_AGO = -(2**40)  # ticks

@@ -14,8 +14,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.checks.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.scenario.parts.corruption import RANGES, SENSOR_CHANNELS, Corruption
+from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, corruptions_at_work
 from cocorosim_ros.world.state.readings import Readings
 
 # Channel to the field of Readings and the columns of it.

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.checks.seeding import generator
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 from cocorosim_ros.scenario.parts.plume import Plume
+from cocorosim_ros.world.seeding.seeding import generator
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Vehicles
 from cocorosim_ros.world.water.flow import make_flow

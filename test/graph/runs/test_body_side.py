@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.graph.runs.body_side import BodySide
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.scenario.parts.corruption import longest_delay
-from cocorosim_ros.scenario.scenario import load_scenario
 from cocorosim_ros.wire.cdr.radio_messages import RadioMessage
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import ObservationDecoder, read_payload
 from cocorosim_ros.wire.topics.topics import robot_topic
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.deciding import observe

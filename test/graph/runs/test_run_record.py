@@ -10,9 +10,10 @@ import pytest
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection, run_topics, selected_topics
-from cocorosim_ros.scenario.scenario import Scenario, load_scenario
+from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.checks.loading import load_scenario
 
 
 @pytest.fixture

@@ -13,11 +13,11 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.run_record import RunRecord
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
-from cocorosim_ros.scenario.scenario import load_scenario
 from cocorosim_ros.study.calibration.calibration_run import CalibrationRun, read_calibration_run
 from cocorosim_ros.study.calibration.fit import fit_platform
 from cocorosim_ros.study.calibration.platform_file import write_platform
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.checks.loading import load_scenario
 
 TRUE = {
     "thrust_gain": 1.13,

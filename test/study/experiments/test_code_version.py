@@ -15,7 +15,7 @@ PACKAGE = Path(__file__).parents[3] / "cocorosim_ros"
 @pytest.mark.parametrize(
     ("edited", "counts"),
     [
-        ("scenario/checks/seeding.py", True),
+        ("world/seeding/seeding.py", True),
         ("study/experiments/batch.py", True),
         ("world/motion/dynamics.py", True),
         ("study/metrics/summary.py", True),
@@ -50,6 +50,7 @@ def test_everything_that_a_run_loads_counts() -> None:
     others = {str(path) for path in paths if not any(path == part or part in path.parents for part in parts)}
     assert others == {
         "foundation/__init__.py",
+        "foundation/arrays.py",
         "foundation/errors.py",
         "study/__init__.py",
         "study/experiments/__init__.py",

@@ -55,7 +55,7 @@ def nearest_to_the_leak() -> Callable[..., Any]:
     fewer, which is quicker. A steering, called at every tick with its number and the simulation, gives their headings
     (20,) [rad]; without one they surge and cast.
     """
-    from cocorosim_ros.scenario.scenario import load_scenario
+    from cocorosim_ros.world.checks.loading import load_scenario
     from cocorosim_ros.world.controllers.plume_tracking import ARRIVAL, THRESHOLD, UPSTREAM
     from cocorosim_ros.world.tick.assembly import build_world
     from cocorosim_ros.world.tick.simulation import Simulation

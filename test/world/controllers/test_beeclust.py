@@ -53,8 +53,8 @@ def test_robots_gather_at_the_lamp() -> None:
     """In the second quarter hour at least half as many again are within 1 m of the lamp as in the dark."""
     import numpy as np
 
-    from cocorosim_ros.scenario.checks.seeding import start_poses
-    from cocorosim_ros.scenario.scenario import load_scenario
+    from cocorosim_ros.world.checks.loading import load_scenario
+    from cocorosim_ros.world.seeding.seeding import start_poses
     from cocorosim_ros.world.surroundings.lamps import darkness
     from cocorosim_ros.world.tick.assembly import build_world
     from cocorosim_ros.world.tick.simulation import Simulation

@@ -64,9 +64,9 @@ def test_the_shoal_stays_together() -> None:
     from dataclasses import replace
 
     from cocorosim_ros.scenario.parts.controller_file import load_controller
-    from cocorosim_ros.scenario.scenario import load_scenario
     from cocorosim_ros.study.experiments.batch import run_batch
     from cocorosim_ros.study.metrics import COLUMN
+    from cocorosim_ros.world.checks.loading import load_scenario
 
     shoals = {}
     for name in ("minimal_flocking", "minimal_flocking_ported"):

@@ -75,8 +75,8 @@ def test_a_full_inbox_keeps_the_first(heard: Make) -> None:
 
 def test_boids_speak_over_blue_light_alone(lily: SimpleNamespace) -> None:
     """In a swarm of BLC robots the radio stays empty and blue light carries each sender's velocity."""
-    from cocorosim_ros.scenario.checks.seeding import start_poses
-    from cocorosim_ros.scenario.scenario import load_scenario, parse_scenario
+    from cocorosim_ros.world.checks.loading import load_scenario, parse_scenario
+    from cocorosim_ros.world.seeding.seeding import start_poses
     from cocorosim_ros.world.tick.assembly import build_world
     from cocorosim_ros.world.tick.simulation import Simulation
 

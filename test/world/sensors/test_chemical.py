@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
-from cocorosim_ros.scenario.scenario import read_scenario
+from cocorosim_ros.world.checks.loading import read_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 

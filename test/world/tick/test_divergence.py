@@ -26,14 +26,14 @@ swarm:
 
 def scenario() -> Any:
     """Two Lilys at rest."""
-    from cocorosim_ros.scenario.scenario import parse_scenario
+    from cocorosim_ros.world.checks.loading import parse_scenario
 
     return parse_scenario(TEXT, "two")
 
 
 def simulation(first_run: int = 0, runs: int = 1) -> Any:
     """So many runs of them."""
-    from cocorosim_ros.scenario.checks.seeding import start_poses
+    from cocorosim_ros.world.seeding.seeding import start_poses
     from cocorosim_ros.world.tick.assembly import build_world
     from cocorosim_ros.world.tick.simulation import Simulation
 

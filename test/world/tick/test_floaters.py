@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.scenario import load_scenario, start_poses
+from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 

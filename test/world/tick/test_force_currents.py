@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario import load_scenario, start_poses
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
-from cocorosim_ros.scenario.scenario import Scenario, read_scenario
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.loading import load_scenario, read_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.vehicle_model.vehicles import PATCH_FORCE_COLUMNS

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario.checks.seeding import start_poses
 from cocorosim_ros.scenario.parts.controller_file import load_controller
-from cocorosim_ros.scenario.scenario import Scenario, load_scenario, parse_scenario
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.loading import load_scenario, parse_scenario
+from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 

@@ -11,7 +11,7 @@ import pytest
 @pytest.mark.parametrize(("controller", "reach"), [("boids_vanilla", 0.5), ("boids_blt", 0.2)])
 def test_exact_neighbours_are_looked_for_beyond_blind_sensors(controller: str, reach: float) -> None:
     """Sensors and radio of 0.2 m: who knows neighbours exactly is still to know all within 0.5 m."""
-    from cocorosim_ros.scenario.scenario import load_scenario, parse_scenario
+    from cocorosim_ros.world.checks.loading import load_scenario, parse_scenario
     from cocorosim_ros.world.tick.assembly import build_world
 
     text = load_scenario("eleven_lilys").to_yaml().replace("behaviour: boids_blt", f"behaviour: {controller}")

@@ -12,7 +12,7 @@ import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
-from cocorosim_ros.scenario.scenario import load_scenario
+from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
 from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
 from cocorosim_ros.world.state.state import SURGE, YAW, X

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario.checks.seeding import generator
 from cocorosim_ros.scenario.parts.force_currents import ColdSpots, ForceCurrents
+from cocorosim_ros.world.seeding.seeding import generator
 from cocorosim_ros.world.water.force_field.cold_spots import new_places, no_spots, pull_of, spawn
 from cocorosim_ros.world.water.force_field.force_field import ForceField
 from cocorosim_ros.world.water.force_field.pulls import pull_water, stretches_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario.checks.seeding import generator
 from cocorosim_ros.scenario.parts.force_currents import ColdSpots, ForceCurrents
+from cocorosim_ros.world.seeding.seeding import generator
 from cocorosim_ros.world.water.force_field.force_field import ForceField
 from cocorosim_ros.world.water.force_field.walls import redirect_at_walls, wall_scratch
 from cocorosim_ros.world.water.patches import Patches

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,9 +14,7 @@ from cocorosim_ros.scenario.parts.currents import (
     VelocityCurrent,
     VortexCurrent,
 )
-
-if TYPE_CHECKING:
-    from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.scenario.scenario import Scenario
 
 FASTEST_OF_VORTEX = 0.6382  # of circulation / (2 pi core): maximum of (1 - exp(-s^2)) / s
 

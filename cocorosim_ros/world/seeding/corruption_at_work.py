@@ -7,8 +7,8 @@ from typing import TypeVar
 
 import numpy as np
 
-from cocorosim_ros.scenario.checks.random_blocks import RandomBlocks, standard_normal, uniform
 from cocorosim_ros.scenario.parts.corruption import Corruption, purposes
+from cocorosim_ros.world.seeding.random_blocks import RandomBlocks, standard_normal, uniform
 
 Kind = TypeVar("Kind", bound="CorruptionAtWork")
 

@@ -5,20 +5,17 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.checks.fastest_water import fastest_water
-from cocorosim_ros.scenario.checks.seeding import start_poses
-from cocorosim_ros.scenario.checks.stability import fastest_rate, longest_stable_step
-from cocorosim_ros.scenario.parts.water import check_water
+from cocorosim_ros.scenario.parts.swarm import Pose, StartBox
+from cocorosim_ros.scenario.parts.tank import Tank
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
-
-if TYPE_CHECKING:
-    from cocorosim_ros.scenario.parts.swarm import Pose, StartBox
-    from cocorosim_ros.scenario.parts.tank import Tank
-    from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.fastest_water import fastest_water
+from cocorosim_ros.world.checks.stability import fastest_rate, longest_stable_step
+from cocorosim_ros.world.checks.water_checks import check_water
+from cocorosim_ros.world.seeding.seeding import start_poses
 
 Sections = Mapping[str, Entry]
 

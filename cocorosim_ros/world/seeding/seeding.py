@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
-
-if TYPE_CHECKING:
-    from cocorosim_ros.scenario.parts.swarm import StartBox
-    from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.scenario.parts.swarm import StartBox
+from cocorosim_ros.scenario.scenario import Scenario
 
 _MOST_TRIES = 1000
 _WORD = 0xFFFFFFFF

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.checks.seeding import generator
+from cocorosim_ros.world.seeding.seeding import generator
 
 Draw = Callable[[np.random.Generator, tuple[int, int]], Floats]
 NUMBERS_AT_ONCE = 4_000_000  # of all robots together; how many are drawn at once does not change them
@@ -26,7 +26,7 @@ def uniform(random: np.random.Generator, shape: tuple[int, int]) -> Floats:
 class RandomBlocks:
     """`width` numbers per tick for each of some robots in each of some runs.
 
-    Each robot of each run has its own generator (checks.seeding): its numbers depend on seed, purpose, its name
+    Each robot of each run has its own generator (seeding.seeding): its numbers depend on seed, purpose, its name
     and the run's number alone, not on who else is there. Ticks are asked for in ascending order.
     """
 

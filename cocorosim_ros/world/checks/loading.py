@@ -1,0 +1,43 @@
+"""Scenarios from files and from text, checked: who loads a scenario gets one that the model can run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from cocorosim_ros.scenario.reading.config_files import find_config
+from cocorosim_ros.scenario.reading.entry import Entry, entry_of
+from cocorosim_ros.scenario.reading.records import read_record
+from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.scenario_checks import check_scenario
+
+
+def load_scenario(
+    name_or_path: str | Path,
+    seed: int | None = None,
+    duration: str | None = None,
+    external: Sequence[str] | None = None,
+) -> Scenario:
+    """The scenario of that name in config/scenarios, or of that file, with what is given replaced.
+
+    duration: text with a unit, such as '60 s'. external: names of robots that somebody else controls.
+    Raises CocorosimError: one sentence with file, line and key for whatever is wrong with it.
+    """
+    entry = load_yaml(find_config("scenarios", str(name_or_path)))
+    options = {"seed": seed, "duration": duration, "external": None if external is None else list(external)}
+    given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
+    return read_scenario(replace(entry, value={**entry.mapping(), **given}))
+
+
+def parse_scenario(yaml: str, origin: str) -> Scenario:
+    """The scenario that `Scenario.to_yaml` wrote; complaints name `origin`."""
+    return read_scenario(parse_yaml(yaml, origin))
+
+
+def read_scenario(entry: Entry) -> Scenario:
+    """The checked scenario that a mapping describes."""
+    scenario = replace(read_record(Scenario, entry), origin=entry.file)
+    check_scenario(scenario, entry.mapping())
+    return scenario
