@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
-from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
+from cocorosim_ros.world.terms.phases import phased, phases
 
 CROSSED = 0.1  # m above and below a layer that have to be visited
 PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebody's clock

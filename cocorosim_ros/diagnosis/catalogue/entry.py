@@ -5,30 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+
+from cocorosim_ros.world.terms.search import Basis, Scene
+
+__all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape"]
 
 SENSOR_CHANNELS = ("compass", "pressure", "imu", "pose", "clock", "velocity")
 """Channels of entries that act on what is read; all others act on the motion."""
-
-
-class Scene(NamedTuple):
-    """What the recordings span: lowest and highest x, y, z [m; world] and the duration [s].
-
-    periods: at which the random force that the model needs swings most, by equation [s]. changes: moments at which
-    that of heave steps most [s]. scales: typical sizes of the
-    regressors of laws, of the forces by equation, and the mass [kg]. driven: whether thrusters moved the robots more
-    than the water did at random.
-    """
-
-    lower: tuple[float, float, float]
-    upper: tuple[float, float, float]
-    duration: float
-    hull: float  # length of the hull [m]
-    arm: float  # how far the thrusters sit before the centre [m]
-    periods: Mapping[str, tuple[float, ...]]
-    changes: tuple[float, ...]
-    scales: Mapping[str, float]
-    driven: bool
 
 
 @dataclass(frozen=True)
@@ -66,10 +49,6 @@ class Shape:
     fixed: bool = False  # looked for on the grid alone
     periodic: bool = False
     once: bool = False  # the moment of what happens once
-
-
-Basis = Callable[[Mapping[str, float]], list[tuple[dict[str, float], float]]]
-"""Function of the shapes by column: other shapes and the weight of the slope there."""
 
 
 @dataclass(frozen=True)
