@@ -85,10 +85,8 @@ def main() -> None:
     options = parser.parse_args()
     parts, arrows = arrows_inside(options.checkout, f"{PACKAGE}.{options.inside}".rstrip("."))
     if options.count:
-        round_about = sorted(circles(parts, arrows))
-        print(
-            f"{len(parts)} parts, {len(arrows)} arrows, {len(round_about)} in circles: {', '.join(round_about) or '-'}"
-        )
+        in_circles = ", ".join(sorted(circles(parts, arrows)))
+        print(f"{len(parts)} parts, {len(arrows)} arrows, in circles: {in_circles or 'none'}")
     else:
         print(mermaid(parts, arrows))
 
