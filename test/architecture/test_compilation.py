@@ -6,7 +6,8 @@ import numba
 import numpy as np
 import pytest
 
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 
 
 @kernel

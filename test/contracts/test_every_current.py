@@ -69,3 +69,14 @@ def test_a_scenario_can_ask_for_it(name: str) -> None:
     assert CURRENTS[name].velocity.__name__ == name
     assert CURRENTS[name].summary
     assert list(CURRENTS) == list(VELOCITY_CURRENTS)
+
+
+@every_current
+def test_nowhere_faster_than_it_says(name: str) -> None:
+    """At random places and times of a tank, and it does get at least half as fast somewhere: no idle bound."""
+    size = (6.0, 6.0, 2.0)
+    said = CURRENTS[name].fastest(numbers_of(name), size)
+    random = np.random.default_rng(3)
+    places = random.uniform([-3, -3, -2], [3, 3, 0], (4000, 3))
+    speeds = [np.linalg.norm(velocity(name, place, random.uniform(0.0, 60.0))) for place in places]
+    assert 0.5 * said < max(speeds) <= said * (1.0 + 1e-12)

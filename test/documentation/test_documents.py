@@ -13,6 +13,7 @@ import cocorosim_ros
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 from .documents import ROOT, documents, fenced, links, own_files, paths_in_code
+from .recipes import section
 from .tables import CONFIG_README, FILE_OF, README, TABLES, with_tables
 
 every_document = pytest.mark.parametrize("path", documents(), ids=lambda path: str(path.relative_to(ROOT)))
@@ -84,7 +85,7 @@ def test_the_changelog_knows_this_version() -> None:
 
 def test_the_recipes_platform_loads(tmp_path: Path) -> None:
     """The platform that CONTRIBUTING.md shows is a valid one."""
-    (yaml,) = fenced((ROOT / "CONTRIBUTING.md").read_text("utf-8"), "yaml")
+    (yaml,) = fenced(section("Add a platform"), "yaml")
     file = tmp_path / "heavy_lily.yaml"
     file.write_text(yaml)
     assert load_platform(str(file)).mass == 0.45

@@ -21,7 +21,8 @@ from cocorosim_ros.foundation.compiling.four import (
     transposed,
     whole_below,
 )
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_like
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_like
 
 Floats = NDArray[np.float64]
 ODD = (0.0, -0.0, 1.0, -1.5, math.pi, 5e-324, -1e308, 1e-200, 7.25e5, 3e6, -2e17, math.inf, -math.inf, math.nan)

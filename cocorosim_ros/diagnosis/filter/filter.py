@@ -66,7 +66,8 @@ from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
 from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
 from cocorosim_ros.diagnosis.filter.records import Belief, Drive, History, Past, Readings
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.motion import dynamics
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.vehicle_model.vehicles import Body

@@ -26,7 +26,8 @@ from cocorosim_ros.diagnosis.filter.layout import (
 from cocorosim_ros.diagnosis.filter.random_force import Fading
 from cocorosim_ros.diagnosis.filter.records import Drive
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.motion.dynamics import state_rate
 from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 
 CHUNK = 1024  # readings at a time, so that they stay in the cache
 LANES = 8

@@ -8,6 +8,8 @@ loops alone, so the vectors are written here.
 Such a text may use + - * /, minus, abs, comparisons, math.sqrt, sin and cos, the functions of this file, and floats
 where a number is the same for all. It cannot branch on the numbers, as robots would go different ways: `chosen` takes
 the place of `a if condition else b`, and `everywhere` asks whether a condition holds for all.
+
+With COCOROSIM_VECTORS=off every operation goes through lane by lane instead, by instructions for single numbers.
 """
 
 from __future__ import annotations
@@ -26,6 +28,8 @@ from numba.core.typeconv import Conversion
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
 from numba.extending import intrinsic
 from numba.np.arrayobj import populate_array
+
+from cocorosim_ros.foundation.compiling.switches import VECTORS
 
 LANES = 4
 _WORD, _INDEX = ir.DoubleType(), ir.IntType(32)
@@ -67,7 +71,7 @@ class _FourConditionsModel(models.PrimitiveModel):  # type: ignore[misc]
 
 def _joined(builder: Any, parts: Any) -> Any:
     """The vector of four values."""
-    vector = ir.Constant(_VECTOR, ir.Undefined)
+    vector = ir.Constant(ir.VectorType(parts[0].type, LANES), ir.Undefined)
     for lane, part in enumerate(parts):
         vector = builder.insert_element(vector, part, ir.Constant(_INDEX, lane))
     return vector
@@ -76,6 +80,20 @@ def _joined(builder: Any, parts: Any) -> Any:
 def _parts(builder: Any, vector: Any) -> list[Any]:
     """The four values of a vector."""
     return [builder.extract_element(vector, ir.Constant(_INDEX, lane)) for lane in range(LANES)]
+
+
+def _with_or_without_vectors(generate: Callable[..., Any]) -> Callable[..., Any]:
+    """`generate(builder, values)` of vectors as it is, or for each lane by itself where vectors are switched off."""
+
+    def lane_by_lane(builder: Any, values: Any) -> Any:
+        if not isinstance(values[0].type, ir.VectorType):
+            return generate(builder, values)
+        return _joined(
+            builder,
+            [generate(builder, lane) for lane in zip(*(_parts(builder, value) for value in values), strict=True)],
+        )
+
+    return generate if VECTORS else lane_by_lane
 
 
 @lower_cast(types.Float, FourFloats)  # type: ignore[untyped-decorator]
@@ -99,9 +117,15 @@ def _add_operation(function: Any, result: Any, operands: int, generate: Callable
     )
 
 
+def _of_numbers(generate: Callable[..., Any]) -> Callable[..., Any]:
+    """What an operation generates without knowing of numba: of vectors, or lane by lane."""
+    made = _with_or_without_vectors(generate)
+    return lambda context, builder, values: made(builder, values)
+
+
 def _of_builder(name: str, *code: str) -> Callable[..., Any]:
     """One instruction that takes vectors as it takes numbers."""
-    return lambda context, builder, values: getattr(builder, name)(*code, *values)
+    return _of_numbers(lambda builder, values: getattr(builder, name)(*code, *values))
 
 
 def _call_compiler(builder: Any, name: str, value: Any) -> Any:
@@ -114,7 +138,7 @@ def _call_compiler(builder: Any, name: str, value: Any) -> Any:
 
 
 def _of_compiler(name: str) -> Callable[..., Any]:
-    return lambda context, builder, values: _call_compiler(builder, name, values[0])
+    return _of_numbers(lambda builder, values: _call_compiler(builder, name, values[0]))
 
 
 def _lane_by_lane(function: Any) -> Callable[..., Any]:
@@ -149,9 +173,12 @@ def whole_below(typing_context: Any, number: Any) -> Any:
     """The largest whole number that is not above `number`, as a float; of a float or of four."""
 
     def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
-        return _call_compiler(builder, "floor", arguments[0])
+        return _of_compiler("floor")(context, builder, arguments)
 
     return number(number), generate
+
+
+_select = _with_or_without_vectors(lambda builder, values: builder.select(*values))
 
 
 @intrinsic  # type: ignore[untyped-decorator]
@@ -159,7 +186,7 @@ def chosen(typing_context: Any, condition: Any, fulfilled: Any, otherwise: Any) 
     """`fulfilled if condition else otherwise`, both computed: of floats, or of fours lane by lane."""
 
     def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
-        return builder.select(*arguments)
+        return _select(builder, arguments)
 
     return fulfilled(condition, fulfilled, fulfilled), generate
 

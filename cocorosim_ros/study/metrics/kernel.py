@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, compile_lines
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.study.metrics import FAMILIES, METRICS
 from cocorosim_ros.study.metrics.memory import Memory
 from cocorosim_ros.study.metrics.populations import fill_centres, fill_distances, fill_populations, fill_shoals

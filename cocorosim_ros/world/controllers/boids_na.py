@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.controllers.boids_rules import (
     ALIGNMENT_WEIGHT,
     SETTINGS,

@@ -23,7 +23,8 @@ import math
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine, wrap_angle
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, four_at, in_fours
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array, unset_stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
 from cocorosim_ros.world.controllers.medians import ROOM, coordinate_median
 from cocorosim_ros.world.controllers.request import DIVE, DIVE_AT_SPEED, DIVE_MODE, HEADING, SPEED, TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation

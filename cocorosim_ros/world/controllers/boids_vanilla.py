@@ -13,7 +13,8 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array, unset_stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
 from cocorosim_ros.world.controllers.boids_rules import (
     COHESION_LENGTH,
     COHESION_WEIGHT,

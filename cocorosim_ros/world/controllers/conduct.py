@@ -12,7 +12,8 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
-from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.controllers import CONTROLLER_CODE, CONTROLLERS
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.controllers.operating_system import (

@@ -13,7 +13,9 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, in_fours, lanes
-from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, outlined_kernel, unset_stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.stack import unset_stack_array
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
 
 ROOM = LANES * HEARING_LIMIT  # numbers in a list of rows

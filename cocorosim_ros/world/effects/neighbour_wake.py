@@ -13,7 +13,8 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, Moment

@@ -8,7 +8,8 @@ Assumes: omnidirectional, lossless, noiseless. Source: Read et al. 2013, section
 from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, Inbox
 from cocorosim_ros.world.state.state import X, Y, Z
 from cocorosim_ros.world.surroundings.neighbours import Neighbours

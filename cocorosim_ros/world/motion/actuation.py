@@ -10,7 +10,8 @@ import math
 from typing import NamedTuple
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.state.state import FOLLOWED, MEMORY_SIZE, RATE
 from cocorosim_ros.world.terms.response import delayed, relaxed
 from cocorosim_ros.world.vehicle_model.hooks import bits, calls, hooks

@@ -15,7 +15,9 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
-from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, outlined_kernel, stack_array, stack_like
+from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array, stack_like
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.moment import Moment, add_thrust, clearance, pump_force

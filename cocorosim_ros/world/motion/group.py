@@ -8,6 +8,7 @@ from numba.extending import overload
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.switches import VECTORS
 from cocorosim_ros.world.motion.dynamics import basic_rate, state_rate
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, LAW_BITS, Body, Surroundings, Vehicles, body_of
@@ -70,9 +71,12 @@ def columns_in_use(vehicles: Vehicles, run: int, first: int, rows: Floats) -> in
 
 @kernel
 def is_simple(group: Group, count: int) -> bool:
-    """Whether the first `count` of a group have the same basic effects alone and swim in still water."""
+    """Whether the first `count` of a group have the same basic effects alone and swim in still water.
+
+    None is, where vectors are switched off: robots go through the equations one after the other.
+    """
     active = group.vehicles.active[group.run, group.first]
-    simple: bool = active & ~BASIC_BITS == 0 and group.surroundings.flow.shape[0] == 0
+    simple: bool = VECTORS and active & ~BASIC_BITS == 0 and group.surroundings.flow.shape[0] == 0
     for place in range(count):
         simple = simple and group.vehicles.active[group.run, group.first + place] == active
     return simple

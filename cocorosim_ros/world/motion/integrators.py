@@ -10,7 +10,9 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
-from cocorosim_ros.foundation.compiling.kernel import compile_lines, kernel, stack_like
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_like
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.motion.group import Fours, Group, rate_of
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 

@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, four, in_fours, lanes
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.sensors.cones import AXIS, COSINE, HALVES, REACH
 from cocorosim_ros.world.sensors.instruments import Instruments
 from cocorosim_ros.world.state.state import YAW, X, Y, Z

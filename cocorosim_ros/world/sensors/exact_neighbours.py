@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.state.neighbourhood import Neighbourhood
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, X, Y, Z
 from cocorosim_ros.world.surroundings.neighbours import Neighbours

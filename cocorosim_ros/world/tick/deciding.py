@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.controllers.conduct import conduct_one, speak_by_code
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.state.observation import Observation

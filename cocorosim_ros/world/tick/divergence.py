@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.tick.world import World

@@ -6,7 +6,8 @@ import math
 from typing import NamedTuple
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.motion.dynamics import relative_velocity, state_rate
 from cocorosim_ros.world.motion.surroundings import look_around
 from cocorosim_ros.world.sensors.blue_light import neighbour_ranges, obstacle_ranges

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.parts.currents import GriddedCurrent, VelocityCurrent
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.parts.water import patch_counts
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.tick.water import Water
-from cocorosim_ros.world.water.currents import CURRENTS
+from cocorosim_ros.world.water.current_numbers import current_numbers
 from cocorosim_ros.world.water.flow import make_flow
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
 from cocorosim_ros.world.water.patches import Patches
@@ -48,14 +46,6 @@ def build_patches(scenario: Scenario, side: float) -> Patches:
     """The patches [m] of a scenario's tank."""
     nx, ny, nz = patch_counts(scenario.tank.size, side)
     return Patches(np.array(scenario.tank.lower_corner()), side, nx, ny, nz)
-
-
-def current_numbers(current: VelocityCurrent) -> Floats:
-    """The numbers of a current in the order of its entry in CURRENTS."""
-    if isinstance(current, GriddedCurrent):
-        return current.file.numbers
-    values = dataclasses.asdict(current)
-    return np.array([values[name] for name in CURRENTS[current.kind].parameters])
 
 
 def build_jets(platforms: Sequence[Platform]) -> Floats:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import compile_lines
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.water.currents import CURRENTS
 
 CURRENT_CODE = {name: code for code, name in enumerate(CURRENTS)}

@@ -15,7 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.water.flow import add_water_velocity
 

@@ -8,6 +8,8 @@ Assumes: what the linear interpolation of a divergence-free table leaves of dive
 
 from __future__ import annotations
 
+import numpy as np
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.water.current import Current
@@ -52,4 +54,11 @@ def gridded(place: Floats, time: float, parameters: Floats, total: Floats) -> No
             total[axis] += weight * parameters[cell + axis]
 
 
-GRIDDED = Current(summary="velocity from a netCDF file", velocity=gridded, parameters=())
+def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
+    """The largest speed [m/s] in the table: interpolation stays between its values."""
+    counts = parameters[:4].astype(int)
+    velocities = parameters[4 + counts.sum() :].reshape(-1, 3)
+    return float(np.sqrt((velocities**2).sum(axis=1)).max())
+
+
+GRIDDED = Current(summary="velocity from a netCDF file", velocity=gridded, parameters=(), fastest=fastest)

@@ -6,6 +6,8 @@ divergence for every choice of the gradients.
 
 from __future__ import annotations
 
+import math
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.water.current import Current
@@ -18,8 +20,17 @@ def sheared(place: Floats, time: float, parameters: Floats, total: Floats) -> No
     total[1] += parameters[1] + parameters[4] * place[0] + parameters[5] * place[2]
 
 
+def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
+    """The speed [m/s] at the corner of the tank where all gradients add up."""
+    x, y, dx_dy, dx_dz, dy_dx, dy_dz = parameters
+    along = abs(x) + abs(dx_dy) * 0.5 * size[1] + abs(dx_dz) * size[2]
+    across = abs(y) + abs(dy_dx) * 0.5 * size[0] + abs(dy_dz) * size[2]
+    return math.hypot(along, across)
+
+
 SHEARED = Current(
     summary="velocity that changes linearly with place",
     velocity=sheared,
     parameters=("x", "y", "dx_dy", "dx_dz", "dy_dx", "dy_dz"),
+    fastest=fastest,
 )

@@ -18,8 +18,14 @@ def tidal(place: Floats, time: float, parameters: Floats, total: Floats) -> None
     total[1] += parameters[1] * swing
 
 
+def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
+    """The amplitude [m/s]."""
+    return math.hypot(parameters[0], parameters[1])
+
+
 TIDAL = Current(
     summary="velocity that swings in time, the same everywhere",
     velocity=tidal,
     parameters=("x", "y", "period", "phase"),
+    fastest=fastest,
 )

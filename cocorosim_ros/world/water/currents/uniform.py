@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.water.current import Current
@@ -14,4 +16,14 @@ def uniform(place: Floats, time: float, parameters: Floats, total: Floats) -> No
     total[1] += parameters[1]
 
 
-UNIFORM = Current(summary="the same velocity everywhere", velocity=uniform, parameters=("x", "y"))
+def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
+    """The speed [m/s] itself."""
+    return math.hypot(parameters[0], parameters[1])
+
+
+UNIFORM = Current(
+    summary="the same velocity everywhere",
+    velocity=uniform,
+    parameters=("x", "y"),
+    fastest=fastest,
+)

@@ -14,6 +14,8 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.water.current import Current
 
+FASTEST = 0.6382  # of circulation / (2 pi core): maximum of (1 - exp(-s^2)) / s
+
 
 @kernel
 def vortex(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
@@ -27,8 +29,14 @@ def vortex(place: Floats, time: float, parameters: Floats, total: Floats) -> Non
     total[1] += rate * east
 
 
+def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
+    """The speed [m/s] a little outside of the core, wherever the eddy is."""
+    return FASTEST * float(abs(parameters[2])) / (2.0 * math.pi * float(parameters[3]))
+
+
 VORTEX = Current(
     summary="an eddy with a vertical axis",
     velocity=vortex,
     parameters=("x", "y", "circulation", "core"),
+    fastest=fastest,
 )

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.foundation.compiling.kernel import add_four, allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.stack import add_four
 
 # A spot pulls at 3 x 3 patches of a plane: three stretches of four, one of them with weight zero. At walls they begin
 # elsewhere so as to stay in the water: four cases along x (first column, between, last but one, last) and three along y

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
-from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.state.state import STATE_SIZE, YAW, X, Y, Z
 from cocorosim_ros.world.water.patches import Patches, is_water, patch_at
 

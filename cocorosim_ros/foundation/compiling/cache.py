@@ -1,0 +1,88 @@
+"""The cache of compiled functions: a folder for each set of sources, so that it can never be stale.
+
+numba keys its cache on the file of a function alone; a change in a function that it calls, in another file, would go
+unnoticed. The folder of a function therefore carries the digest of all sources that its module is made of
+(compiling.sources), of numba's and NumPy's versions and of the switches of the compiler. A change in a metric leaves
+the folders of the filter as they are. Folders that nothing has used for KEPT_DAYS are removed when a new one is made.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import time
+from collections.abc import Callable, Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numba
+import numpy
+
+from cocorosim_ros.foundation.compiling.sources import digest_of, sources_of
+from cocorosim_ros.foundation.compiling.switches import VECTORS
+
+KEPT_DAYS = 30.0
+_DAY = 86400.0  # s
+TOOLS = (numba.__version__, numpy.__version__, f"vectors={VECTORS}")
+Compiler = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+@cache
+def cache_base() -> Path:
+    """The folder of all: below NUMBA_CACHE_DIR, XDG_CACHE_HOME or the user's own cache, else among temporary files."""
+    named = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    bases = (Path(named) / "cocorosim_ros", Path(tempfile.gettempdir()) / f"cocorosim_ros-{os.getuid()}")
+    return next((base for base in bases if _is_writable(base)), bases[-1])
+
+
+@cache
+def folder_of(file: Path) -> Path:
+    """The folder for the functions of this file: its own where it lies in the cache itself (compiling.tables)."""
+    if cache_base() in file.parents:
+        return file.parent
+    return _folder(digest_of(sources_of(file), *TOOLS))
+
+
+def folder_of_text(text: str, files: Iterable[Path]) -> Path:
+    """The folder for a function with this text, which calls functions that were written in these files."""
+    needed = {source for file in files for source in sources_of(file)}
+    return _folder(digest_of(needed, *TOOLS, text))
+
+
+def cached_with_its_sources(compiler: Compiler, function: Callable[..., Any]) -> Callable[..., Any]:
+    """The function compiled by `compiler`, its machine code kept in the folder of its file."""
+    numba.config.CACHE_DIR = str(folder_of(Path(function.__code__.co_filename)))
+    return compiler(function)
+
+
+def _folder(digest: str) -> Path:
+    """The folder of that name, made or marked as used."""
+    folder = cache_base() / digest
+    if not folder.is_dir():
+        folder.mkdir(parents=True, exist_ok=True)
+        _remove_unused(folder.parent)
+    elif time.time() - folder.stat().st_mtime > _DAY and os.access(folder, os.W_OK):
+        os.utime(folder)
+    return folder
+
+
+def _remove_unused(base: Path) -> None:
+    """Remove the folders below `base` that no process has used for KEPT_DAYS."""
+    oldest = time.time() - KEPT_DAYS * _DAY
+    for folder in base.iterdir():
+        try:
+            unused = folder.is_dir() and folder.stat().st_mtime < oldest
+        except FileNotFoundError:  # another process was faster
+            continue
+        if unused:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_writable(base: Path) -> bool:
+    try:
+        base.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return os.access(base, os.W_OK)
