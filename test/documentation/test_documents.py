@@ -53,7 +53,6 @@ def test_paths_exist(path: Path) -> None:
     text = path.read_text("utf-8")
     made = {
         "cocorosim_ros/world/controllers/circle.py",
-        "cocorosim_ros/world/effects/leak.py",
         "cocorosim_ros/world/sensors/thermometer.py",
         "config/controllers/circle.yaml",
     }

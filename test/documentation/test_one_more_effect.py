@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
-import textwrap
 from collections.abc import Callable
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from .documents import ROOT
+from .recipes import copy_of_this_tree, follow
+
 RATE = 2e-5  # N/s
 SECONDS = 90
 PLATFORM = f"""name: leaky
@@ -48,33 +47,13 @@ recording: {{topics: all}}
 """
 
 
-def recipe() -> str:
-    """The file of the effect, as the recipe shows it."""
-    section = (ROOT / "CONTRIBUTING.md").read_text("utf-8").partition("## Add an effect")[2].partition("\n## ")[0]
-    (code,) = re.findall(r"^ *```python\n(.*?)^ *```", section, re.DOTALL | re.MULTILINE)
-    return textwrap.dedent(code)
-
-
-def add_the_effect(package: Path) -> None:
-    """The two steps of the recipe: a file, and a line in the table with its import."""
-    (package / "world" / "effects" / "leak.py").write_text(recipe())
-    table = package / "world" / "effects" / "__init__.py"
-    text = table.read_text()
-    first = "from cocorosim_ros.world.effects.linear_drag import"
-    assert text.count(first) == 1 and text.count("    **LAWS,\n}") == 1
-    text = text.replace(first, f"from cocorosim_ros.world.effects.leak import LEAK\n{first}")
-    table.write_text(text.replace("    **LAWS,\n}", '    "leak": LEAK,\n    **LAWS,\n}'))
-
-
 @pytest.fixture(scope="module")
 def python(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., None]:
     """Function of words: Python with the copy first on its path, and with a cache of its own."""
-    copy = tmp_path_factory.mktemp("copy")
-    for name in ("cocorosim_ros", "config", "test"):
-        shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("package.xml", "pyproject.toml"):
-        shutil.copy(ROOT / name, copy / name)
-    add_the_effect(copy / "cocorosim_ros")
+    copy = copy_of_this_tree(tmp_path_factory.mktemp("copy"))
+    shutil.copytree(ROOT / "test", copy / "test", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "pyproject.toml", copy)
+    assert len(follow("Add an effect", copy)) == 2, "one file, one line"
     environment = os.environ | {"PYTHONPATH": str(copy), "NUMBA_CACHE_DIR": str(copy / "compiled")}
 
     def run(*words: Any) -> None:
