@@ -6,6 +6,7 @@ import math
 
 from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.sensors import KINDS
 
 VERDICTS = {
     "consistent": (
@@ -44,14 +45,7 @@ NOISES = {
     "random.moment": "random yaw moment",
     "random.correlation": "memory of the random forces",
     "random.smoothness": "smoothness of the random forces (0 rough, 1 smooth)",
-    "reading.pose_xy": "a reading of pose, x and y",
-    "reading.pose_z": "a reading of pose, z",
-    "reading.pose_yaw": "a reading of pose, yaw",
-    "reading.compass": "a reading of the compass",
-    "reading.pressure": "a reading of the pressure",
-    "reading.gyro_z": "a reading of the gyroscope",
-    "reading.accel": "a reading of the accelerometer",
-    "reading.velocity": "a reading of the velocity",
+    **{f"reading.{kind.noise or kind.name}": kind.noise_words for kind in KINDS.values() if kind.noise_words},
 }
 
 CHECKS = {

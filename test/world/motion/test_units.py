@@ -9,7 +9,7 @@ from collections import Counter
 import pytest
 
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, EFFECTS
-from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 # In kg, m and s; angles have no dimension.
@@ -114,7 +114,7 @@ TERMS: dict[str, tuple[str, str]] = {
 CODES = ("anisotropic_drag.form",)
 PARAMETERS = {
     f"{effect}.{parameter.name}": parameter.unit
-    for table in (EFFECTS, SENSOR_EFFECTS)
+    for table in (EFFECTS, ERRORS)
     for effect, described in table.items()
     if not effect.startswith("law_")
     for parameter in described.parameters

@@ -14,7 +14,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
-from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
+from cocorosim_ros.world.sensors.errors import ERRORS, is_simulated
 from cocorosim_ros.world.state.state import SURGE, YAW, X
 from cocorosim_ros.world.tick.assembly import build_vehicles, build_world
 from cocorosim_ros.world.tick.simulation import Simulation
@@ -66,7 +66,9 @@ def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) 
         assert vehicles.active[0, 0] & EFFECT_BIT[effect]
         for name, value in values.items():
             assert vehicles.parameters[0, 0, PARAMETER_COLUMNS[f"{effect}.{name}"]] == value
-    assert (faults is not None) == (effect in SENSOR_EFFECTS)
+    assert (faults is not None) == (
+        effect in ERRORS and any(is_simulated(effect, part) for part in ERRORS[effect].parameters)
+    )
     assert bool(not_simulated({"lily_01": platform})) == (effect in RECORDING_EFFECTS)
 
 
