@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.vehicle_size import sizes
+from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
 
 OVER = 0.1  # of a logarithm beyond the largest shape of a grid
@@ -27,7 +27,7 @@ class Candidate:
     entry: Entry
     robots: tuple[str, ...]
     tracks: tuple[tuple[int, ...], ...]  # by robot
-    sizes: Mapping[str, float] = field(default_factory=dict)  # of the vehicle beside a Lily, by unit
+    sizes: Mapping[str, float] = field(default_factory=lambda: LILY_SIZES)  # of the vehicle beside a Lily, by unit
     duration: float = math.inf  # of the longest recording [s]
     known: tuple[tuple[float, ...], ...] = ()  # by owner: amplitudes that the base has already; shapes then stay
 
@@ -63,7 +63,7 @@ class Candidate:
 
     def large(self, part: Amplitude) -> float:
         """What is large of an amplitude for this vehicle; that of a law is so already."""
-        return part.large if self.entry.law is not None else part.large * self.sizes.get(part.unit, 1.0)
+        return part.large if self.entry.law is not None else part.large * self.sizes[part.unit]
 
     def shape_unknowns(self, values: dict[str, float], scene: Scene) -> list[Unknown]:
         """The shapes that are not fixed, around these values, shared by all robots."""

@@ -49,27 +49,7 @@ NOISES = {
 }
 
 CHECKS = {
-    "linear_drag": "Drag at low speed: fouling, fins, a tether in the water, a smoother or rougher hull than assumed.",
-    "anisotropic_drag": "A hull whose side or top resists more than its bow: compare pushes sideways and ahead.",
-    "added_mass": "Compare with the added mass of an ellipsoid of the hull's size; a model of any hull needs it.",
-    "steady_current": "Filter pumps, inflows, convection: let a float drift, and see whether all robots drift alike.",
-    "sheared_current": "An inflow or a wall near by: let floats drift at several places and depths.",
-    "tidal_current": "A pump that cycles, a tide, a seiche of the tank: compare the period with what runs near by.",
-    "tether": "A cable or line: see what it hangs on, and whether it lies at the place that is named.",
-    "wall_effect": "Turns and speeds near the walls, the floor and the surface.",
-    "neighbour_wake": "Robots that swim into each other's jets: keep them further apart and compare.",
-    "thruster_lag": "Time from command to full thrust: motor controller, filters of the command, propeller inertia.",
-    "thruster_deadband": "Raise each thruster's command slowly from zero, and note when the propeller starts.",
-    "thruster_asymmetry": "Weigh the thrust of both thrusters at the same command; look for a damaged propeller.",
-    "torque_bias": "A bent fin, a thruster mounted askew, or a keel: let the robot coast straight on.",
-    "reverse_loss": "Propellers push less backwards: weigh the thrust in both directions.",
-    "advance_loss": "Thrust at speed against thrust at rest: tow the robot, or compare coasting with driving.",
-    "battery_sag": "Log the battery's voltage; repeat the first manoeuvre at the end.",
-    "thruster_misalignment": "The axis of the thrusters against the axis of the hull, and of the camera's marker.",
-    "buoyancy_trim": "Weigh the robot in the water: add or take away ballast.",
-    "pump_lag": "Time from command to volume of the pump, and play when it changes direction.",
-    "hull_compressibility": "A hull that gives way, or trapped air: weigh the robot in the water at two depths.",
-    "stratification": "Warm water above cold, or fresh above salt: measure the temperature over depth.",
+    **{name: effect.check for name, effect in EFFECTS.items() if effect.check},
     "compass_distortion": "Iron or currents near the compass: turn the robot slowly through full circles, both ways.",
     "pressure_offset": "Read the sensor at the surface.",
     "pressure_drift": "Read the sensor at the surface before and after; note the air pressure.",
@@ -78,7 +58,6 @@ CHECKS = {
     "camera_scale": "Measure a known length in the camera's picture, at the depth where the robots swim.",
     "frame_mixup": "Axes, signs and units of the driver of this stream; correct them there or in `cocorosim convert`.",
     "imu_bias": "Let the robot lie still, level and turned over, and read the sensor.",
-    "payload_shift": "What came loose, leaked or was added at that moment.",
 }
 _UNITS = {  # of parameters that are no physics of the body
     "compass_distortion": {"offset": "rad", "sin": "rad", "cos": "rad"},

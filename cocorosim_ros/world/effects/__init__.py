@@ -2,8 +2,9 @@
 
 BASIC_EFFECTS are what every simulation of a robot has; their texts are compiled for four robots at once too, and keep
 to what `compiling.four` allows. CATALOGUE_EFFECTS, each off unless a platform asks for it, are what real robots
-have beyond that, by the identifiers of the catalogue (but for the eddy, which a diagnosis reports as a law outside it);
-LAWS are places for laws that no catalogue has.
+have beyond that. An effect's own file says all that is known of it: equation, numbers, how a diagnosis looks for it,
+what to check on the robot, an example; everything else is made from this table. The eddy is reported as a law
+outside the catalogue; LAWS are places for laws that no catalogue has.
 """
 
 from __future__ import annotations

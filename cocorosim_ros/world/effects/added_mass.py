@@ -12,8 +12,9 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -34,12 +35,39 @@ def added_inertia(parameters: Floats, inertia: Floats) -> None:
 
 
 ADDED_MASS = Effect(
-    summary="water that is accelerated with the hull, more sideways than forwards",
+    summary="added mass",
+    equation="N = -(A_v - A_u) u v, and inertia against sway and yaw",
     wrench=added_mass_wrench,
     inertia=added_inertia,
     parameters=(
-        Parameter("sway_minus_surge", "kg", "added mass sideways less that forwards"),
-        Parameter("yaw", "kg m^2", "added moment of inertia"),
-        Parameter("heave_minus_surge", "kg", "added mass upwards less that forwards"),
+        Number(
+            "sway_minus_surge",
+            "kg",
+            "added mass sideways less that forwards",
+            multiplies="m^2/s^2",
+            gives="N m",
+            search=Strength(large=0.044),
+            example=Example(0.04, "zig-zag"),
+        ),
+        Number(
+            "yaw",
+            "kg m^2",
+            "added moment of inertia",
+            multiplies="rad/s^2",
+            gives="N m",
+            search=Strength(large=6e-5),
+            example=Example(6e-5, "zig-zag"),
+        ),
+        Number(
+            "heave_minus_surge",
+            "kg",
+            "added mass upwards less that forwards",
+            multiplies="m/s^2",
+            gives="N",
+            search=Strength(large=0.044),
+            example=Example(0.04, "zig-zag"),
+        ),
     ),
+    search=Search(channel="yaw", manoeuvre="zig_zag"),
+    check="Compare with the added mass of an ellipsoid of the hull's size; a model of any hull needs it.",
 )

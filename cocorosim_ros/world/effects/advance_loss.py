@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -27,7 +29,20 @@ def advance_loss(row: Floats, relative: Floats, moment: Moment, parameters: Floa
 
 
 ADVANCE_LOSS = Effect(
-    summary="thrust falls with speed",
+    summary="thrust that falls with speed",
+    equation="T (1 - slope u)",
     wrench=advance_loss,
-    parameters=(Parameter("slope", "s/m", "fraction of the thrust lost per speed"),),
+    parameters=(
+        Number(
+            "slope",
+            "s/m",
+            "fraction of the thrust lost per speed",
+            multiplies="m/s",
+            gives="1",
+            search=Strength(large=3.0),
+            example=Example(2.0, "coast-down and full speed"),
+        ),
+    ),
+    search=Search(channel="surge", group=DRAG, manoeuvre="coast_down"),
+    check="Thrust at speed against thrust at rest: tow the robot, or compare coasting with driving.",
 )

@@ -17,8 +17,10 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength
 
 TOTAL_SPEED, OWN_SPEED, STRIPS = 0.0, 1.0, 2.0
 STILL = 1e-4  # rad/s, below which strips all move alike
@@ -61,13 +63,57 @@ def anisotropic_drag(row: Floats, relative: Floats, moment: Moment, parameters: 
     total[3] -= sway * moment.drag * (_strip_moment(v, r, length) - _strip_moment(0.0, r, length))
 
 
+def _lengths(scene: Scene) -> list[float]:
+    return [0.6 * scene.hull, scene.hull, 1.6 * scene.hull]
+
+
 ANISOTROPIC_DRAG = Effect(
-    summary="quadratic drag sideways and upwards differs from that forwards",
+    summary="drag that differs between axes",
+    equation="Y = -k_v U v, Z = -k_w U w with k_v, k_w unlike k_u",
     wrench=anisotropic_drag,
     parameters=(
-        Parameter("sway_ratio", "1", "coefficient sideways over that forwards", 1.0, "not negative"),
-        Parameter("heave_ratio", "1", "coefficient upwards over that forwards", 1.0, "not negative"),
-        Parameter("form", "1", "0: by the total speed, 1: by each axis' own speed, 2: by strips", 0.0, "not negative"),
-        Parameter("length", "m", "of the hull, for strips", 0.0, "not negative"),
+        Number(
+            "sway_ratio",
+            "1",
+            "coefficient sideways over that forwards",
+            neutral=1.0,
+            sign="not negative",
+            multiplies="kg m/s^2",  # k U v
+            gives="N",
+            search=Strength(large=2.0, least=-0.45),
+            example=Example(2.0, "towing"),
+        ),
+        Number(
+            "heave_ratio",
+            "1",
+            "coefficient upwards over that forwards",
+            neutral=1.0,
+            sign="not negative",
+            multiplies="kg m/s^2",  # k U v
+            gives="N",
+            search=Strength(large=2.0, least=-0.45),
+            example=Example(1.5, "towing"),
+        ),
+        Number(
+            "form",
+            "1",
+            "0: by the total speed, 1: by each axis' own speed, 2: by strips",
+            sign="not negative",
+            gives="1",
+            search=Grid(lambda scene: [TOTAL_SPEED, OWN_SPEED, STRIPS], fixed=True),
+            example=Example(2.0, "the hull is long"),
+        ),
+        Number(
+            "length",
+            "m",
+            "of the hull, for strips",
+            sign="not negative",
+            multiplies="rad/s",
+            gives="m/s",  # x r beside v
+            search=Grid(_lengths, logarithmic=True),
+            example=Example(0.13, "ruler"),
+        ),
     ),
+    search=Search(channel="sway", group=DRAG, manoeuvre="zig_zag"),
+    check="A hull whose side or top resists more than its bow: compare pushes sideways and ahead.",
 )

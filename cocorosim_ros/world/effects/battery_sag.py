@@ -9,7 +9,8 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.search import Given, Search, Strength
 
 
 @kernel
@@ -22,10 +23,32 @@ def battery_sag(fraction: Floats, fitting: Any, time: float, parameters: Floats)
 
 
 BATTERY_SAG = Effect(
-    summary="thrust falls as the battery empties",
+    summary="thrust that falls during the recording",
+    equation="T (1 - fraction_lost t / duration)",
     command=battery_sag,
     parameters=(
-        Parameter("fraction_lost", "1", "of the thrust, at the end"),
-        Parameter("duration", "s", "from the start to the end", 600.0, "positive", needed=True),
+        Number(
+            "fraction_lost",
+            "1",
+            "of the thrust, at the end",
+            multiplies="N",
+            gives="N",
+            search=Strength(large=0.2),
+            example=Example(0.1, "log of the voltage"),
+        ),
+        Number(
+            "duration",
+            "s",
+            "from the start to the end",
+            neutral=600.0,
+            sign="positive",
+            needed=True,
+            multiplies="1/s",
+            gives="1",
+            search=Given(lambda scene: scene.duration),
+            example=Example(600.0, "length of the run"),
+        ),
     ),
+    search=Search(channel="surge", manoeuvre="repeat_at_end"),
+    check="Log the battery's voltage; repeat the first manoeuvre at the end.",
 )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import WEIGHT
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -16,6 +18,11 @@ def buoyancy_trim(row: Floats, relative: Floats, moment: Moment, parameters: Flo
 
 BUOYANCY_TRIM = Effect(
     summary="net weight or buoyancy",
+    equation="Z = const",
     wrench=buoyancy_trim,
-    parameters=(Parameter("force", "N", "up positive"),),
+    parameters=(
+        Number("force", "N", "up positive", gives="N", search=Strength(large=1e-3), example=Example(-5e-4, "drift")),
+    ),
+    search=Search(channel="heave", group=WEIGHT, manoeuvre="depth_staircase"),
+    check="Weigh the robot in the water: add or take away ballast.",
 )

@@ -9,8 +9,10 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import Z
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import WEIGHT
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
 ATMOSPHERE = 10.33  # m of water that weigh as much as the air above
 
@@ -23,10 +25,28 @@ def hull_compressibility(row: Floats, relative: Floats, moment: Moment, paramete
 
 
 HULL_COMPRESSIBILITY = Effect(
-    summary="buoyancy lost with depth",
+    summary="hull that shrinks with depth",
+    equation="Z = -gradient * depth",
     wrench=hull_compressibility,
     parameters=(
-        Parameter("gradient", "N/m", "buoyancy lost per metre, at the surface, positive for a hull that shrinks"),
-        Parameter("gas", "1", "0: an elastic hull, in proportion to depth; 1: a volume of gas, by Boyle's law"),
+        Number(
+            "gradient",
+            "N/m",
+            "buoyancy lost per metre, at the surface, positive for a hull that shrinks",
+            multiplies="m",
+            gives="N",
+            search=Strength(large=2e-3),
+            example=Example(1e-3, "staircase of depths"),
+        ),
+        Number(
+            "gas",
+            "1",
+            "0: an elastic hull, in proportion to depth; 1: a volume of gas, by Boyle's law",
+            gives="1",
+            search=Grid(lambda scene: [0.0, 1.0], fixed=True),
+            example=Example(0.0, "staircase of depths"),
+        ),
     ),
+    search=Search(channel="heave", group=WEIGHT, manoeuvre="depth_staircase"),
+    check="A hull that gives way, or trapped air: weigh the robot in the water at two depths.",
 )

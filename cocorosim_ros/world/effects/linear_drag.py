@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -20,12 +22,47 @@ def linear_drag(row: Floats, relative: Floats, moment: Moment, parameters: Float
 
 
 LINEAR_DRAG = Effect(
-    summary="drag in proportion to speed",
+    summary="linear drag",
+    equation="X = -d_u u, Y = -d_v v, Z = -d_w w, N = -d_r r",
     wrench=linear_drag,
     parameters=(
-        Parameter("surge", "N s/m", "force per speed forwards"),
-        Parameter("sway", "N s/m", "force per speed sideways"),
-        Parameter("heave", "N s/m", "force per speed upwards"),
-        Parameter("yaw", "N m s", "moment per yaw rate"),
+        Number(
+            "surge",
+            "N s/m",
+            "force per speed forwards",
+            multiplies="m/s",
+            gives="N",
+            search=Strength(large=0.02, least=0.0),
+            example=Example(0.01, "coast-down"),
+        ),
+        Number(
+            "sway",
+            "N s/m",
+            "force per speed sideways",
+            multiplies="m/s",
+            gives="N",
+            search=Strength(large=0.02, least=0.0),
+            example=Example(0.012, "coast-down"),
+        ),
+        Number(
+            "heave",
+            "N s/m",
+            "force per speed upwards",
+            multiplies="m/s",
+            gives="N",
+            search=Strength(large=0.02, least=0.0),
+            example=Example(0.012, "coast-down"),
+        ),
+        Number(
+            "yaw",
+            "N m s",
+            "moment per yaw rate",
+            multiplies="rad/s",
+            gives="N m",
+            search=Strength(large=3e-5, least=0.0),
+            example=Example(1.5e-5, "spin-down"),
+        ),
     ),
+    search=Search(channel="surge", group=DRAG, manoeuvre="coast_down"),
+    check="Drag at low speed: fouling, fins, a tether in the water, a smoother or rougher hull than assumed.",
 )

@@ -15,8 +15,9 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel, stack_array
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 REFERENCE = 0.1  # m
 JET_RADIUS = 0.05  # m
@@ -55,7 +56,21 @@ def neighbour_wake(row: Floats, relative: Floats, moment: Moment, parameters: Fl
 
 
 NEIGHBOUR_WAKE = Effect(
-    summary="push by the jets of the neighbours' thrusters",
+    summary="push by a neighbour's jet",
+    equation="thrust of the neighbour * gain * 0.1 m / distance behind it",
     wrench=neighbour_wake,
-    parameters=(Parameter("gain", "1", "fraction of a neighbour's thrust that is felt 0.1 m behind it"),),
+    parameters=(
+        Number(
+            "gain",
+            "1",
+            "fraction of a neighbour's thrust that is felt 0.1 m behind it",
+            multiplies="N",
+            gives="N",
+            search=Strength(large=0.6),
+            example=Example(0.2, "two robots in line"),
+        ),
+    ),
+    search=Search(channel="surge", manoeuvre="follow_neighbour"),
+    check="Robots that swim into each other's jets: keep them further apart and compare.",
+    neighbours=True,
 )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Number
 
 
 @kernel
@@ -19,6 +19,7 @@ def net_buoyancy(row: Floats, relative: Floats, parameters: Floats, total: Float
 
 NET_BUOYANCY = Effect(
     summary="buoyancy less weight with the pump in its neutral position",
+    equation="Z = (rho V - m) g",
     wrench=net_buoyancy,
-    parameters=(Parameter("net_buoyancy", "N", "buoyancy less weight, up positive"),),
+    parameters=(Number("net_buoyancy", "N", "buoyancy less weight, up positive", gives="N"),),
 )

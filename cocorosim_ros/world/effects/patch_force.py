@@ -10,7 +10,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import YAW
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Number
 
 
 @kernel
@@ -25,11 +25,12 @@ def patch_force(row: Floats, relative: Floats, parameters: Floats, total: Floats
 
 PATCH_FORCE = Effect(
     summary="force and yaw moment of the patches of water around the robot",
+    equation="F = force of the patch, N = moment of the patches around it",
     wrench=patch_force,
     parameters=(
-        Parameter("patch_force_x", "N", "force of the robot's patch along x of the world"),
-        Parameter("patch_force_y", "N", "force of the robot's patch along y of the world"),
-        Parameter("patch_force_z", "N", "force of the robot's patch, up positive"),
-        Parameter("patch_moment", "N m", "yaw moment of the four patches around it"),
+        Number("patch_force_x", "N", "force of the robot's patch along x of the world", gives="N"),
+        Number("patch_force_y", "N", "force of the robot's patch along y of the world", gives="N"),
+        Number("patch_force_z", "N", "force of the robot's patch, up positive", gives="N"),
+        Number("patch_moment", "N m", "yaw moment of the four patches around it", gives="N m"),
     ),
 )

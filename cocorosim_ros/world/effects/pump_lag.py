@@ -11,8 +11,12 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import LAGGED, MEMORY_SIZE, PLAY
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.response import delayed, relaxed
+from cocorosim_ros.world.terms.search import Search, Strength
+
+PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is a clock
+NO_PLAY = 0.002  # of a full command: below, a linkage has no play
 
 
 @kernel
@@ -30,10 +34,31 @@ def pump_lag(force: Floats, memory: Floats, fitting: Any, duration: float, param
 
 
 PUMP_LAG = Effect(
-    summary="buoyancy pump slow, or with backlash",
+    summary="slow buoyancy pump",
+    equation="tau dZ/dt = Z_command - Z, with backlash",
     response=pump_lag,
     parameters=(
-        Parameter("time_constant", "s", "after which 63 % of a step are there", 0.0, "not negative"),
-        Parameter("backlash", "1", "width of the play, in fractions of the largest command", 0.0, "not negative"),
+        Number(
+            "time_constant",
+            "s",
+            "after which 63 % of a step are there",
+            sign="not negative",
+            multiplies="N/s",
+            gives="N",
+            search=Strength(large=1.0, step=0.1, least=0.0, negligible=(-PUMP_TICK, PUMP_TICK)),
+            example=Example(1.5, "step response"),
+        ),
+        Number(
+            "backlash",
+            "1",
+            "width of the play, in fractions of the largest command",
+            sign="not negative",
+            multiplies="N",
+            gives="N",
+            search=Strength(large=0.06, step=0.1, least=0.0, negligible=(-NO_PLAY, NO_PLAY)),
+            example=Example(0.05, "triangle"),
+        ),
     ),
+    search=Search(channel="heave", group="late pump", of_pump=True, manoeuvre="pump_triangle"),
+    check="Time from command to volume of the pump, and play when it changes direction.",
 )

@@ -11,7 +11,7 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Number
 
 
 @kernel
@@ -26,9 +26,10 @@ def quadratic_drag(row: Floats, relative: Floats, parameters: Floats, total: Flo
 
 QUADRATIC_DRAG = Effect(
     summary="drag against the total speed through the water",
+    equation="F = -k U V, N = -k_r |r| r",
     wrench=quadratic_drag,
     parameters=(
-        Parameter("drag", "kg/m", "rho A Cd / 2 for the total speed"),
-        Parameter("yaw_drag", "N m s^2", "Cr, moment per squared yaw rate"),
+        Number("drag", "kg/m", "rho A Cd / 2 for the total speed", multiplies="m^2/s^2", gives="N"),
+        Number("yaw_drag", "N m s^2", "Cr, moment per squared yaw rate", multiplies="rad^2/s^2", gives="N m"),
     ),
 )

@@ -6,7 +6,8 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -18,7 +19,20 @@ def reverse_loss(fraction: Floats, fitting: Any, time: float, parameters: Floats
 
 
 REVERSE_LOSS = Effect(
-    summary="thrusters weaker backwards than forwards",
+    summary="thrust that is weaker backwards",
+    equation="T (1 - loss) for command < 0",
     command=reverse_loss,
-    parameters=(Parameter("loss", "1", "fraction of the thrust that is lost"),),
+    parameters=(
+        Number(
+            "loss",
+            "1",
+            "fraction of the thrust that is lost",
+            multiplies="N",
+            gives="N",
+            search=Strength(large=0.2),
+            example=Example(0.15, "bollard pull"),
+        ),
+    ),
+    search=Search(channel="surge", manoeuvre="reverse_steps"),
+    check="Propellers push less backwards: weigh the thrust in both directions.",
 )

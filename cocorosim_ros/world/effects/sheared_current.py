@@ -5,18 +5,69 @@ The velocity itself is that of currents.sheared.
 
 from __future__ import annotations
 
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import MOVING_WATER
+from cocorosim_ros.world.terms.search import Search, Strength
 from cocorosim_ros.world.water.currents.sheared import sheared
 
 SHEARED_CURRENT = Effect(
-    summary="velocity of the water that changes with place",
+    summary="current that changes with place",
+    equation="V_c = V_0 + gradient * place",
     water=sheared,
     parameters=(
-        Parameter("x", "m/s", "velocity along x at the world's origin"),
-        Parameter("y", "m/s", "velocity along y at the world's origin"),
-        Parameter("dx_dy", "1/s", "change of x along y"),
-        Parameter("dx_dz", "1/s", "change of x upwards"),
-        Parameter("dy_dx", "1/s", "change of y along x"),
-        Parameter("dy_dz", "1/s", "change of y upwards"),
+        Number(
+            "x",
+            "m/s",
+            "velocity along x at the world's origin",
+            gives="m/s",
+            search=Strength(large=0.005),
+            example=Example(0.003, "drift"),
+        ),
+        Number(
+            "y",
+            "m/s",
+            "velocity along y at the world's origin",
+            gives="m/s",
+            search=Strength(large=0.005),
+            example=Example(0.0, "drift"),
+        ),
+        Number(
+            "dx_dy",
+            "1/s",
+            "change of x along y",
+            multiplies="m",
+            gives="m/s",
+            search=Strength(large=0.005),
+            example=Example(0.002, "drift"),
+        ),
+        Number(
+            "dx_dz",
+            "1/s",
+            "change of x upwards",
+            multiplies="m",
+            gives="m/s",
+            search=Strength(large=0.005),
+            example=Example(0.001, "drift"),
+        ),
+        Number(
+            "dy_dx",
+            "1/s",
+            "change of y along x",
+            multiplies="m",
+            gives="m/s",
+            search=Strength(large=0.005),
+            example=Example(-0.002, "drift"),
+        ),
+        Number(
+            "dy_dz",
+            "1/s",
+            "change of y upwards",
+            multiplies="m",
+            gives="m/s",
+            search=Strength(large=0.005),
+            example=Example(0.0, "drift"),
+        ),
     ),
+    search=Search(channel="surge", water=True, group=MOVING_WATER, manoeuvre="four_headings"),
+    check="An inflow or a wall near by: let floats drift at several places and depths.",
 )

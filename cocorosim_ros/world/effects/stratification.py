@@ -8,10 +8,13 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import Z
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import WEIGHT
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength, spread
 
 HALF_WIDTH = 0.02  # m
+CROSSED = 0.1  # m above and below a layer that have to be visited
 
 
 @kernel
@@ -22,11 +25,35 @@ def stratification(row: Floats, relative: Floats, moment: Moment, parameters: Fl
     total[2] += parameters[1] * share * share * (3.0 - 2.0 * share)
 
 
+def _depths(scene: Scene) -> list[float]:
+    """Depths that were crossed: a layer that is never clearly above or below is as good as a part of the trim."""
+    deepest, highest = scene.lower[2] + CROSSED, scene.upper[2] - CROSSED
+    return [-value for value in spread(deepest, highest, 12)] if deepest < highest else []
+
+
 STRATIFICATION = Effect(
-    summary="buoyancy that steps at a layer of density",
+    summary="density layer",
+    equation="Z steps by force below depth",
     wrench=stratification,
     parameters=(
-        Parameter("depth", "m", "of the layer, positive down", 0.0, needed=True),
-        Parameter("force", "N", "below against above, up positive"),
+        Number(
+            "depth",
+            "m",
+            "of the layer, positive down",
+            needed=True,
+            gives="m",
+            search=Grid(_depths),
+            example=Example(1.0, "thermometer"),
+        ),
+        Number(
+            "force",
+            "N",
+            "below against above, up positive",
+            gives="N",
+            search=Strength(large=2e-3),
+            example=Example(1e-3, "thermometer"),
+        ),
     ),
+    search=Search(channel="heave", water=True, group=WEIGHT, manoeuvre="depth_staircase"),
+    check="Warm water above cold, or fresh above salt: measure the temperature over depth.",
 )

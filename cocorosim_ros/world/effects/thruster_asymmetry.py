@@ -10,7 +10,9 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import TURN
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -23,7 +25,19 @@ def thruster_asymmetry(fraction: Floats, fitting: Any, time: float, parameters: 
 
 
 THRUSTER_ASYMMETRY = Effect(
-    summary="left and right thrusters differ in strength",
+    summary="left and right thrusters that differ",
+    equation="T_right / T_left = (1 + d/2) / (1 - d/2)",
     command=thruster_asymmetry,
-    parameters=(Parameter("difference", "1", "right less left, over their mean"),),
+    parameters=(
+        Number(
+            "difference",
+            "1",
+            "right less left, over their mean",
+            gives="1",
+            search=Strength(large=0.06),
+            example=Example(0.03, "straight run"),
+        ),
+    ),
+    search=Search(channel="yaw", group=TURN, manoeuvre="thrust_staircase"),
+    check="Weigh the thrust of both thrusters at the same command; look for a damaged propeller.",
 )

@@ -10,7 +10,8 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
 
 @kernel
@@ -26,10 +27,29 @@ def thruster_deadband(fraction: Floats, fitting: Any, time: float, parameters: F
 
 
 THRUSTER_DEADBAND = Effect(
-    summary="no thrust below a command",
+    summary="dead band of the thrusters",
+    equation="T = 0 for |command| < width",
     command=thruster_deadband,
     parameters=(
-        Parameter("width", "1", "fraction of the largest command", 0.0, "not negative"),
-        Parameter("ramp", "1", "0: beyond it the whole command counts, 1: what exceeds it", 0.0, "not negative"),
+        Number(
+            "width",
+            "1",
+            "fraction of the largest command",
+            sign="not negative",
+            gives="1",
+            search=Strength(large=0.1, step=0.5, least=0.0),
+            example=Example(0.05, "slow ramp"),
+        ),
+        Number(
+            "ramp",
+            "1",
+            "0: beyond it the whole command counts, 1: what exceeds it",
+            sign="not negative",
+            gives="1",
+            search=Grid(lambda scene: [0.0, 1.0], fixed=True),
+            example=Example(0.0, "slow ramp"),
+        ),
     ),
+    search=Search(channel="surge", manoeuvre="ramps_through_zero"),
+    check="Raise each thruster's command slowly from zero, and note when the propeller starts.",
 )

@@ -10,8 +10,12 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.state.state import LAGGED, MEMORY_SIZE
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import LATE
 from cocorosim_ros.world.terms.response import delayed, relaxed
+from cocorosim_ros.world.terms.search import DELAYS, Search, Strength
+
+AT_ONCE = 0.02  # s: below, thrust is there at once, and what is late is a clock
 
 
 @kernel
@@ -26,7 +30,21 @@ def thruster_lag(force: Floats, memory: Floats, fitting: Any, duration: float, p
 
 
 THRUSTER_LAG = Effect(
-    summary="thrust follows its command late",
+    summary="thrust that lags behind its command",
+    equation="tau dT/dt = T_command - T",
     response=thruster_lag,
-    parameters=(Parameter("time_constant", "s", "after which 63 % of a step are there", 0.0, "not negative"),),
+    parameters=(
+        Number(
+            "time_constant",
+            "s",
+            "after which 63 % of a step are there",
+            sign="not negative",
+            multiplies="N/s",
+            gives="N",
+            search=Strength(large=0.3, least=0.0, negligible=(-AT_ONCE, AT_ONCE), searched=DELAYS),
+            example=Example(0.3, "step response"),
+        ),
+    ),
+    search=Search(channel="surge", group=LATE, manoeuvre="steps"),
+    check="Time from command to full thrust: motor controller, filters of the command, propeller inertia.",
 )

@@ -9,8 +9,10 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import COURSE
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
 
 @kernel
@@ -25,10 +27,28 @@ def thruster_misalignment(row: Floats, relative: Floats, moment: Moment, paramet
 
 
 THRUSTER_MISALIGNMENT = Effect(
-    summary="thrust direction off by an angle",
+    summary="thrust beside the hull's axis",
+    equation="thrust turned by an angle",
     wrench=thruster_misalignment,
     parameters=(
-        Parameter("angle", "rad", "of the push, counter-clockwise positive"),
-        Parameter("arm", "m", "yaw moment per sideways force"),
+        Number(
+            "angle",
+            "rad",
+            "of the push, counter-clockwise positive",
+            gives="rad",
+            search=Strength(large=0.08),
+            example=Example(0.05, "straight run"),
+        ),
+        Number(
+            "arm",
+            "m",
+            "yaw moment per sideways force",
+            multiplies="N",
+            gives="N m",
+            search=Grid(lambda scene: [0.0, scene.arm], fixed=True),
+            example=Example(-0.05, "where the thrusters sit"),
+        ),
     ),
+    search=Search(channel="sway", group=COURSE, manoeuvre="reverse_steps"),
+    check="The axis of the thrusters against the axis of the hull, and of the camera's marker.",
 )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import TURN
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -16,6 +18,18 @@ def torque_bias(row: Floats, relative: Floats, moment: Moment, parameters: Float
 
 TORQUE_BIAS = Effect(
     summary="constant yaw torque",
+    equation="N = const",
     wrench=torque_bias,
-    parameters=(Parameter("torque", "N m", "counter-clockwise positive"),),
+    parameters=(
+        Number(
+            "torque",
+            "N m",
+            "counter-clockwise positive",
+            gives="N m",
+            search=Strength(large=1e-5),
+            example=Example(2e-6, "straight run"),
+        ),
+    ),
+    search=Search(channel="yaw", group=TURN, manoeuvre="thrust_staircase"),
+    check="A bent fin, a thruster mounted askew, or a keel: let the robot coast straight on.",
 )

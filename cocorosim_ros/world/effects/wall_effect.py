@@ -12,8 +12,10 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
 
 @kernel
@@ -27,10 +29,32 @@ def wall_effect(row: Floats, relative: Floats, moment: Moment, parameters: Float
 
 
 WALL_EFFECT = Effect(
-    summary="drag grows near walls, floor and surface",
+    summary="drag that grows near walls",
+    equation="drag * (1 + gain * exp(-distance / range))",
     wrench=wall_effect,
     parameters=(
-        Parameter("gain", "1", "added fraction of the drag at contact"),
-        Parameter("range", "m", "distance over which it falls to 1/e", 0.2, "positive", needed=True),
+        Number(
+            "gain",
+            "1",
+            "added fraction of the drag at contact",
+            multiplies="kg m/s^2",
+            gives="N",
+            search=Strength(large=2.0, least=0.0),
+            example=Example(0.8, "runs along a wall"),
+        ),
+        Number(
+            "range",
+            "m",
+            "distance over which it falls to 1/e",
+            neutral=0.2,
+            sign="positive",
+            needed=True,
+            multiplies="1/m",
+            gives="1",
+            search=Grid(lambda scene: [0.05, 0.1, 0.2, 0.4], logarithmic=True),
+            example=Example(0.15, "runs along a wall"),
+        ),
     ),
+    search=Search(channel="surge", group=DRAG, manoeuvre="along_wall"),
+    check="Turns and speeds near the walls, the floor and the surface.",
 )

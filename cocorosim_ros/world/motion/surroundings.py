@@ -7,11 +7,12 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, stack_array
+from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.state.state import STATE_SIZE, YAW, X, Z
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE, add_thrust
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, LAW_BITS, Vehicles
 
-LOOKING = EFFECT_BIT["neighbour_wake"] | LAW_BITS
+LOOKING = LAW_BITS | sum(EFFECT_BIT[name] for name, effect in EFFECTS.items() if effect.neighbours)
 
 
 @kernel

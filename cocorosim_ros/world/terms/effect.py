@@ -1,20 +1,63 @@
-"""What an effect is: its parameters, and small compiled functions for the places where it acts."""
+"""What an effect is: its equation and numbers, and small compiled functions for the places where it acts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.world.terms.search import Given, Grid, Search, Strength
 
-__all__ = ["Effect", "Hook", "Parameter"]
+__all__ = ["Description", "Effect", "Example", "Hook", "Number", "Parameter"]
 
 Hook = Callable[..., Any]
 
 
-@dataclass(frozen=True)
-class Effect:
+class Example(NamedTuple):
+    """A number as it may stand in a platform file: value in SI units, and where it comes from."""
+
+    value: float
+    source: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Number(Parameter):
+    """A parameter with all that is known of it: its term of the equation, how it is looked for, an example.
+
+    The parameter [its unit] times what it `multiplies` [unit] `gives` the term of the equation that it stands in
+    [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it.
+    """
+
+    gives: str
+    multiplies: str = "1"
+    search: Strength | Grid | Given | None = None
+    example: Example | None = None  # none where a platform file cannot name the effect
+
+
+@dataclass(frozen=True, kw_only=True)
+class Description:
+    """What is known of an effect beside its functions: everything that documents, diagnosis and reports say of it.
+
+    summary: what it is, in the words of reports. equation: in plain text. check: what to look at on the robot or in
+    the tank. search: how a diagnosis looks for it, None if it does not, or not under this name.
+    """
+
+    summary: str
+    parameters: tuple[Parameter, ...]
+    equation: str = ""
+    check: str = ""
+    search: Search | None = None
+    neighbours: bool = False  # whether it is nothing without other robots (Moment.neighbours)
+
+    @property
+    def numbers(self) -> tuple[Number, ...]:
+        """The parameters that are told in full: all but those of laws, whose units depend on the law."""
+        return tuple(part for part in self.parameters if isinstance(part, Number))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Effect(Description):
     """One piece of physics: what it adds, and where. `parameters` are this effect's numbers, in the order below.
 
     wrench(row, relative, moment, parameters, total) adds its share to `total` (4,): X, Y, Z [N] and N [N m] in the
@@ -27,8 +70,6 @@ class Effect:
     `duration` [s], into their mean over that time, in place, and advances the memory (motion.actuation).
     """
 
-    summary: str
-    parameters: tuple[Parameter, ...]
     wrench: Hook | None = None
     inertia: Hook | None = None
     water: Hook | None = None

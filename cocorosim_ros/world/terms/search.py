@@ -1,0 +1,107 @@
+"""How an effect is looked for in recordings: what is large of its numbers, and where a search begins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)
+"""Multiples of a large delay at which a fit may begin: the likelihood is too rough for slopes to lead there."""
+
+
+class Scene(NamedTuple):
+    """What the recordings span: lowest and highest x, y, z [m; world] and the duration [s].
+
+    periods: at which the random force that the model needs swings most, by equation [s]. changes: moments at which
+    that of heave steps most [s]. scales: typical sizes of the
+    regressors of laws, of the forces by equation, and the mass [kg]. driven: whether thrusters moved the robots more
+    than the water did at random.
+    """
+
+    lower: tuple[float, float, float]
+    upper: tuple[float, float, float]
+    duration: float
+    hull: float  # length of the hull [m]
+    arm: float  # how far the thrusters sit before the centre [m]
+    periods: Mapping[str, tuple[float, ...]]
+    changes: tuple[float, ...]
+    scales: Mapping[str, float]
+    driven: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class Limits:
+    """How far an amplitude may go, and below what it is not believed. q is its distance from neutral over `large`."""
+
+    step: float = 0.05  # of q, for slopes
+    least: float = -math.inf  # of q
+    most: float = math.inf  # of q
+    negligible: tuple[float, float] = (0.0, 0.0)  # between these distances from neutral it is not believed, SI units
+    adds_up: float = 0.0  # nor where this is all that it makes of the longest recording [SI units, s]
+    searched: tuple[float, ...] = ()  # of q, ascending: where a fit may begin as well, if slopes do not lead far
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spacing:
+    """How the points of a grid lie, and whether a fit goes on between them."""
+
+    logarithmic: bool = False
+    fixed: bool = False  # looked for on the grid alone
+    periodic: bool = False
+    once: bool = False  # the moment of what happens once
+
+
+@dataclass(frozen=True, kw_only=True)
+class Strength(Limits):
+    """An amplitude: a number that is neutral where the effect is absent; `large` is a bad case for a Lily, SI units.
+
+    Its prior is a normal distribution with standard deviation `large` around neutral.
+    """
+
+    large: float
+
+
+@dataclass(frozen=True)
+class Grid(Spacing):
+    """A shape: a number that says where, when or how, without a meaning while the amplitudes are neutral."""
+
+    points: Callable[[Scene], list[float]]
+
+
+class Given(NamedTuple):
+    """A number that is not looked for: the recordings say what it is."""
+
+    value: Callable[[Scene], float]
+
+
+Basis = Callable[[Mapping[str, float]], list[tuple[dict[str, float], float]]]
+"""Function of the shapes by name: other shapes and the weight of the slope there."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Standing:
+    """Whose the numbers of an effect are, and what it is compared with.
+
+    water: of the water, so that all robots of a recording share its numbers; else of each robot.
+    """
+
+    water: bool = False
+    group: str = ""  # effects that look alike are always compared with each other; see terms.groups
+    topic: str | None = None  # the stream of which the effect is, and without which it does not show
+    basis: Basis | None = None  # how its slope at any shape is a sum of those at a few
+    of_pump: bool = False  # of how the pump answers its command, how the dive speed is resisted, or when depth is read
+
+
+@dataclass(frozen=True, kw_only=True)
+class Search(Standing):
+    """Where an effect shows, and what to drive so that it does."""
+
+    channel: str  # the equation that shows it: surge, sway, heave, yaw, compass, pressure, imu, pose, clock
+    manoeuvre: str  # a name in diagnosis.catalogue.manoeuvres
+
+
+def spread(low: float, high: float, count: int) -> list[float]:
+    """The middles of so many equal parts of an interval."""
+    return [low + (high - low) * (index + 0.5) / count for index in range(count)]
