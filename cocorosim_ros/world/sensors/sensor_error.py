@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.world.terms.effect import Description
+from cocorosim_ros.world.terms.search import Search
 
 Hook = Callable[..., Any]
 
@@ -29,16 +30,29 @@ class Change:
 
 
 @dataclass(frozen=True)
-class SensorError:
-    """One way in which instruments, cameras or clocks are wrong by a law; what is random is sensors.corruption.
+class OfEveryStream:
+    """How an error is told of which each stream has its own: there the parameters are called like the topics.
 
-    sensor: the topic that it is of; '' for all. against: the regressor along which the report draws it.
+    number: what the parameter is called where the topic is known. summary, search: of the error of one topic.
     """
 
-    summary: str
-    parameters: tuple[Parameter, ...]
+    number: str
+    summary: Callable[[str], str]
+    search: Callable[[str], Search]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SensorError(Description):
+    """One way in which instruments, cameras or clocks are wrong by a law; what is random is sensors.corruption.
+
+    sensor: the topic that it is of; '' for all. beside: errors of the same sensor all numbers of which are fitted with
+    it, because the one does not come without the other. against: the regressor along which the report draws it.
+    """
+
     sensor: str = ""
     changes: tuple[Change, ...] = ()
+    streams: OfEveryStream | None = None
+    beside: tuple[str, ...] = ()
     against: str = "t"
 
 

@@ -41,7 +41,7 @@ RECORDING_EFFECTS: dict[str, tuple[Parameter, ...]] = {
 def _known_effects() -> Mapping[str, Mapping[str, Parameter]]:
     tables: dict[str, dict[str, Parameter]] = {}
     described = [(name, effect.parameters) for name, effect in CATALOGUE_EFFECTS.items()]
-    described += [(name, error.parameters) for name, error in ERRORS.items()]
+    described += [(name, error.parameters) for name, error in ERRORS.items() if error.parameters]
     for name, parameters in (*described, *SENSOR_LAWS.items()):
         tables[name] = {part.name: part for part in parameters}
     return MappingProxyType(tables)

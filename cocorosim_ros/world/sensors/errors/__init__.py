@@ -7,6 +7,7 @@ from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors.camera_scale import CAMERA_SCALE
 from cocorosim_ros.world.sensors.errors.clock_skew import CLOCK_SKEW
 from cocorosim_ros.world.sensors.errors.compass_distortion import COMPASS_DISTORTION
+from cocorosim_ros.world.sensors.errors.frame_mixup import FRAME_MIXUP
 from cocorosim_ros.world.sensors.errors.imu_bias import IMU_BIAS
 from cocorosim_ros.world.sensors.errors.pressure_drift import PRESSURE_DRIFT
 from cocorosim_ros.world.sensors.errors.pressure_offset import PRESSURE_OFFSET
@@ -21,6 +22,7 @@ ERRORS: dict[str, SensorError] = {
     "camera_scale": CAMERA_SCALE,
     "sensor_latency": SENSOR_LATENCY,
     "clock_skew": CLOCK_SKEW,
+    "frame_mixup": FRAME_MIXUP,
 }
 """Every error; those of one number act in this order."""
 
@@ -50,3 +52,12 @@ def is_simulated(name: str, parameter: Parameter) -> bool:
     if ERRORS[name].changes:
         return any(KINDS[change.kind].place for change in ERRORS[name].changes if parameter.name in change.numbers)
     return name == "sensor_latency" and parameter.name in LATE_TOPICS
+
+
+def units_of(name: str) -> dict[str, str]:
+    """The units of an error's numbers, by the names that they have where the stream is known, if it is of one."""
+    error = ERRORS[name]
+    if error.streams is not None:
+        return {error.streams.number: error.parameters[0].unit}
+    described = [error, *(ERRORS[each] for each in error.beside)]
+    return {part.name: part.unit for each in described for part in each.parameters}

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
+from cocorosim_ros.world.terms.effect import Example, Number
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -21,9 +22,24 @@ def slope(row: Floats, scale: float) -> float:
 
 
 CAMERA_SCALE = SensorError(
-    summary="the camera's lengths are wrong by a factor",
-    parameters=(Parameter("scale", "1", "lengths as seen over lengths", 1.0, "positive"),),
+    summary="camera lengths that are wrong by a factor",
+    equation="reading = scale * place",
+    parameters=(
+        Number(
+            "scale",
+            "1",
+            "lengths as seen over lengths",
+            1.0,
+            "positive",
+            multiplies="m",
+            gives="m",
+            search=Strength(large=0.05),
+            example=Example(1.02, "ruler in the picture"),
+        ),
+    ),
     sensor="pose",
     changes=tuple(Change(kind, ("scale",), shown, slope) for kind in ("pose_x", "pose_y", "pose_z")),
     against="x",
+    search=Search(channel="pose", topic="pose", manoeuvre="ruler"),
+    check="Measure a known length in the camera's picture, at the depth where the robots swim.",
 )

@@ -11,9 +11,11 @@ import math
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
 from cocorosim_ros.world.state.state import YAW
+from cocorosim_ros.world.terms.effect import Example, Number
+from cocorosim_ros.world.terms.groups import COURSE
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -40,15 +42,20 @@ def slope(row: Floats, offset: float, sin: float, cos: float) -> float:
     return by_yaw
 
 
-NUMBERS = ("offset", "sin", "cos")
 COMPASS_DISTORTION = SensorError(
-    summary="the compass shows yaw + offset + sin * sin(yaw) + cos * cos(yaw)",
-    parameters=(
-        Parameter("offset", "rad", "the same at every heading"),
-        Parameter("sin", "rad", "times the sine of the heading"),
-        Parameter("cos", "rad", "times the cosine of the heading"),
+    summary="distorted compass",
+    equation="reading = yaw + offset + sin * sin(yaw) + cos * cos(yaw)",
+    parameters=tuple(
+        Number(name, "rad", meaning, gives="rad", search=Strength(large=0.085), example=Example(value, "full turn"))
+        for name, meaning, value in (
+            ("offset", "the same at every heading", 0.03),
+            ("sin", "times the sine of the heading", 0.1),
+            ("cos", "times the cosine of the heading", 0.0),
+        )
     ),
     sensor="compass",
-    changes=(Change("compass", NUMBERS, shown, slope, foreseen),),
+    changes=(Change("compass", ("offset", "sin", "cos"), shown, slope, foreseen),),
     against="yaw",
+    search=Search(channel="compass", group=COURSE, topic="compass", manoeuvre="slow_turns"),
+    check="Iron or currents near the compass: turn the robot slowly through full circles, both ways.",
 )

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
-from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError, added
+from cocorosim_ros.world.terms.effect import Example, Number
+from cocorosim_ros.world.terms.search import Search, Strength
 
 PRESSURE_OFFSET = SensorError(
-    summary="the pressure sensor shows too much",
-    parameters=(Parameter("offset", "Pa", "reading less truth"),),
+    summary="pressure reading that is shifted",
+    equation="reading = pressure + offset",
+    parameters=(
+        Number(
+            "offset",
+            "Pa",
+            "reading less truth",
+            gives="Pa",
+            search=Strength(large=500.0),
+            example=Example(120.0, "reading in air"),
+        ),
+    ),
     sensor="pressure",
     changes=(Change("pressure", ("offset",), added),),
+    search=Search(channel="pressure", group="pressure", topic="pressure", manoeuvre="surface_touch"),
+    check="Read the sensor at the surface.",
 )
