@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, EFFECTS
+from cocorosim_ros.world import effects
+from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, EFFECTS, LAWS
 from cocorosim_ros.world.state.state import STATE_SIZE, SURGE, YAW_RATE, row_size
+from cocorosim_ros.world.terms.search import Strength
 from cocorosim_ros.world.vehicle_model.vehicles import (
     EFFECT_BIT,
     GAINS,
@@ -112,7 +116,7 @@ def test_a_batch_is_its_single_runs(make_vehicles: Make, make_tank: Make, name: 
 
 
 @every_effect
-def test_its_parameters_have_name_unit_and_meaning(name: str) -> None:
+def test_it_tells_what_it_is(name: str) -> None:
     """Each parameter is told in full, the effect has a summary, and acts somewhere."""
     effect = EFFECTS[name]
     assert effect.summary
@@ -120,6 +124,34 @@ def test_its_parameters_have_name_unit_and_meaning(name: str) -> None:
     assert effect.parameters
     for parameter in effect.parameters:
         assert parameter.name.isidentifier() and parameter.unit and parameter.meaning
+
+
+@pytest.mark.parametrize("name", [name for name in EFFECTS if name not in LAWS])
+def test_its_own_file_says_all_of_it(name: str) -> None:
+    """The file is called like the effect; equation, units of the terms and examples stand there, and what to check."""
+    effect = EFFECTS[name]
+    module = importlib.import_module(f"cocorosim_ros.world.effects.{name}")
+    assert getattr(module, name.upper()) is effect
+    assert effect.equation and effect.numbers == effect.parameters
+    assert name in BASIC_EFFECTS or all(number.example is not None for number in effect.numbers)
+    if effect.search is not None:
+        assert effect.check.endswith(".")
+        assert any(isinstance(number.search, Strength) for number in effect.numbers)
+        assert all(number.search is not None for number in effect.numbers), "a diagnosis would not know what it is"
+
+
+def test_no_file_of_an_effect_is_left_out() -> None:
+    """Every file beside the table is in it."""
+    folder = Path(str(effects.__file__)).parent
+    assert {path.stem for path in folder.glob("*.py")} - {"__init__", "law"} == set(EFFECTS) - set(LAWS)
+
+
+@pytest.mark.parametrize("name", [name for name, effect in EFFECTS.items() if effect.neighbours])
+def test_what_needs_neighbours_is_nothing_without(make_vehicles: Make, make_tank: Make, name: str) -> None:
+    """A robot that is alone moves as without the effect: only where others swim does a diagnosis look for it."""
+    vehicles, rows, tank = make_vehicles(1, 1), random_rows(1).reshape(1, 1, -1), make_tank(BOUNDS)
+    alone = swum(with_effect(vehicles, name, some_numbers(name, (1, 1))), tank, rows)
+    assert np.array_equal(alone[..., :STATE_SIZE], swum(vehicles, tank, rows)[..., :STATE_SIZE])
 
 
 def test_every_parameter_has_a_column() -> None:

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import math
+import re
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
+from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, UNSCALED, full_forces, sizes
+from cocorosim_ros.scenario.reading.quantity import dimension_of, si_unit
+from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 
 def vehicle(*force: float) -> Any:
@@ -30,3 +37,49 @@ def test_what_cannot_turn_itself_is_turned_all_the_same() -> None:
 def test_what_only_drifts_has_a_lilys_measure() -> None:
     """No actuator at all is no reason for forces of nothing."""
     assert min(full_forces(vehicle(0.0, 0.0, 0.0, 0.0))[::2]) > 0.0
+
+
+def measured(force: tuple[float, ...], mass: float, inertia: float, drag: float, yaw_drag: float) -> Any:
+    """A vehicle with these numbers of its platform."""
+    row = np.zeros(len(PARAMETER_COLUMNS))
+    row[[PARAMETER_COLUMNS[name] for name in ("mass", "yaw_inertia", "drag", "yaw_drag")]] = (
+        mass,
+        inertia,
+        drag,
+        yaw_drag,
+    )
+    return SimpleNamespace(force_scale=np.array(force), platform_row=row)
+
+
+def test_a_lily_has_the_size_of_a_lily() -> None:
+    """For every unit; its speed and turn are those of the contract, of three digits."""
+    lily = measured((0.01, 0.0, 0.0981, 2.5e-4), 0.44, 4.05e-4, 1.7778, 1.14e-4)
+    for unit, size in sizes(lily).items():
+        assert size == pytest.approx(LILY_SIZES[unit], rel=5e-3), unit
+
+
+def test_sizes_of_a_ship() -> None:
+    """As heavy as 1000 Lilys, as strong as 400, with the drag of 100: twice as fast; sensors are the same."""
+    speed, turn = math.sqrt(0.01 / 1.7778), math.sqrt(2.5e-4 / 1.14e-4)
+    ship = sizes(measured((4.0, 0.0, 39.24, 0.1), 440.0, 0.81, 177.78, 4.56e-2))
+    twice, as_fast = 2.0 * speed / 0.075, turn / 1.48
+    expected = {
+        "N": 400.0, "N/s": 400.0, "N/m": 400.0, "N s/m": 400.0 / twice, "kg/m": 400.0 / twice**2, "N m": 400.0,
+        "N m/s": 400.0, "N m s": 400.0 / as_fast, "N m s^2": 400.0 / as_fast**2, "kg": 1000.0, "kg m^2": 2000.0,
+        "m/s": twice, "1/s": twice, "s/m": 1.0 / twice, "m/s^2": 0.4, "rad/s": as_fast,
+    }  # fmt: skip
+    assert {unit: ship[unit] for unit in expected} == pytest.approx(expected, rel=1e-9)
+    assert {unit: ship[unit] for unit in ship if unit not in expected} == dict.fromkeys(UNSCALED, 1.0)
+
+
+def test_a_unit_without_a_size_is_an_error() -> None:
+    """Not one in silence."""
+    amplitude = Amplitude("tether.stiffness", "stiffness", "N/m^2", 1e-3)
+    with pytest.raises(KeyError, match=re.escape("N/m^2")):
+        Candidate(ENTRIES[0], ("a",), ((0,),)).large(amplitude)
+
+
+@pytest.mark.parametrize("unit", LILY_SIZES)
+def test_a_platform_file_can_have_every_unit_of_an_amplitude(unit: str) -> None:
+    """What a diagnosis may find can be written down: in SI."""
+    assert si_unit(dimension_of(unit)) == unit

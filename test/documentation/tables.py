@@ -1,4 +1,4 @@
-"""The tables of the README, made from the code's own tables; run this file to write them into README.md anew."""
+"""Tables of README.md and config/README.md, made from the code's own; run this file to write them anew."""
 
 from __future__ import annotations
 
@@ -14,9 +14,12 @@ from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
 from cocorosim_ros.wire.topics.service_quality import PROFILES
 from cocorosim_ros.wire.topics.topics import GLOBAL_TOPICS, ROBOT_TOPICS, Topic
 from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
+from cocorosim_ros.world.terms.effect import Number
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
+CONFIG_README = ROOT / "config" / "README.md"
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -76,6 +79,16 @@ def scenario_table() -> str:
     return table(("scenario", "what it is", "robots", "tick", "length"), rows)
 
 
+def effect_examples() -> str:
+    """Every effect of the motion with every number, as it stands in a platform file."""
+    lines = []
+    for name, effect in CATALOGUE_EFFECTS.items():
+        if effect.numbers:
+            lines.append(f"{name}:  # {effect.summary}: {effect.equation}")
+            lines += [_example(number) for number in effect.numbers]
+    return "\n".join(["```yaml", *lines, "```"])
+
+
 TABLES = {
     "commands": command_table,
     "robot topics": robot_topic_table,
@@ -84,19 +97,33 @@ TABLES = {
     "metrics": paper_metric_table,
     "metric variants": variant_table,
     "scenarios": scenario_table,
+    "effects": effect_examples,
 }
+FILE_OF = {name: CONFIG_README if name == "effects" else README for name in TABLES}
 
 
-def with_tables(text: str) -> str:
-    """The text with every table between its two marks made anew."""
-    for name, make in TABLES.items():
+def with_tables(file: Path) -> str:
+    """The text of a file with every table of its own between its two marks made anew."""
+    text = file.read_text("utf-8")
+    for name in (name for name in TABLES if FILE_OF[name] == file):
         begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
         pattern = re.compile(f"{re.escape(begin)}.*?{re.escape(end)}", re.DOTALL)
         if len(pattern.findall(text)) != 1:
-            raise ValueError(f"README.md does not have exactly one place for the table '{name}'.")
+            raise ValueError(f"{file.name} does not have exactly one place for the table '{name}'.")
         before, after = text[: text.index(begin)], text[text.index(end) :]
-        text = f"{before}{begin}\n\n{make()}\n\n{after}"
+        text = f"{before}{begin}\n\n{TABLES[name]()}\n\n{after}"
     return text
+
+
+def _example(number: Number) -> str:
+    """One number of an effect, with its meaning."""
+    if number.example is None:
+        raise ValueError(f"'{number.name}' has no example.")
+    unit = '"1"' if number.unit == "1" else number.unit
+    needed = "; must be given" if number.needed else ""
+    value = re.sub(r"e([+-])0", r"e\1", f"{number.example.value:g}")
+    stated = f"{{value: {value}, unit: {unit}, source: {number.example.source}}}"
+    return f"  {number.name}: {stated}  # {number.meaning}{needed}"
 
 
 def _topic_table(topics: Iterable[Topic]) -> str:
@@ -133,4 +160,5 @@ def _metric_table(names: Iterable[str]) -> str:
 
 
 if __name__ == "__main__":
-    README.write_text(with_tables(README.read_text("utf-8")), "utf-8")
+    for file in (README, CONFIG_README):
+        file.write_text(with_tables(file), "utf-8")

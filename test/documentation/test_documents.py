@@ -13,7 +13,7 @@ import cocorosim_ros
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 from .documents import ROOT, documents, fenced, links, own_files, paths_in_code
-from .tables import README, TABLES, with_tables
+from .tables import CONFIG_README, FILE_OF, README, TABLES, with_tables
 
 every_document = pytest.mark.parametrize("path", documents(), ids=lambda path: str(path.relative_to(ROOT)))
 A_REGISTRY = re.compile(
@@ -28,15 +28,15 @@ def test_the_documents_that_must_be_there() -> None:
 
 
 @pytest.mark.parametrize("name", TABLES)
-def test_the_tables_of_the_readme_are_those_of_the_code(name: str) -> None:
+def test_the_tables_of_the_documents_are_those_of_the_code(name: str) -> None:
     """If this fails: run test/documentation/tables.py, and read what it changed."""
-    assert TABLES[name]() in README.read_text("utf-8")
+    assert TABLES[name]() in FILE_OF[name].read_text("utf-8")
 
 
-def test_the_readme_has_nothing_else_between_the_marks() -> None:
+@pytest.mark.parametrize("file", (README, CONFIG_README), ids=("README", "config/README"))
+def test_nothing_else_stands_between_the_marks(file: Path) -> None:
     """Writing the tables anew changes nothing."""
-    text = README.read_text("utf-8")
-    assert with_tables(text) == text
+    assert with_tables(file) == file.read_text("utf-8")
 
 
 @every_document
@@ -52,6 +52,7 @@ def test_paths_exist(path: Path) -> None:
     text = path.read_text("utf-8")
     made = {
         "cocorosim_ros/world/controllers/circle.py",
+        "cocorosim_ros/world/effects/leak.py",
         "cocorosim_ros/world/sensors/thermometer.py",
         "config/controllers/circle.yaml",
     }

@@ -16,8 +16,8 @@ SECTION = TEXT.partition("## Effects of a platform")[2].partition("\n## ")[0]
 
 
 def test_the_example_is_a_platform_with_everything(tmp_path: Path) -> None:
-    """The example loads and builds; it names each effect, and each number of all but the laws."""
-    (example,) = re.findall(r"```yaml\n(.*?)```", SECTION, re.DOTALL)
+    """The examples together load and build; they name each effect, and each number of all but the laws."""
+    example = "".join(re.findall(r"```yaml\n(.*?)```", SECTION, re.DOTALL))
     path = tmp_path / "example.yaml"
     path.write_text(f"name: example\ndescription: all\nbased_on: lily\neffects:\n{textwrap.indent(example, '  ')}")
     platform = load_platform(path)

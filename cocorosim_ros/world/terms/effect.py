@@ -1,4 +1,4 @@
-"""What an effect is: its equation and numbers, and small compiled functions for the places where it acts."""
+"""Effects: equation and numbers of each, and small compiled functions for the places where it acts."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Example(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Number(Parameter):
-    """A parameter with all that is known of it: its term of the equation, how it is looked for, an example.
+    """A parameter with its term of the equation, the way it is looked for, and an example.
 
     The parameter [its unit] times what it `multiplies` [unit] `gives` the term of the equation that it stands in
     [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it.
@@ -37,9 +37,9 @@ class Number(Parameter):
 
 @dataclass(frozen=True, kw_only=True)
 class Description:
-    """What is known of an effect beside its functions: everything that documents, diagnosis and reports say of it.
+    """Everything that documents, diagnosis and reports say of an effect.
 
-    summary: what it is, in the words of reports. equation: in plain text. check: what to look at on the robot or in
+    summary: its name in words, as reports have it. equation: in plain text. check: what to look at on the robot or in
     the tank. search: how a diagnosis looks for it, None if it does not, or not under this name.
     """
 
@@ -48,7 +48,7 @@ class Description:
     equation: str = ""
     check: str = ""
     search: Search | None = None
-    neighbours: bool = False  # whether it is nothing without other robots (Moment.neighbours)
+    neighbours: bool = False  # whether it looks at other robots (Moment.neighbours) and is nothing without them
 
     @property
     def numbers(self) -> tuple[Number, ...]:

@@ -1,4 +1,4 @@
-"""How an effect is looked for in recordings: what is large of its numbers, and where a search begins."""
+"""The words in which an effect says how it is looked for: large sizes, grids, channels, groups, manoeuvres."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Scene(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Limits:
-    """How far an amplitude may go, and below what it is not believed. q is its distance from neutral over `large`."""
+    """Bounds and steps of an amplitude, and the least that is believed; q is its distance from neutral over `large`."""
 
     step: float = 0.05  # of q, for slopes
     least: float = -math.inf  # of q
@@ -45,7 +45,7 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class Spacing:
-    """How the points of a grid lie, and whether a fit goes on between them."""
+    """The layout of the points of a grid, and whether a fit goes on between them."""
 
     logarithmic: bool = False
     fixed: bool = False  # looked for on the grid alone
@@ -82,9 +82,9 @@ Basis = Callable[[Mapping[str, float]], list[tuple[dict[str, float], float]]]
 
 @dataclass(frozen=True, kw_only=True)
 class Standing:
-    """Whose the numbers of an effect are, and what it is compared with.
+    """The owner of an effect's numbers, and the effects that it is compared with.
 
-    water: of the water, so that all robots of a recording share its numbers; else of each robot.
+    water: the effect is of the water, so that all robots of a recording share its numbers; else each has its own.
     """
 
     water: bool = False
@@ -96,7 +96,7 @@ class Standing:
 
 @dataclass(frozen=True, kw_only=True)
 class Search(Standing):
-    """Where an effect shows, and what to drive so that it does."""
+    """The channel in which an effect shows, and the manoeuvre that shows it."""
 
     channel: str  # the equation that shows it: surge, sway, heave, yaw, compass, pressure, imu, pose, clock
     manoeuvre: str  # a name in diagnosis.catalogue.manoeuvres
