@@ -120,10 +120,14 @@ def make_tank() -> Callable[..., Any]:
 
 @pytest.fixture(scope="session")
 def make_instruments(lily: SimpleNamespace, blue_light: SimpleNamespace) -> Callable[..., Any]:
-    """Function of (robots): Lily's instruments; cones of 120 degrees, 0.5 m to robots, 0.3 m to obstacles."""
+    """Function of (robots, needs): Lily's instruments; cones of 120 degrees, 0.5 m to robots, 0.3 m to obstacles."""
+    from cocorosim_ros.scenario.parts.vehicle_parts import Sensors
+    from cocorosim_ros.world.sensors import SENSORS
     from cocorosim_ros.world.sensors.instruments import Instruments
 
-    def make(robots: int) -> Instruments:
+    every = Sensors(compass=True, pressure=True, imu=True, velocity=True)
+
+    def make(robots: int, needs: tuple[str, ...] = ()) -> Instruments:
         return Instruments(
             axis=np.tile(blue_light.axes, (robots, 1, 1)),
             cosine_half_angle=np.full((robots, 5), 0.5),
@@ -133,7 +137,9 @@ def make_instruments(lily: SimpleNamespace, blue_light: SimpleNamespace) -> Call
             ray_count=np.tile(blue_light.ray_count, (robots, 1)),
             water_density=np.full(robots, 1000.0),
             gravity=np.full(robots, lily.gravity),
-            velocity_measured=np.ones(robots, dtype=bool),
+            measured=np.tile(
+                [sensor.for_all or sensor.is_on(every, needs) for sensor in SENSORS.values()], (robots, 1)
+            ),
         )
 
     return make
@@ -183,7 +189,7 @@ def make_simulation(
 
     def make(start: Any, controller: str = "idle", settings: Any = (), **choice: Any) -> Simulation:
         needs, medium = CONTROLLERS[controller].needs, CONTROLLERS[controller].medium
-        wanted = ("neighbours", "blue_light_rx", "illuminance", "concentration")
+        wanted = ("neighbours", "blue_light_rx")
         start = np.asarray(start, dtype=float)
         runs, robots = start.shape[:2]
         steps = choice.get("steps", 5)
@@ -195,7 +201,7 @@ def make_simulation(
             tank=make_tank(*(choice.get(part, usual) for part, usual in TANK.items())),
             stepping=Stepping(integrator, steps, TICK / steps, contact),
             vehicles=make_vehicles(runs, robots, choice.get("inertia")),
-            instruments=make_instruments(robots),
+            instruments=make_instruments(robots, needs),
             crew=make_crew(robots, controller, settings),
             radio_range=np.full(robots, 0.5),
             wants=Wants(

@@ -13,8 +13,9 @@ import pytest
 
 from cocorosim_ros.world.controllers import CONTROLLERS
 from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.readings import Readings
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, PAYLOAD_LIMIT
-from cocorosim_ros.world.state.readings import Readings
 
 BOUNDS = ((-3.0, -3.0, -2.0), (3.0, 3.0, 0.0))
 INSTRUMENTS = Readings._fields
@@ -127,7 +128,7 @@ def test_a_message_has_the_length_announced(swarm_of: Make, crowd: Make, name: s
 def test_who_does_not_know_his_velocity_says_none(swarm_of: Make, crowd: Make, name: str) -> None:
     """Without a velocity estimate nothing is said by those who would say it."""
     simulation = swarm_of(name, crowd(1, 6))
-    simulation.world.instruments.velocity_measured[:] = False
+    simulation.world.instruments.measured[:, list(SENSORS).index("velocity")] = False
     answers(simulation, 10)
     assert not simulation.said[..., MESSAGE_LENGTH].any()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import click
@@ -15,7 +15,8 @@ from cocorosim_ros.wire.topics.service_quality import PROFILES
 from cocorosim_ros.wire.topics.topics import GLOBAL_TOPICS, ROBOT_TOPICS, Topic
 from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
-from cocorosim_ros.world.terms.effect import Number
+from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.terms.effect import Description, Number
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
@@ -81,12 +82,12 @@ def scenario_table() -> str:
 
 def effect_examples() -> str:
     """Every effect of the motion with every number, as it stands in a platform file."""
-    lines = []
-    for name, effect in CATALOGUE_EFFECTS.items():
-        if effect.numbers:
-            lines.append(f"{name}:  # {effect.summary}: {effect.equation}")
-            lines += [_example(number) for number in effect.numbers]
-    return "\n".join(["```yaml", *lines, "```"])
+    return _examples(CATALOGUE_EFFECTS)
+
+
+def error_examples() -> str:
+    """Every error of sensors, cameras and clocks with every number, as it stands in a platform file."""
+    return _examples(ERRORS)
 
 
 TABLES = {
@@ -98,8 +99,9 @@ TABLES = {
     "metric variants": variant_table,
     "scenarios": scenario_table,
     "effects": effect_examples,
+    "errors": error_examples,
 }
-FILE_OF = {name: CONFIG_README if name == "effects" else README for name in TABLES}
+FILE_OF = {name: CONFIG_README if name in ("effects", "errors") else README for name in TABLES}
 
 
 def with_tables(file: Path) -> str:
@@ -113,6 +115,15 @@ def with_tables(file: Path) -> str:
         before, after = text[: text.index(begin)], text[text.index(end) :]
         text = f"{before}{begin}\n\n{TABLES[name]()}\n\n{after}"
     return text
+
+
+def _examples(described: Mapping[str, Description]) -> str:
+    lines = []
+    for name, effect in described.items():
+        if effect.numbers:
+            lines.append(f"{name}:  # {effect.summary}: {effect.equation}")
+            lines += [_example(number) for number in effect.numbers]
+    return "\n".join(["```yaml", *lines, "```"])
 
 
 def _example(number: Number) -> str:

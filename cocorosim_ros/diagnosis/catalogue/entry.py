@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.sensors.sensor_error import OfEveryStream, SensorError
 from cocorosim_ros.world.terms.effect import Description, Number
 from cocorosim_ros.world.terms.search import Basis, Given, Grid, Limits, Scene, Search, Spacing, Standing, Strength
 
-__all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape", "entry_of"]
+__all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape", "entries_of_error", "entry_of"]
 
-SENSOR_CHANNELS = ("compass", "pressure", "imu", "pose", "clock", "velocity")
+SENSOR_CHANNELS = ("clock", *(topic for topic, sensor in SENSORS.items() if sensor.kinds))
 """Channels of entries that act on what is read; all others act on the motion."""
 
 
@@ -80,6 +83,25 @@ def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
         needs_neighbours=effect.neighbours,
         **standing,
     )
+
+
+def entries_of_error(identifier: str) -> list[Entry]:
+    """The entries of an error of sensors: one, or one for each stream where each may have it by itself."""
+    error = ERRORS[identifier]
+    if error.streams is not None:
+        return [_of_stream(identifier, error, error.streams, number) for number in error.numbers]
+    if error.search is None:
+        return []
+    entry = entry_of(identifier, error, error.search)
+    beside = [part for name in error.beside for part in entry_of(name, ERRORS[name], error.search).amplitudes]
+    return [replace(entry, amplitudes=(*entry.amplitudes, *beside))]
+
+
+def _of_stream(identifier: str, error: SensorError, streams: OfEveryStream, number: Number) -> Entry:
+    """The entry of the error of one stream, whose topic the number is called by."""
+    one = replace(error, summary=streams.summary(number.name), parameters=(number,))
+    entry = entry_of(identifier, one, streams.search(number.name))
+    return replace(entry, amplitudes=tuple(replace(part, name=streams.number) for part in entry.amplitudes))
 
 
 def _amplitude(column: str, number: Number, how: Strength) -> Amplitude:

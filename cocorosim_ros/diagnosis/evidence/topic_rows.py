@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -14,11 +14,11 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.stamped_numbers import Stamps, read_stamped_numbers
-from cocorosim_ros.wire.bags.tracks import yaw_of_quaternions
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
+from cocorosim_ros.world.sensors import SENSORS
 
 COMMAND = "thruster_command"
-NOT_ESTIMATED = -1.0  # REP 145: first element of the covariance of what an IMU does not measure
+_RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded is not None}
 
 
 @dataclass(frozen=True)
@@ -44,27 +44,6 @@ class TopicRows:
 class _Found(NamedTuple):
     data: list[bytes]
     log_ns: list[int]
-
-
-def _pose_columns(numbers: Floats) -> Floats:
-    return np.column_stack([numbers[:, :3], yaw_of_quaternions(numbers[:, 3:])])
-
-
-def _imu_columns(numbers: Floats) -> Floats:
-    """After orientation (4), its covariance (9), rate (3), its covariance (9), specific force (3), its covariance."""
-    rate, force = numbers[:, 15:16].copy(), numbers[:, 25:28].copy()
-    rate[numbers[:, 16] == NOT_ESTIMATED] = np.nan
-    force[(numbers[:, 28] == NOT_ESTIMATED) | (force == 0.0).all(axis=1)] = np.nan
-    return np.hstack([rate, force])
-
-
-_NUMBERS: dict[str, tuple[int, Callable[[Floats], Floats]]] = {  # how many a message has, and the columns from them
-    "pose": (7, _pose_columns),
-    "compass": (2, lambda numbers: numbers[:, :1]),
-    "pressure": (2, lambda numbers: numbers[:, :1]),
-    "imu": (37, _imu_columns),
-    "velocity": (6, lambda numbers: numbers[:, :3]),
-}
 
 
 def read_topic_rows(bag: Bag, actuators: tuple[str, ...]) -> tuple[list[TopicRows], list[str]]:
@@ -119,9 +98,9 @@ def _rows(topic: str, found: _Found, actuators: tuple[str, ...]) -> TopicRows:
         commands = read_command_rows(topic, found.data, actuators)
         readable, stamps, values, remarks = commands.readable, commands.stamp_ns, commands.values, commands.remarks
     else:
-        count, columns = _NUMBERS[name]
-        read = read_stamped_numbers(found.data, count)
-        readable, stamps, values, remarks = read.readable, read.stamp_ns, columns(read.numbers), ()
+        recorded = _RECORDED[name]
+        read = read_stamped_numbers(found.data, recorded.numbers)
+        readable, stamps, values, remarks = read.readable, read.stamp_ns, recorded.columns(read.numbers), ()
     remarks = (*remarks, *_unreadable(topic, readable))
     return TopicRows(robot, name, stamps[readable], log_ns[readable], values[readable], remarks)
 

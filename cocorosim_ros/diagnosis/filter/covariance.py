@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
 from cocorosim_ros.diagnosis.filter.random_force import Fading
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import add_four, stack_array
+from cocorosim_ros.world.terms.blocks import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
 
 GATE = 6.0  # standard deviations beyond which a reading pulls no harder, nor makes anything surer
 

@@ -27,10 +27,32 @@ from cocorosim_ros.diagnosis.filter.covariance import (
     update,
     update_upright,
 )
-from cocorosim_ros.diagnosis.filter.layout import (
-    CORRELATION,
-    FORCE_XY,
-    FORCE_Z,
+from cocorosim_ros.diagnosis.filter.layout import CORRELATION, FORCE_XY, FORCE_Z, MOMENT_YAW, SMOOTHNESS
+from cocorosim_ros.diagnosis.filter.motion import (
+    FORCE,
+    Motion,
+    advance,
+    make_motion,
+    put_drive,
+    responses,
+    write_slopes,
+)
+from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
+from cocorosim_ros.diagnosis.filter.reading import (
+    deviation,
+    expected,
+    is_of_water,
+    is_upright,
+    sensitivity,
+    sensitivity_upright,
+)
+from cocorosim_ros.diagnosis.filter.records import Belief, Drive, History, Past, Readings
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.world.motion import dynamics
+from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.world.terms.blocks import (
     HFX,
     HFY,
     HGN,
@@ -44,32 +66,12 @@ from cocorosim_ros.diagnosis.filter.layout import (
     HX,
     HY,
     HYAW,
-    MOMENT_YAW,
-    SMOOTHNESS,
-    VELOCITY_U,
     VERTICAL,
     VFZ,
     VGZ,
     VW,
     VZ,
-)  # fmt: skip
-from cocorosim_ros.diagnosis.filter.motion import (
-    FORCE,
-    Motion,
-    advance,
-    make_motion,
-    put_drive,
-    responses,
-    write_slopes,
 )
-from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
-from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
-from cocorosim_ros.diagnosis.filter.records import Belief, Drive, History, Past, Readings
-from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
-from cocorosim_ros.foundation.compiling.stack import stack_array
-from cocorosim_ros.world.motion import dynamics
-from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
@@ -232,14 +234,14 @@ def _filter(
             _remember(motion, body, parts, point, belief.history)
         for index in range(readings.first[point], readings.first[point + 1]):
             kind, after, origin = readings.kind[index], readings.after[index], readings.origin[index]
-            if kind >= VELOCITY_U:
+            if is_of_water(kind):
                 relative_velocity(row, time, body, water)
             when = readings.stamp[index], after, readings.apart[index], readings.side[index]
             shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
             if is_upright(kind):
-                sensitivity_upright(kind, after, sensor, parts.high_slope, seen)
+                sensitivity_upright(kind, after, row, sensor, parts.high_slope, seen)
                 variance = update_upright(parts.high, seen, variance, gain, innovation * innovation)
             else:
                 sensitivity(kind, after, row, sensor, parts.wide_slope, seen)
@@ -280,7 +282,7 @@ def _slope(
         advance(motion, (time, readings.step, fade), drive, point, body)
         for index in range(readings.first[point], readings.first[point + 1]):
             kind, origin = readings.kind[index], readings.origin[index]
-            if kind >= VELOCITY_U:
+            if is_of_water(kind):
                 relative_velocity(row, time, body, water)
             when = readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index]
             shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-# The horizontal block of the covariance: pose, velocity, random force of the water, and the gusts that drive it.
-HX, HY, HYAW, HU, HV, HR, HFX, HFY, HN, HGX, HGY, HGN = range(12)
-HORIZONTAL = 12
-# The vertical block.
-VZ, VW, VFZ, VGZ = range(4)
-VERTICAL = 4
+from cocorosim_ros.world.sensors import KINDS as KIND_TABLE
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS
 
 # What a single reading is of, in the order of streams.log.STREAMS.
 (
@@ -24,35 +21,21 @@ VERTICAL = 4
     VELOCITY_U,
     VELOCITY_V,
     VELOCITY_W,
-) = range(13)
-KINDS = 13
-KIND_NAMES = (
+) = (list(KIND_TABLE).index(name) for name in (
     "pose_x", "pose_y", "pose_z", "pose_yaw", "compass", "pressure", "gyro_z", "accel_x", "accel_y", "accel_z",
     "velocity_u", "velocity_v", "velocity_w",
-)  # fmt: skip
+))  # fmt: skip
+KIND_NAMES = tuple(KIND_TABLE)
+KINDS = len(KIND_NAMES)
 KINDS_OF_STREAM = {
-    "pose": (POSE_X, POSE_Y, POSE_Z, POSE_YAW),
-    "compass": (COMPASS,),
-    "pressure": (PRESSURE,),
-    "imu": (GYRO, ACCEL_X, ACCEL_Y, ACCEL_Z),
-    "velocity": (VELOCITY_U, VELOCITY_V, VELOCITY_W),
+    topic: tuple(KIND_NAMES.index(kind.name) for kind in sensor.kinds)
+    for topic, sensor in SENSORS.items()
+    if sensor.kinds
 }
-ANGLES = (POSE_YAW, COMPASS)
+ANGLES = tuple(code for code, kind in enumerate(KIND_TABLE.values()) if kind.angle)
 
-# Numbers of the sensors, by the contract's names.
-SENSOR_COLUMNS = (
-    "compass_distortion.offset",
-    "compass_distortion.sin",
-    "compass_distortion.cos",
-    "pressure_offset.offset",
-    "pressure_drift.rate",
-    "imu_bias.gyro_z",
-    "imu_bias.accel_x",
-    "imu_bias.accel_y",
-    "imu_bias.accel_z",
-    "camera_scale.scale",
-)
-OFFSET, SINE, COSINE, PRESSURE_OFFSET, PRESSURE_RATE, BIAS_GYRO, BIAS_X, BIAS_Y, BIAS_Z, SCALE = range(10)
+# Numbers of the sensors' errors, by the contract's names.
+SENSOR_COLUMNS = tuple(ERROR_COLUMNS)
 
 # The random force of the water: rms of its processes, their correlation time and smoothness.
 FORCE_XY, FORCE_Z, MOMENT_YAW, CORRELATION, SMOOTHNESS = range(5)

@@ -7,22 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import (
-    HFX,
-    HFY,
-    HN,
-    HORIZONTAL,
-    HR,
-    HU,
-    HV,
-    HX,
-    HY,
-    HYAW,
-    VERTICAL,
-    VFZ,
-    VW,
-    VZ,
-)
 from cocorosim_ros.diagnosis.filter.random_force import Fading
 from cocorosim_ros.diagnosis.filter.records import Drive
 from cocorosim_ros.foundation.arrays import Floats
@@ -31,6 +15,7 @@ from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.motion.dynamics import state_rate
 from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.world.terms.blocks import HFX, HFY, HN, HORIZONTAL, HR, HU, HV, HX, HY, HYAW, VERTICAL, VFZ, VW, VZ
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, PATCH_FORCE_COLUMNS, Body
 
 FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behind each other

@@ -1,164 +1,98 @@
-"""What a reading shows, and how that depends on the state."""
+"""What a reading shows, and how that depends on the state: one function each, written from the tables of sensors."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from cocorosim_ros.diagnosis.filter.layout import (
-    ACCEL_X,
-    ACCEL_Y,
-    ACCEL_Z,
-    BIAS_GYRO,
-    BIAS_X,
-    BIAS_Y,
-    BIAS_Z,
-    COMPASS,
-    COSINE,
-    GYRO,
-    HORIZONTAL,
-    HR,
-    HU,
-    HV,
-    HX,
-    HY,
-    HYAW,
-    OFFSET,
-    POSE_X,
-    POSE_Y,
-    POSE_YAW,
-    POSE_Z,
-    PRESSURE,
-    PRESSURE_OFFSET,
-    PRESSURE_RATE,
-    SCALE,
-    SINE,
-    VELOCITY_U,
-    VELOCITY_V,
-    VELOCITY_W,
-    VERTICAL,
-    VFZ,
-    VW,
-    VZ,
-)  # fmt: skip
+import numpy as np
+
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.angles import sine_cosine
-from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.state.pressure import GRAVITY, PASCAL_PER_METRE, SURFACE_PRESSURE
-from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.tables import compile_lines
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.sensors.errors import changes_of
+from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 
-# mypy: disable-error-code="no-any-return"
-
-
-@kernel
-def expected(
-    kind: int, when: tuple[float, float, float, float], row: Floats, rates: tuple[Floats, Floats], sensor: Floats,
-    water: Floats,
-) -> float:  # fmt: skip
-    """What a reading of this kind would show; `row` is the state at the grid point.
-
-    when: its stamp, how long after the grid point, how far from it [s] and on which side. rates: the mean of the rate
-    of the state on both sides of the grid point, and by how much it is greater behind it.
-    """
-    stamp, after, apart, side = when
-    rate, leap = rates
-    half = 0.5 * after * after
-    if kind <= POSE_Y:
-        sine, cosine = sine_cosine(row[YAW])
-        forward, left = rate[SURGE] - row[SWAY] * row[YAW_RATE], rate[SWAY] + row[SURGE] * row[YAW_RATE]
-        if kind == POSE_X:
-            ahead = after * (row[SURGE] * cosine - row[SWAY] * sine) + half * (forward * cosine - left * sine)
-            return sensor[SCALE] * (row[X] + ahead)
-        ahead = after * (row[SURGE] * sine + row[SWAY] * cosine) + half * (forward * sine + left * cosine)
-        return sensor[SCALE] * (row[Y] + ahead)
-    if kind == POSE_Z or kind == PRESSURE:  # noqa: PLR1714
-        height = row[Z] + after * row[HEAVE] + half * rate[HEAVE]
-        if kind == POSE_Z:
-            return sensor[SCALE] * height
-        return SURFACE_PRESSURE - PASCAL_PER_METRE * height + sensor[PRESSURE_OFFSET] + sensor[PRESSURE_RATE] * stamp
-    if kind == POSE_YAW or kind == COMPASS:  # noqa: PLR1714
-        yaw = row[YAW] + after * row[YAW_RATE] + half * rate[YAW_RATE]
-        if kind == POSE_YAW:
-            return yaw
-        straight = yaw + sensor[OFFSET]
-        if sensor[SINE] == 0.0 and sensor[COSINE] == 0.0:  # as nearly always
-            return straight
-        return straight + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
-    if kind == GYRO:
-        return row[YAW_RATE] + after * rate[YAW_RATE] + 0.5 * apart * leap[YAW_RATE] + sensor[BIAS_GYRO]
-    if kind == ACCEL_X:
-        return rate[SURGE] + 0.5 * side * leap[SURGE] - row[SWAY] * row[YAW_RATE] + sensor[BIAS_X]
-    if kind == ACCEL_Y:
-        return rate[SWAY] + 0.5 * side * leap[SWAY] + row[SURGE] * row[YAW_RATE] + sensor[BIAS_Y]
-    if kind == ACCEL_Z:
-        return rate[HEAVE] + 0.5 * side * leap[HEAVE] + GRAVITY + sensor[BIAS_Z]
-    return water[kind - VELOCITY_U]
+Functions = dict[str, Any]
 
 
-@kernel
-def sensitivity(kind: int, after: float, row: Floats, sensor: Floats, across: Floats, seen: Floats) -> None:
-    """Write the derivative of a horizontal reading by the horizontal state into `seen` (HORIZONTAL,)."""
-    for column in range(HORIZONTAL):
-        seen[column] = 0.0
-    sine, cosine = sine_cosine(row[YAW])
-    if kind == POSE_X:
-        seen[HX] = sensor[SCALE]
-        seen[HYAW] = -sensor[SCALE] * after * (row[SURGE] * sine + row[SWAY] * cosine)
-        seen[HU], seen[HV] = sensor[SCALE] * after * cosine, -sensor[SCALE] * after * sine
-    elif kind == POSE_Y:
-        seen[HY] = sensor[SCALE]
-        seen[HYAW] = sensor[SCALE] * after * (row[SURGE] * cosine - row[SWAY] * sine)
-        seen[HU], seen[HV] = sensor[SCALE] * after * sine, sensor[SCALE] * after * cosine
-    elif kind == POSE_YAW:
-        seen[HYAW], seen[HR] = 1.0, after
-    elif kind == COMPASS:
-        slope = 1.0 + sensor[SINE] * cosine - sensor[COSINE] * sine
-        seen[HYAW], seen[HR] = slope, slope * after
-    elif kind == GYRO:
-        for column in range(HORIZONTAL):
-            seen[column] = after * across[HR * HORIZONTAL + column]
-        seen[HR] += 1.0
-    elif kind == ACCEL_X:
-        for column in range(HORIZONTAL):
-            seen[column] = across[HU * HORIZONTAL + column]
-        seen[HV] -= row[YAW_RATE]
-        seen[HR] -= row[SWAY]
-    elif kind == ACCEL_Y:
-        for column in range(HORIZONTAL):
-            seen[column] = across[HV * HORIZONTAL + column]
-        seen[HU] += row[YAW_RATE]
-        seen[HR] += row[SURGE]
-    elif kind == VELOCITY_U:
-        seen[HU] = 1.0
-    elif kind == VELOCITY_V:
-        seen[HV] = 1.0
+def _numbers(columns: list[int]) -> str:
+    return ", ".join(f"sensor[{column}]" for column in columns)
 
 
-@kernel
-def sensitivity_upright(kind: int, after: float, sensor: Floats, upright: Floats, seen: Floats) -> None:
-    """Write the derivative of a vertical reading by the vertical state into `seen` (VERTICAL,)."""
-    for column in range(VERTICAL):
-        seen[column] = 0.0
-    if kind == POSE_Z:
-        seen[VZ], seen[VW] = sensor[SCALE], sensor[SCALE] * after
-    elif kind == PRESSURE:
-        seen[VZ], seen[VW] = -PASCAL_PER_METRE, -PASCAL_PER_METRE * after
-    elif kind == ACCEL_Z:
-        seen[VZ], seen[VW] = upright[VW * VERTICAL + VZ], upright[VW * VERTICAL + VW]
-        seen[VFZ] = upright[VW * VERTICAL + VFZ]
-    else:
-        seen[VW] = 1.0
+def _expected_lines() -> tuple[list[str], Functions]:
+    lines, functions = [], Functions()
+    for code, (name, kind) in enumerate(KINDS.items()):
+        functions[f"foresee_{code}"] = kind.foresee
+        lines += [f"if kind == {code}:", f"    shown = truth = foresee_{code}(when, row, rates, water)"]
+        for number, (change, columns) in enumerate(changes_of(name)):
+            functions[f"shown_{code}_{number}"] = change.foreseen or change.shown
+            lines.append(f"    shown = shown_{code}_{number}(shown, truth, when[0], {_numbers(columns)})")
+        lines.append("    return shown")
+    return [*lines, "return math.nan"], {**functions, "math": math}
 
 
-@kernel
-def is_upright(kind: int) -> bool:
-    """Whether a reading of this kind is of the vertical block."""
-    return kind == POSE_Z or kind == PRESSURE or kind == ACCEL_Z or kind == VELOCITY_W  # noqa: PLR1714
+expected = compile_lines("expected", "kind, when, row, rates, sensor, water", *_expected_lines())
+"""What a reading of this kind would show; `row` is the state at the grid point.
+
+when: its stamp, how long after the grid point, how far from it [s] and on which side. rates: the mean of the rate
+of the state on both sides of the grid point, and by how much it is greater behind it. sensor: the numbers of the
+errors, by errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone.
+"""
+
+
+def _sensitivity_lines(upright: bool) -> tuple[list[str], Functions]:
+    functions = Functions()
+    lines = [f"for column in range({VERTICAL if upright else HORIZONTAL}):", "    seen[column] = 0.0"]
+    for code, (name, kind) in enumerate(KINDS.items()):
+        if kind.upright != upright:
+            continue
+        functions[f"sensitivity_{code}"] = kind.sensitivity
+        slopes = []
+        for number, (change, columns) in enumerate(changes_of(name)):
+            if change.slope is not None:
+                functions[f"slope_{code}_{number}"] = change.slope
+                slopes.append(f"slope_{code}_{number}(row, {_numbers(columns)})")
+        slope = " * ".join(slopes) or "1.0"
+        lines += [f"if kind == {code}:", f"    sensitivity_{code}(after, row, {slope}, rates, seen)"]
+    return lines, functions
+
+
+_SENSITIVITY = "kind, after, row, sensor, rates, seen"
+sensitivity = compile_lines("sensitivity", _SENSITIVITY, *_sensitivity_lines(upright=False))
+"""Write the derivative of a horizontal reading by the horizontal state into `seen` (HORIZONTAL,)."""
+sensitivity_upright = compile_lines("sensitivity_upright", _SENSITIVITY, *_sensitivity_lines(upright=True))
+"""Write the derivative of a vertical reading by the vertical state into `seen` (VERTICAL,)."""
+
+
+def _asks(name: str, codes: list[int]) -> Any:
+    """A compiled function of a kind: whether it is one of these."""
+    return compile_lines(name, "kind", ["return " + " or ".join(f"kind == {code}" for code in codes)], {})
+
+
+_TABLE = list(enumerate(KINDS.values()))
+is_upright = _asks("is_upright", [code for code, kind in _TABLE if kind.upright])
+"""Whether a reading of this kind is of the vertical block."""
+is_of_water = _asks("is_of_water", [code for code, kind in _TABLE if kind.of_water])
+"""Whether a reading of this kind depends on the velocity through the water."""
+is_angle = _asks("is_angle", [code for code, kind in _TABLE if kind.angle])
+"""Whether a reading of this kind is an angle."""
 
 
 @kernel
 def deviation(kind: int, value: float, expected: float) -> float:
     """Reading less expectation, angles by the shorter way."""
     difference = value - expected
-    if kind == POSE_YAW or kind == COMPASS:  # noqa: PLR1714
+    if is_angle(kind):
         difference -= 2.0 * math.pi * math.floor(difference / (2.0 * math.pi) + 0.5)
     return difference
+
+
+@allocating_kernel
+def expected_along(kind: int, states: Floats, stamps: Floats, sensor: Floats, shown: Floats) -> None:
+    """Write into `shown` (n,) what readings of one kind show in the states (n, STATE_SIZE or more) at `stamps` [s]."""
+    rates, water = (np.zeros(STATE_SIZE), np.zeros(STATE_SIZE)), np.zeros(4)
+    for index in range(len(stamps)):
+        shown[index] = expected(kind, (stamps[index], 0.0, 0.0, 0.0), states[index], rates, sensor, water)

@@ -10,13 +10,18 @@ from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.quantity import UNITS
 from cocorosim_ros.world.effects import EFFECTS, LAWS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 from cocorosim_ros.world.terms.law_places import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
-BY_TOPIC = {"sensor_latency": "latency", "clock_skew": "skew"}
+BY_TOPIC = {name: error.streams.number for name, error in ERRORS.items() if error.streams is not None}
 """Effects that each topic may have for itself: there the topic stands in place of the parameter."""
-BESIDE = {"pressure_drift": {"offset": "pressure_offset"}}
+BESIDE = {
+    name: {part.name: other for other in error.beside for part in ERRORS[other].parameters}
+    for name, error in ERRORS.items()
+    if error.beside
+}
 """Numbers that are found with an effect, and the effect below which a platform file has them."""
 UNKNOWN = "unknown:"
 _FACTOR = re.compile(r"(\|?)([a-z_0-9]+)\|?(?:\^(-?[0-9.]+))?")

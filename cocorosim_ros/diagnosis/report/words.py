@@ -6,6 +6,8 @@ import math
 
 from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.sensors.errors import ERRORS, units_of
 
 VERDICTS = {
     "consistent": (
@@ -44,35 +46,12 @@ NOISES = {
     "random.moment": "random yaw moment",
     "random.correlation": "memory of the random forces",
     "random.smoothness": "smoothness of the random forces (0 rough, 1 smooth)",
-    "reading.pose_xy": "a reading of pose, x and y",
-    "reading.pose_z": "a reading of pose, z",
-    "reading.pose_yaw": "a reading of pose, yaw",
-    "reading.compass": "a reading of the compass",
-    "reading.pressure": "a reading of the pressure",
-    "reading.gyro_z": "a reading of the gyroscope",
-    "reading.accel": "a reading of the accelerometer",
-    "reading.velocity": "a reading of the velocity",
+    **{f"reading.{kind.noise or kind.name}": kind.noise_words for kind in KINDS.values() if kind.noise_words},
 }
 
 CHECKS = {
     **{name: effect.check for name, effect in EFFECTS.items() if effect.check},
-    "compass_distortion": "Iron or currents near the compass: turn the robot slowly through full circles, both ways.",
-    "pressure_offset": "Read the sensor at the surface.",
-    "pressure_drift": "Read the sensor at the surface before and after; note the air pressure.",
-    "sensor_latency": "Filters and buffers between this sensor and its stamp; flash a light on command.",
-    "clock_skew": "Synchronise the clocks, or note one event in both recordings at the start and at the end.",
-    "camera_scale": "Measure a known length in the camera's picture, at the depth where the robots swim.",
-    "frame_mixup": "Axes, signs and units of the driver of this stream; correct them there or in `cocorosim convert`.",
-    "imu_bias": "Let the robot lie still, level and turned over, and read the sensor.",
-}
-_UNITS = {  # of parameters that are no physics of the body
-    "compass_distortion": {"offset": "rad", "sin": "rad", "cos": "rad"},
-    "pressure_offset": {"offset": "Pa"},
-    "pressure_drift": {"rate": "Pa/s"},
-    "sensor_latency": {"latency": "s"},
-    "clock_skew": {"skew": "s/s"},
-    "camera_scale": {"scale": "1"},
-    "imu_bias": {"gyro_z": "rad/s", "accel_x": "m/s^2", "accel_y": "m/s^2", "accel_z": "m/s^2"},
+    **{name: error.check for name, error in ERRORS.items()},
 }
 
 
@@ -95,10 +74,12 @@ def check_words(identifier: str) -> str:
 
 def parameter_unit(effect: str, parameter: str) -> str:
     """The SI unit of a parameter of the catalogue, '1' if the catalogue does not know it."""
+    known: dict[str, str] = {}
     if effect in EFFECTS:
         known = {each.name: each.unit for each in EFFECTS[effect].parameters}
-        return known.get(parameter, "1")
-    return _UNITS.get(effect, {}).get(parameter, "1")
+    elif effect in ERRORS:
+        known = units_of(effect)
+    return known.get(parameter, "1")
 
 
 def odds_words(nats: float) -> str:

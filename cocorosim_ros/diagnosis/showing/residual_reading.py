@@ -6,23 +6,21 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
+from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES
+from cocorosim_ros.diagnosis.filter.reading import expected_along
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
+from cocorosim_ros.world.sensors import KINDS, SENSORS
+from cocorosim_ros.world.sensors.errors import ERRORS
 
-KIND_OF_TOPIC = {"pose": POSE_X, "compass": COMPASS, "pressure": PRESSURE, "imu": GYRO}
-TOPIC_OF_EFFECT = {
-    "compass_distortion": "compass", "pressure_offset": "pressure", "pressure_drift": "pressure", "imu_bias": "imu",
-    "camera_scale": "pose",
-}  # fmt: skip
-UNITS = {POSE_X: "m", COMPASS: "rad", PRESSURE: "Pa", GYRO: "rad/s"}
-# A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
-RATE_OF_TOPIC = {"pose": "u", "compass": "r", "pressure": "w", "imu": "t"}
-REGRESSOR_OF_EFFECT = {"compass_distortion": "yaw", "camera_scale": "x"}
+_RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded and sensor.recorded.drawn}
+KIND_OF_TOPIC = {topic: KIND_NAMES.index(recorded.drawn) for topic, recorded in _RECORDED.items()}
+"""The number of each stream that is drawn."""
+UNITS = {code: KINDS[KIND_NAMES[code]].unit for code in KIND_OF_TOPIC.values()}
 STATE_COLUMNS = {"x": 0, "y": 1, "z": 2, "yaw": 3, "u": 4, "v": 5, "w": 6, "r": 7}
 
 
@@ -32,7 +30,7 @@ def residual_readings(
     """For every stream that one of the effects is of; courses: the most likely ones of `base` and of `final`."""
     found = []
     for effect in effects:
-        topic = effect.topic or TOPIC_OF_EFFECT.get(effect.id)
+        topic = effect.topic or (ERRORS[effect.id].sensor if effect.id in ERRORS else None)
         if effect.correction is not None or topic not in KIND_OF_TOPIC:
             continue
         regressor = _regressor(effect, topic)
@@ -53,9 +51,12 @@ def residual_readings(
 
 def _regressor(effect: FoundEffect, topic: str) -> str:
     if effect.id == "sensor_latency":
-        return RATE_OF_TOPIC[topic]
+        # A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
+        return _RECORDED[topic].late_with
+    if effect.id in ERRORS:
+        return ERRORS[effect.id].against
     first = effect.id.partition("~")[2].strip("|").partition("|")[0].partition("*")[0]
-    return REGRESSOR_OF_EFFECT.get(effect.id, first if first in STATE_COLUMNS else "t")
+    return first if first in STATE_COLUMNS else "t"
 
 
 def _along(regressor: str, stamp: Floats, course: Smoothed) -> Floats:
@@ -73,18 +74,11 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
     deviation = track.readings.value[chosen] - track.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
-    return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind == COMPASS else deviation
+    return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind in ANGLES else deviation
 
 
 def _shown(kind: int, state: Floats, stamp: Floats, row: Floats) -> Floats:
     """What a sensor with these numbers shows in these states (n, 8)."""
-    if kind == COMPASS:
-        yaw = state[:, 3]
-        offset, sine, cosine = (row[COLUMN[f"compass_distortion.{name}"]] for name in ("offset", "sin", "cos"))
-        return np.asarray(yaw + offset + sine * np.sin(yaw) + cosine * np.cos(yaw))
-    if kind == PRESSURE:
-        error = row[COLUMN["pressure_offset.offset"]] + row[COLUMN["pressure_drift.rate"]] * stamp
-        return np.asarray(SURFACE_PRESSURE - PASCAL_PER_METRE * state[:, 2] + error)
-    if kind == GYRO:
-        return np.asarray(state[:, 7] + row[COLUMN["imu_bias.gyro_z"]])
-    return np.asarray(state[:, 0] * row[COLUMN["camera_scale.scale"]])
+    shown = np.empty(len(stamp))
+    expected_along(kind, state, stamp, row[SENSORS_IN_ROW], shown)
+    return shown

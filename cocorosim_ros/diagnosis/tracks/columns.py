@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM, SENSOR_COLUMNS
+from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM, SENSOR_COLUMNS
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.sensors.errors import NEUTRAL as NEUTRAL_SENSORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 from cocorosim_ros.world.vehicle_model.hooks import bits
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAMETER_COLUMNS, neutral_row
@@ -13,12 +15,7 @@ from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAME
 # Logarithms of N, N, N m, s and 1.
 WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
 # Readings that are equally good share one number: log of the standard deviation of a single reading.
-READING_NOISE_OF_KIND = tuple(
-    {"pose_x": "pose_xy", "pose_y": "pose_xy", "accel_x": "accel", "accel_y": "accel", "accel_z": "accel"}.get(
-        name, name if not name.startswith("velocity") else "velocity"
-    )
-    for name in KIND_NAMES
-)
+READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values())
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
@@ -38,7 +35,7 @@ TIMING = slice(COLUMN[LATENCY[0]], COLUMN[SKEW[-1]] + 1)
 ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, GAINS))
 NEUTRAL = np.zeros(len(NAMES))  # what each number is where nothing is out of the ordinary
 NEUTRAL[PHYSICS] = neutral_row()
-NEUTRAL[COLUMN["camera_scale.scale"]] = 1.0
+NEUTRAL[SENSORS] = NEUTRAL_SENSORS
 for _name, _value in READING_LAWS.items():
     NEUTRAL[COLUMN[_name]] = _value
 

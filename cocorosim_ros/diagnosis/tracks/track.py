@@ -18,7 +18,6 @@ from cocorosim_ros.diagnosis.filter.filter import filter_pass, slope_pass
 from cocorosim_ros.diagnosis.filter.layout import (
     ANGLES,
     COMPASS,
-    HORIZONTAL,
     KIND_NAMES,
     KINDS_OF_STREAM,
     POSE_X,
@@ -26,7 +25,6 @@ from cocorosim_ros.diagnosis.filter.layout import (
     POSE_YAW,
     POSE_Z,
     PRESSURE,
-    VERTICAL,
 )
 from cocorosim_ros.diagnosis.filter.motion import run_free
 from cocorosim_ros.diagnosis.filter.records import Belief, Drive, History, Past, Readings
@@ -50,6 +48,7 @@ from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, Body

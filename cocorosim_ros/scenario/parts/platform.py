@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -160,6 +160,14 @@ def platform_tree(platform: Platform) -> dict[str, Any]:
             name: {key: part for key, part in robot.items() if part != full.get(key)} for name, robot in own.items()
         }
     return tree
+
+
+def check_sensors(platform: Platform, known: Iterable[str]) -> None:
+    """Nothing, if every sensor that the platform names is one of `known`. Raises CocorosimError otherwise."""
+    topics = list(known)
+    for topic in platform.sensors.further:
+        if topic not in topics:
+            raise CocorosimError(f"{platform.origin}: 'sensors.{topic}' is no known sensor{nearest(topic, topics)}.")
 
 
 def check_effects(platform: Platform, known: Mapping[str, Mapping[str, Parameter]]) -> None:

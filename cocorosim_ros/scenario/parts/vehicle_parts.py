@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity, read_vector
-from cocorosim_ros.scenario.reading.records import FLAG, TEXT, choice, list_of, quantities, quantity, stored, vector
+from cocorosim_ros.scenario.reading.records import (
+    FLAG,
+    TEXT,
+    choice,
+    list_of,
+    other_flags,
+    quantities,
+    quantity,
+    stored,
+    vector,
+)
 
 Vector3 = tuple[float, float, float]
 _UNIT_LENGTH_TOLERANCE = 1e-12
@@ -89,7 +100,10 @@ class BlueLightSensor:
 
 @dataclass(frozen=True)
 class Sensors:
-    """What a robot perceives with; `radio_range` [m] is 0 for a robot without radio."""
+    """What a robot perceives with; `radio_range` [m] is 0 for a robot without radio.
+
+    further: whether it has the sensors of that topic that have no key of their own here (see world.sensors.SENSORS).
+    """
 
     compass: bool = field(default=False, metadata=FLAG)
     pressure: bool = field(default=False, metadata=FLAG)
@@ -97,6 +111,11 @@ class Sensors:
     velocity: bool = field(default=False, metadata=FLAG)
     radio_range: float = field(default=0.0, metadata=quantity("length", "not negative"))
     blss: tuple[BlueLightSensor, ...] = field(default=(), metadata=list_of(BlueLightSensor))
+    further: Mapping[str, bool] = field(default_factory=dict, hash=False, metadata=other_flags())
+
+    def has(self, topic: str) -> bool:
+        """Whether the robot has the sensor of this topic."""
+        return bool(self.further.get(topic, getattr(self, topic, False)))
 
 
 Actuator = Thruster | BuoyancyPump

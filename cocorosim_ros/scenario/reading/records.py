@@ -43,6 +43,14 @@ def quantities(dimension: str) -> Rule:
     )
 
 
+def other_flags() -> Rule:
+    """The rule of a field that holds, by key, the flags that no other field of the record has; the reader checks them.
+
+    Such a field is a mapping, empty by default.
+    """
+    return {"read": Entry.flag, "write": dict, "key": "", "others": True}
+
+
 TEXT: Rule = stored(Entry.text, str)
 FLAG: Rule = stored(Entry.flag, bool)
 
@@ -68,17 +76,35 @@ def list_of(kind: type[Any] | Mapping[str, type[Any]]) -> Rule:
 
 def read_record(kind: type[Record], entry: Entry) -> Record:
     """The record that a mapping describes; CocorosimError for unknown or missing keys and bad values."""
-    rules = {_key(field): field for field in dataclasses.fields(kind) if "read" in field.metadata}  # type: ignore[arg-type]
+    readable = [field for field in dataclasses.fields(kind) if "read" in field.metadata]  # type: ignore[arg-type]
+    rules = {_key(field): field for field in readable if not field.metadata.get("others")}
     required = [key for key, field in rules.items() if _is_required(field)]
-    section = entry.section(required, rules)
-    return kind(**{rules[key].name: rules[key].metadata["read"](part) for key, part in section.items()})
+    collected = next((field for field in readable if field.metadata.get("others")), None)
+    others = {} if collected is None else _flags_beside(rules, entry)
+    section = entry.section(required, (*rules, *others))
+    values = {rules[key].name: rules[key].metadata["read"](part) for key, part in section.items() if key in rules}
+    if collected is not None:
+        values[collected.name] = others
+    return kind(**values)
 
 
 def record_tree(record: Any) -> dict[str, Any]:
     """The record as nested plain values, as `read_record` reads them; without None and empty mappings."""
     fields = [field for field in dataclasses.fields(record) if "write" in field.metadata]
     values = [(field, getattr(record, field.name)) for field in fields]
-    return {_key(field): field.metadata["write"](value) for field, value in values if value is not None and value != {}}
+    tree: dict[str, Any] = {}
+    for field, value in values:
+        if value is not None and value != {}:
+            written = field.metadata["write"](value)
+            tree |= written if field.metadata.get("others") else {_key(field): written}
+    return tree
+
+
+def _flags_beside(rules: Mapping[str, Any], entry: Entry) -> dict[str, bool]:
+    """What stands in a mapping beside the keys of `rules`, as far as it is true or false."""
+    return {
+        key: part.flag() for key, part in entry.mapping().items() if key not in rules and isinstance(part.value, bool)
+    }
 
 
 def _key(field: dataclasses.Field[Any]) -> str:

@@ -13,6 +13,7 @@ from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.stamped_numbers import read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
+from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
 POSE = ROBOT_TOPICS["pose"]
@@ -82,13 +83,6 @@ def first_of_each_stamp(stamps: Integers, numbers: Floats, rows: NDArray[np.intp
     leader = rows[first][np.cumsum(first) - 1] if len(rows) else rows
     same = (numbers[rows] == numbers[leader]).all(axis=1)
     return rows[first], int(np.count_nonzero(same & ~first)), int(np.count_nonzero(~same))
-
-
-def yaw_of_quaternions(quaternion: Floats) -> Floats:
-    """(n,) yaw [rad] of (n, 4) quaternions x y z w of any length; NaN for zero ones."""
-    x, y, z, w = quaternion.T
-    yaw = np.arctan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z)
-    return np.where((quaternion == 0).all(axis=1), np.nan, yaw)
 
 
 def decode_poses(messages: Sequence[bytes]) -> tuple[Floats, Floats]:

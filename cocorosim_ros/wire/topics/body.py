@@ -8,6 +8,7 @@ from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers import CONTROLLERS
 from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.sensors import SENSORS
 
 
 @dataclass(frozen=True)
@@ -36,14 +37,8 @@ def describe_body(robot: RobotDescription) -> BodyDescription:
     """The body of a scenario's robot. An external controller owes no messages, though it may send some."""
     controller = CONTROLLERS[robot.controller.behaviour]
     sensors = robot.platform.sensors
-    present = {
-        "compass": sensors.compass,
-        "pressure": sensors.pressure,
-        "imu": sensors.imu,
-        "blss": bool(sensors.blss),
-        "velocity": sensors.velocity,
-        "radio_rx": sensors.radio_range > 0.0,
-    }
+    present = {topic: sensors.has(topic) for topic, sensor in SENSORS.items() if not (sensor.asked or topic == "pose")}
+    present["radio_rx"] = sensors.radio_range > 0.0
     extra = [name for name in EXTRA_TOPICS if name in controller.needs]
     if controller.medium == "blue_light":
         talk = "blue_light_tx" if sensors.blss else ""

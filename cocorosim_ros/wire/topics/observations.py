@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
@@ -9,16 +11,9 @@ from cocorosim_ros.wire.cdr.neighbours import read_neighbours
 from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.cdr.radio_messages import RadioEncoder, RadioMessage, hear
 from cocorosim_ros.wire.topics.body import BodyDescription
-from cocorosim_ros.wire.topics.swarm_messages import (
-    command_message,
-    compass_message,
-    concentration_message,
-    illuminance_message,
-    imu_message,
-    pressure_message,
-    scan_message,
-    velocity_message,
-)
+from cocorosim_ros.wire.topics.swarm_messages import command_message, sensor_message
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.sensor import PER_CONE, Field, Sensor
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT
 
@@ -30,36 +25,22 @@ class ObservationDecoder:
     """
 
     def __init__(self, body: BodyDescription, hearing_limit: int) -> None:
-        self._sensors = len(body.sensors)
         self._heard = np.zeros((hearing_limit, MESSAGE_SIZE))
         self._light = np.zeros((hearing_limit, MESSAGE_SIZE))
         self._offset = np.zeros((hearing_limit, 3))
         self._velocity = np.zeros((hearing_limit, 3))
+        seen = [sensor for sensor in SENSORS.values() if _is_seen(sensor)]
+        self._places = [_places(sensor, len(body.sensors)) for sensor in seen]
         self._numbers: dict[str, PackedMessage] = {
-            "compass": compass_message([body]),
-            "pressure": pressure_message([body]),
-            "imu": imu_message([body]),
-            "velocity": velocity_message([body]),
-            "illuminance": illuminance_message([body]),
-            "concentration": concentration_message([body]),
+            sensor.topic: sensor_message(sensor, [body])
+            for sensor in seen
+            if body.sensors or not any(field.width == PER_CONE for field in sensor.fields)
         }
-        if body.sensors:
-            self._numbers["blss"] = scan_message([body])
 
     def observation(self, time: float, latest: dict[str, bytes]) -> Observation:
         """What the robot knows at `time` [s]. Raises CocorosimError for bytes that hold something else."""
-        inertial = self._read("imu", latest, 6)
-        ranges = self._read("blss", latest, 2 * self._sensors)
-        ranges = np.where(np.isnan(ranges), np.inf, ranges)
         return Observation(
             time=time,
-            compass=float(self._read("compass", latest, 1)[0]),
-            pressure=float(self._read("pressure", latest, 1)[0]),
-            angular_rate=inertial[:3],
-            specific_force=inertial[3:],
-            velocity=self._read("velocity", latest, 4),
-            neighbour_range=ranges[: self._sensors],
-            obstacle_range=ranges[self._sensors :],
             heard_count=hear(latest.get("radio_rx"), self._heard),
             heard=self._heard,
             light_count=hear(latest.get("blue_light_rx"), self._light),
@@ -67,9 +48,20 @@ class ObservationDecoder:
             neighbour_count=self._look_around(latest.get("neighbours")),
             neighbour_offset=self._offset,
             neighbour_velocity=self._velocity,
-            illuminance=float(self._read("illuminance", latest, 1)[0]),
-            concentration=float(self._read("concentration", latest, 1)[0]),
+            **self._readings(latest),
         )
+
+    def _readings(self, latest: dict[str, bytes]) -> dict[str, Any]:
+        """What every sensor shows, by the fields of Observation."""
+        shown: dict[str, Any] = {}
+        for topic, count, fields in self._places:
+            numbers = self._read(topic, latest, count)
+            for field, place in fields:
+                part = numbers[place]
+                if field.width == PER_CONE:
+                    part = np.where(np.isnan(part), np.inf, part)
+                shown[field.name] = float(part[0]) if field.width is None else part
+        return shown
 
     def _read(self, topic: str, latest: dict[str, bytes], count: int) -> Floats:
         if topic not in latest or topic not in self._numbers:
@@ -83,6 +75,21 @@ class ObservationDecoder:
         count = min(len(names), self._offset.shape[0])
         self._offset[:count], self._velocity[:count] = offset[:count], velocity[:count]
         return count
+
+
+def _is_seen(sensor: Sensor) -> bool:
+    """Whether controllers see what a sensor shows."""
+    return bool(sensor.fields) and all(field.name in Observation._fields for field in sensor.fields)
+
+
+def _places(sensor: Sensor, cones: int) -> tuple[str, int, list[tuple[Field, slice]]]:
+    """Topic of a sensor, how many numbers its message holds, and where each field stands among them."""
+    fields, first = [], 0
+    for field in sensor.fields:
+        width = cones if field.width == PER_CONE else field.width or 1
+        fields.append((field, slice(first, first + width)))
+        first += width
+    return sensor.topic, first, fields
 
 
 def write_payload(row: Floats, payload: tuple[float, ...]) -> None:

@@ -12,11 +12,13 @@ from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.topics.body import BodyDescription
-from cocorosim_ros.world.state.readings import Readings
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.pose import POSE
+from cocorosim_ros.world.sensors.readings import Readings
+from cocorosim_ros.world.sensors.sensor import PER_CONE, Sensor
 from cocorosim_ros.world.state.state import YAW, X, Z
 
 WORLD_FRAME = "world"
-UNKNOWN_ORIENTATION = np.array([-1.0, 0, 0, 0, 0, 0, 0, 0, 0])  # REP 145: orientation is not estimated
 
 
 def _templates(bodies: Sequence[BodyDescription], type_name: str, extra: Mapping[str, Any] = {}) -> list[Any]:
@@ -26,52 +28,13 @@ def _templates(bodies: Sequence[BodyDescription], type_name: str, extra: Mapping
 def pose_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
     """`pose`: x, y, z [m; world], then z and w of the attitude quaternion."""
     header = {"header": {"frame_id": WORLD_FRAME}}
-    template = [type_store.build("geometry_msgs/msg/PoseStamped", header) for _ in bodies]
-    position = [f"pose.position.{axis}" for axis in "xyz"]
-    return PackedMessage(template, [*position, "pose.orientation.z", "pose.orientation.w"])
+    return PackedMessage([type_store.build(POSE.message, header) for _ in bodies], POSE.layout(()).places)
 
 
-def compass_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`compass`: heading [rad; world]."""
-    return PackedMessage(_templates(bodies, "cocorosim_msgs/msg/Compass"), ["heading"])
-
-
-def pressure_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`pressure`: absolute [Pa]."""
-    return PackedMessage(_templates(bodies, "sensor_msgs/msg/FluidPressure"), ["fluid_pressure"])
-
-
-def imu_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`imu`: angular rate [rad/s; body], then specific force [m/s^2; body]."""
-    extra = {"orientation_covariance": UNKNOWN_ORIENTATION, "orientation": {"w": 1.0}}
-    fields = [f"angular_velocity.{axis}" for axis in "xyz"] + [f"linear_acceleration.{axis}" for axis in "xyz"]
-    return PackedMessage(_templates(bodies, "sensor_msgs/msg/Imu", extra), fields)
-
-
-def velocity_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`velocity`: u, v, w [m/s; body], r [rad/s]."""
-    fields = [*(f"twist.linear.{axis}" for axis in "xyz"), "twist.angular.z"]
-    return PackedMessage(_templates(bodies, "geometry_msgs/msg/TwistStamped"), fields)
-
-
-def scan_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`blss` of robots with the same sensors: neighbour ranges of all sensors, then obstacle ranges [m]."""
-    sensors = bodies[0].sensors
-    readings = [{"sensor": part.name, "azimuth": part.azimuth, "elevation": part.elevation} for part in sensors]
-    template = _templates(bodies, "cocorosim_msgs/msg/BlssScan", {"readings": readings})
-    names = [part.name for part in sensors]
-    fields = [f"readings[{name}].neighbour_range" for name in names]
-    return PackedMessage(template, fields + [f"readings[{name}].obstacle_range" for name in names])
-
-
-def illuminance_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`illuminance`: ambient light [lx]."""
-    return PackedMessage(_templates(bodies, "sensor_msgs/msg/Illuminance"), ["illuminance"])
-
-
-def concentration_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`concentration`: of the plume's substance [kg/m^3]."""
-    return PackedMessage(_templates(bodies, "cocorosim_msgs/msg/Concentration"), ["concentration"])
+def sensor_message(sensor: Sensor, bodies: Sequence[BodyDescription]) -> PackedMessage:
+    """The messages of a sensor of robots with the same blue-light sensors: its numbers in the order of its fields."""
+    layout = sensor.layout(bodies[0].sensors)
+    return PackedMessage(_templates(bodies, sensor.message, layout.content), layout.places)
 
 
 def command_message(body: BodyDescription) -> PackedMessage:
@@ -96,24 +59,44 @@ def transform_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
     return PackedMessage([type_store.build("tf2_msgs/msg/TFMessage", {"transforms": transforms})], fields)
 
 
+class SensorMessages:
+    """Encodes the readings of one sensor of all robots of one run."""
+
+    def __init__(self, sensor: Sensor, bodies: Sequence[BodyDescription]) -> None:
+        self._names = [field.name for field in sensor.fields]
+        self._count = len(bodies)
+        by_cone = any(field.width == PER_CONE for field in sensor.fields)
+        groups = _robots_by_sensors(bodies) if by_cone else {(): list(range(len(bodies)))}
+        self._groups = [
+            (rows, len(cones) if by_cone else None, sensor_message(sensor, [bodies[row] for row in rows]))
+            for cones, rows in groups.items()
+        ]
+
+    def encode(self, stamp_ns: int, readings: Readings, run: int) -> list[bytes]:
+        """One message for each robot."""
+        values = [getattr(readings, name)[run] for name in self._names]
+        rows, count, message = self._groups[0]
+        if count is None:
+            return message.encode(stamp_ns, values[0] if len(values) == 1 else np.hstack(values))
+        encoded = [b""] * self._count
+        for rows, count, message in self._groups:
+            columns = np.hstack([part[rows, :count] for part in values])
+            for row, data in zip(rows, message.encode(stamp_ns, columns), strict=True):
+                encoded[row] = data
+        return encoded
+
+
 class SwarmMessages:
     """Encodes the readings and true poses of all robots of one run."""
 
     def __init__(self, bodies: Sequence[BodyDescription]) -> None:
-        self._bodies = tuple(bodies)
         self._pose = pose_message(bodies)
-        self._compass = compass_message(bodies)
-        self._pressure = pressure_message(bodies)
-        self._imu = imu_message(bodies)
-        self._velocity = velocity_message(bodies)
-        self._extras = {
-            "illuminance": illuminance_message(bodies),
-            "concentration": concentration_message(bodies),
+        published = {topic for body in bodies for topic in body.topics}
+        self._sensors = {
+            topic: SensorMessages(sensor, bodies)
+            for topic, sensor in SENSORS.items()
+            if sensor.measure is not None and topic in published
         }
-        self._scans = [
-            (rows, len(sensors), scan_message([bodies[row] for row in rows]))
-            for sensors, rows in _robots_by_sensors(bodies).items()
-        ]
         self._transforms = transform_message(bodies)
         self._clock = PackedMessage([type_store.build("rosgraph_msgs/msg/Clock")], [])
 
@@ -128,32 +111,8 @@ class SwarmMessages:
         return self._pose.encode(stamp_ns, columns), self._transforms.encode(stamp_ns, columns)[0]
 
     def readings(self, stamp_ns: int, readings: Readings, run: int = 0) -> dict[str, list[bytes]]:
-        """The bytes of every robot's instruments: topic name to one message per robot."""
-        inertial = np.hstack([readings.angular_rate[run], readings.specific_force[run]])
-        return {
-            "compass": self._compass.encode(stamp_ns, readings.compass[run]),
-            "pressure": self._pressure.encode(stamp_ns, readings.pressure[run]),
-            "imu": self._imu.encode(stamp_ns, inertial),
-            "blss": self._encode_scans(stamp_ns, readings, run),
-            "velocity": self._velocity.encode(stamp_ns, readings.velocity[run]),
-            "illuminance": self._encode_extra("illuminance", stamp_ns, readings.illuminance[run]),
-            "concentration": self._encode_extra("concentration", stamp_ns, readings.concentration[run]),
-        }
-
-    def _encode_extra(self, topic: str, stamp_ns: int, values: Floats) -> list[bytes]:
-        """One message per robot, or none at all where nobody asks for the topic."""
-        if not any(topic in body.topics for body in self._bodies):
-            return []
-        return self._extras[topic].encode(stamp_ns, values)
-
-    def _encode_scans(self, stamp_ns: int, readings: Readings, run: int) -> list[bytes]:
-        encoded = [b""] * len(self._bodies)
-        for rows, count, scan in self._scans:
-            near = readings.neighbour_range[run, rows, :count]
-            columns = np.hstack([near, readings.obstacle_range[run, rows, :count]])
-            for row, data in zip(rows, scan.encode(stamp_ns, columns), strict=True):
-                encoded[row] = data
-        return encoded
+        """The bytes of the sensors that some robot publishes: topic name to one message per robot."""
+        return {topic: messages.encode(stamp_ns, readings, run) for topic, messages in self._sensors.items()}
 
 
 def _robots_by_sensors(bodies: Sequence[BodyDescription]) -> dict[tuple[BlueLightSensor, ...], list[int]]:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.service_quality import CLOCK, STREAM, TRANSFORMS, ServiceQuality
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.sensor import Sensor
 
 __all__ = ["GLOBAL_TOPICS", "ROBOT_TOPICS", "TOPICS", "Topic", "robot_topic", "split_topic", "stamp_ns"]
 
@@ -27,29 +29,19 @@ class Topic:
         return not self.name.startswith("/")
 
 
+def _of_sensor(sensor: Sensor) -> Topic:
+    return Topic(sensor.topic, sensor.message, sensor.publisher, STREAM, sensor.optional, sensor.meaning)
+
+
 _ROBOT = [
-    Topic("pose", "geometry_msgs/msg/PoseStamped", "simulation, or the tank's cameras", STREAM, False,
-          "true position and attitude in frame `world`"),
-    Topic("compass", "cocorosim_msgs/msg/Compass", "robot", STREAM, False,
-          "heading as the compass reports it"),
-    Topic("pressure", "sensor_msgs/msg/FluidPressure", "robot", STREAM, False,
-          "absolute pressure: 101325 Pa at the surface, 9810 Pa more per metre of depth"),
-    Topic("imu", "sensor_msgs/msg/Imu", "robot", STREAM, False,
-          "angular rate and specific force in `base_link`"),
-    Topic("blss", "cocorosim_msgs/msg/BlssScan", "robot", STREAM, False,
-          "what the blue-light sensors see"),
-    Topic("velocity", "geometry_msgs/msg/TwistStamped", "robot", STREAM, True,
-          "the robot's own estimate of its motion through the water, in `base_link`"),
+    *(_of_sensor(sensor) for sensor in SENSORS.values() if not sensor.asked),
     Topic("thruster_command", "cocorosim_msgs/msg/ThrusterCommand", "controller", STREAM, False,
           "what the controller asks of the actuators"),
     Topic("radio_tx", "cocorosim_msgs/msg/RadioMessage", "controller", STREAM, True,
           "what the robot says"),
     Topic("radio_rx", "cocorosim_msgs/msg/RadioInbox", "simulation, or the radio driver", STREAM, True,
           "what the robot has heard since its last inbox"),
-    Topic("illuminance", "sensor_msgs/msg/Illuminance", "robot", STREAM, True,
-          "ambient light, where the controller asks for it"),
-    Topic("concentration", "cocorosim_msgs/msg/Concentration", "robot", STREAM, True,
-          "how much of the plume's substance the water holds, where the controller asks for it"),
+    *(_of_sensor(sensor) for sensor in SENSORS.values() if sensor.asked),
     Topic("blue_light_tx", "cocorosim_msgs/msg/RadioMessage", "controller", STREAM, True,
           "what the robot says over its blue-light sensors"),
     Topic("blue_light_rx", "cocorosim_msgs/msg/RadioInbox", "simulation, or the blue-light driver", STREAM, True,

@@ -27,8 +27,11 @@ from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, four, in_fours, lanes
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.world.sensors.cones import AXIS, COSINE, HALVES, REACH
 from cocorosim_ros.world.sensors.instruments import Instruments
+from cocorosim_ros.world.sensors.sensor import PER_CONE, Field, Layout, Sensor
+from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank, is_open_water, ray_range
 
@@ -109,3 +112,32 @@ def obstacle_ranges(row: Floats, robot: int, instruments: Instruments, tank: Tan
             direction[2] = ray[2]
             nearest = min(nearest, ray_range(tank, origin, direction, instruments.obstacle_range[robot, sensor]))
         reading[sensor] = nearest if nearest <= instruments.obstacle_range[robot, sensor] else math.inf
+
+
+@kernel
+def measure(sight: Sight, neighbour_range: Floats, obstacle_range: Floats) -> None:
+    """Write both ranges (sensors,) [m] of one robot."""
+    neighbour_ranges(sight.states, sight.robot, sight.nearby, sight.cones, neighbour_range, sight.nearest)
+    obstacle_ranges(sight.row, sight.robot, sight.instruments, sight.tank, obstacle_range)
+
+
+def _layout(sensors: tuple[BlueLightSensor, ...]) -> Layout:
+    """Neighbour ranges of all sensors, then obstacle ranges [m]."""
+    readings = [{"sensor": part.name, "azimuth": part.azimuth, "elevation": part.elevation} for part in sensors]
+    places = [f"readings[{part.name}].{field}" for field in ("neighbour_range", "obstacle_range") for part in sensors]
+    return Layout(tuple(places), {"readings": readings})
+
+
+BLUE_LIGHT = Sensor(
+    topic="blss",
+    message="cocorosim_msgs/msg/BlssScan",
+    meaning="what the blue-light sensors see",
+    layout=_layout,
+    fields=(
+        Field("neighbour_range", "m", PER_CONE, channels={"neighbour_range": slice(None)}),
+        Field("obstacle_range", "m", PER_CONE, channels={"obstacle_range": slice(None)}),
+    ),
+    measure=measure,
+    optional=False,
+    for_all=True,
+)

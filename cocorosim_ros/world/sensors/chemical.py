@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-import math
-
-from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.sensor import Field, Sensor, fixed
+from cocorosim_ros.world.sensors.sight import Sight
 
 
 @kernel
-def measure_concentration(present: Floats, wanted: Flags, reading: Floats) -> None:
-    """Write the concentration `present` (runs, robots) [kg/m^3] of those who are `wanted` (robots,) into `reading`."""
-    for run in range(reading.shape[0]):
-        for robot in range(reading.shape[1]):
-            reading[run, robot] = present[run, robot] if wanted[robot] else math.nan
+def measure(sight: Sight) -> float:
+    """Concentration [kg/m^3]."""
+    return sight.concentration
+
+
+CHEMICAL = Sensor(
+    topic="concentration",
+    message="cocorosim_msgs/msg/Concentration",
+    meaning="how much of the plume's substance the water holds, where the controller asks for it",
+    layout=fixed("concentration"),
+    fields=(Field("concentration", "kg/m^3", channels={"concentration": None}),),
+    measure=measure,
+    asked=True,
+)

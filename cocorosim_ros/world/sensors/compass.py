@@ -5,14 +5,33 @@ Source: Read et al. 2013, section 2.1; its operating system returns the exact he
 
 from __future__ import annotations
 
-from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.pose import by_heading, heading
+from cocorosim_ros.world.sensors.sensor import Field, Kind, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import YAW
 
 
 @kernel
-def compass_heading(row: Floats) -> float:
-    """Heading [rad; world] of the robot whose state is `row`."""
-    heading: float = wrap_angle(row[YAW])
-    return heading
+def measure(sight: Sight) -> float:
+    """Heading [rad; world]."""
+    shown: float = wrap_angle(sight.row[YAW])
+    return shown
+
+
+COMPASS = Sensor(
+    topic="compass",
+    message="cocorosim_msgs/msg/Compass",
+    meaning="heading as the compass reports it",
+    layout=fixed("heading"),
+    fields=(Field("compass", "rad", angle=True, channels={"compass": None}),),
+    measure=measure,
+    optional=False,
+    for_all=True,
+    kinds=(
+        Kind("compass", "heading", "rad", heading, by_heading, ("compass", None), angle=True,
+             noise_words="a reading of the compass"),
+    ),
+    recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="compass", late_with="r"),
+)  # fmt: skip

@@ -16,28 +16,20 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.corruption import RANGES, SENSOR_CHANNELS, Corruption
 from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, corruptions_at_work
-from cocorosim_ros.world.state.readings import Readings
+from cocorosim_ros.world.sensors.readings import FIELDS, Readings
+from cocorosim_ros.world.sensors.sensor import Field
 
 # Channel to the field of Readings and the columns of it.
-_PLACES: dict[str, tuple[str, slice | None]] = {
-    "compass": ("compass", None),
-    "pressure": ("pressure", None),
-    "gyro": ("angular_rate", slice(0, 3)),
-    "accelerometer": ("specific_force", slice(0, 3)),
-    "velocity": ("velocity", slice(0, 3)),
-    "yaw_rate_estimate": ("velocity", slice(3, 4)),
-    "neighbour_range": ("neighbour_range", slice(None)),
-    "obstacle_range": ("obstacle_range", slice(None)),
-    "illuminance": ("illuminance", None),
-    "concentration": ("concentration", None),
+_PLACES: dict[str, tuple[Field, slice | None]] = {
+    channel: (field, columns) for field in FIELDS.values() for channel, columns in field.channels.items()
 }
 
 
 def channel_values(readings: Readings, channel: str) -> Floats:
     """(runs, robots, width) the readings of a channel, as a view."""
-    name, columns = _PLACES[channel]
-    field: Floats = getattr(readings, name)
-    return field[..., None] if columns is None else field[..., columns]
+    field, columns = _PLACES[channel]
+    values: Floats = getattr(readings, field.name)
+    return values[..., None] if columns is None else values[..., columns]
 
 
 class CorruptedChannel(CorruptionAtWork):
@@ -52,7 +44,7 @@ class CorruptedChannel(CorruptionAtWork):
         """Corrupt the readings of this tick in place."""
         values = channel_values(readings, self.channel)
         changed = getattr(self, f"_{self._kind}")(tick, values[:, self._chosen])
-        if self.channel == "compass":
+        if _PLACES[self.channel][0].angle:
             changed = _wrapped(changed)
         elif self.channel in RANGES:
             changed = np.maximum(changed, 0.0)

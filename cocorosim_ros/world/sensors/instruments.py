@@ -21,4 +21,4 @@ class Instruments(NamedTuple):
     ray_count: Integers  # (robots, sensors)
     water_density: Floats  # (robots,) [kg/m^3], by which the pressure sensor is calibrated
     gravity: Floats  # (robots,) [m/s^2]
-    velocity_measured: Flags  # (robots,)
+    measured: Flags  # (robots, sensors of the table SENSORS) whose readings there are

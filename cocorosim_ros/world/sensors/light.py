@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
-from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.sensor import Field, Sensor, fixed
+from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import X, Z
-from cocorosim_ros.world.surroundings.lamps import Lamps, illuminance_at
+from cocorosim_ros.world.surroundings.lamps import illuminance_at
 
 
 @kernel
-def measure_light(state: Floats, lamps: Lamps, wanted: Flags, reading: Floats) -> None:
-    """Write the illuminance [lx] at every robot that is `wanted` (robots,) into `reading` (runs, robots)."""
-    for run in range(state.shape[0]):
-        for robot in range(state.shape[1]):
-            if wanted[robot]:
-                reading[run, robot] = illuminance_at(lamps, state[run, robot, X : Z + 1])
+def measure(sight: Sight) -> float:
+    """Illuminance [lx]."""
+    shown: float = illuminance_at(sight.lamps, sight.row[X : Z + 1])
+    return shown
+
+
+LIGHT = Sensor(
+    topic="illuminance",
+    message="sensor_msgs/msg/Illuminance",
+    meaning="ambient light, where the controller asks for it",
+    layout=fixed("illuminance"),
+    fields=(Field("illuminance", "lx", channels={"illuminance": None}),),
+    measure=measure,
+    asked=True,
+)

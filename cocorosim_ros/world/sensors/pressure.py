@@ -7,12 +7,51 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
+from cocorosim_ros.world.sensors.pose import Rates, When, height
+from cocorosim_ros.world.sensors.sensor import Field, Kind, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sight import Sight
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import Z
+from cocorosim_ros.world.terms.blocks import VW, VZ
 
 
 @kernel
-def absolute_pressure(row: Floats, density: float, gravity: float) -> float:
-    """Absolute pressure [Pa] at the robot whose state is `row`; `density` [kg/m^3], `gravity` [m/s^2]."""
-    pressure: float = SURFACE_PRESSURE - density * gravity * row[Z]
-    return pressure
+def absolute_pressure(z: float, weight: float) -> float:
+    """Absolute pressure [Pa] at height z [m; world] in water of this weight, density times gravity [Pa/m]."""
+    return SURFACE_PRESSURE - weight * z
+
+
+@kernel
+def measure(sight: Sight) -> float:
+    """Absolute pressure [Pa] in the water by which the sensor is calibrated."""
+    weight = sight.instruments.water_density[sight.robot] * sight.instruments.gravity[sight.robot]
+    shown: float = absolute_pressure(sight.row[Z], weight)
+    return shown
+
+
+@kernel
+def _foresee(when: When, row: Floats, rates: Rates, water: Floats) -> float:
+    shown: float = absolute_pressure(height(when, row, rates, water), PASCAL_PER_METRE)
+    return shown
+
+
+@kernel
+def _sensitivity(after: float, row: Floats, slope: float, rates: Floats, seen: Floats) -> None:
+    seen[VZ], seen[VW] = -slope * PASCAL_PER_METRE, -slope * PASCAL_PER_METRE * after
+
+
+PRESSURE = Sensor(
+    topic="pressure",
+    message="sensor_msgs/msg/FluidPressure",
+    meaning="absolute pressure: 101325 Pa at the surface, 9810 Pa more per metre of depth",
+    layout=fixed("fluid_pressure"),
+    fields=(Field("pressure", "Pa", channels={"pressure": None}),),
+    measure=measure,
+    optional=False,
+    for_all=True,
+    kinds=(
+        Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True,
+             noise_words="a reading of the pressure"),
+    ),
+    recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="pressure", late_with="w"),
+)  # fmt: skip

@@ -26,6 +26,7 @@ from cocorosim_ros.world.links.blue_light import DELIVERY_CODE
 from cocorosim_ros.world.motion.contact import CONTACT_CODE
 from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
 from cocorosim_ros.world.motion.motion import Stepping
+from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.instruments import Instruments
 from cocorosim_ros.world.surroundings.lamps import Lamps
 from cocorosim_ros.world.surroundings.tank import Tank
@@ -50,7 +51,7 @@ def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
         tank=build_tank(scenario),
         stepping=_stepping(scenario),
         vehicles=build_vehicles(platforms, runs),
-        instruments=build_instruments(platforms),
+        instruments=build_instruments(scenario.robots),
         faults=build_faults(platforms),
         crew=build_crew(scenario.robots),
         radio_range=np.array([platform.sensors.radio_range for platform in platforms]),
@@ -73,7 +74,7 @@ def build_wants(robots: Sequence[RobotDescription]) -> Wants:
         return np.array([topic in controller.needs for controller in controllers])
 
     speaks_light = np.array([controller.medium == "blue_light" for controller in controllers])
-    return Wants(who("neighbours"), who("blue_light_rx"), who("illuminance"), who("concentration"), speaks_light)
+    return Wants(who("neighbours"), who("blue_light_rx"), speaks_light)
 
 
 def build_lamps(light: Light) -> Lamps:
@@ -114,8 +115,9 @@ def build_vehicles(platforms: Sequence[Platform], runs: int = 1) -> Vehicles:
     return Vehicles(*repeated)
 
 
-def build_instruments(platforms: Sequence[Platform]) -> Instruments:
-    """The instruments of one robot per platform."""
+def build_instruments(robots: Sequence[RobotDescription]) -> Instruments:
+    """The instruments of the robots."""
+    platforms = [robot.platform for robot in robots]
     sensors = max(1, *(len(platform.sensors.blss) for platform in platforms))
     rays = max([1, *(len(part.obstacle_rays) for platform in platforms for part in platform.sensors.blss)])
     count = len(platforms)
@@ -128,12 +130,18 @@ def build_instruments(platforms: Sequence[Platform]) -> Instruments:
         ray_count=np.zeros((count, sensors), dtype=np.int64),
         water_density=np.array([platform.water_density for platform in platforms]),
         gravity=np.array([platform.gravity for platform in platforms]),
-        velocity_measured=np.array([platform.sensors.velocity for platform in platforms]),
+        measured=np.array([_measured(robot) for robot in robots]),
     )
     for robot, platform in enumerate(platforms):
         for index, sensor in enumerate(platform.sensors.blss):
             _place_sensor(instruments, robot, index, sensor)
     return instruments
+
+
+def _measured(robot: RobotDescription) -> list[bool]:
+    """Which sensors of the table a robot measures with."""
+    sensors, needs = robot.platform.sensors, CONTROLLERS[robot.controller.behaviour].needs
+    return [sensor.for_all or sensor.is_on(sensors, needs) for sensor in SENSORS.values()]
 
 
 def build_crew(robots: Sequence[RobotDescription]) -> Crew:

@@ -5,40 +5,39 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.controllers.conduct import conduct_one, speak_by_code
 from cocorosim_ros.world.controllers.crew import Crew
+from cocorosim_ros.world.sensors.readings import FIELDS
 from cocorosim_ros.world.state.observation import Observation
-from cocorosim_ros.world.state.perception import Perception
+from cocorosim_ros.world.tick.perception import Perception
 
 
-@kernel
-def observe(time: float, perception: Perception, run: int, robot: int, angular_rate: Floats) -> Observation:
-    """What one robot of one run knows at `time` [s]; its arrays are not to be changed, but for the angular rate.
+def _observing_lines() -> list[str]:
+    """The body of `observe`: what sensors show by the fields of Readings, and all else."""
+    shown = {name: f"perception.readings.{name}[run, robot]" for name in FIELDS} | {
+        "time": "time",
+        "angular_rate": "angular_rate",
+        "heard_count": "perception.radio.heard[run, robot]",
+        "heard": "perception.radio.message[run, robot]",
+        "light_count": "perception.light.heard[run, robot]",
+        "light": "perception.light.message[run, robot]",
+        "neighbour_count": "perception.neighbourhood.found[run, robot]",
+        "neighbour_offset": "perception.neighbourhood.offset[run, robot]",
+        "neighbour_velocity": "perception.neighbourhood.velocity[run, robot]",
+    }
+    return [
+        "for axis in range(3):",
+        "    angular_rate[axis] = perception.readings.angular_rate[run, robot, axis]",
+        f"return Observation({', '.join(shown[name] for name in Observation._fields)})",
+    ]
 
-    That is a copy in `angular_rate` (3,), because a robot without a gyro puts its own estimate there.
-    """
-    readings, neighbourhood = perception.readings, perception.neighbourhood
-    for axis in range(3):
-        angular_rate[axis] = readings.angular_rate[run, robot, axis]
-    return Observation(
-        time,
-        readings.compass[run, robot],
-        readings.pressure[run, robot],
-        angular_rate,
-        readings.specific_force[run, robot],
-        readings.velocity[run, robot],
-        readings.neighbour_range[run, robot],
-        readings.obstacle_range[run, robot],
-        perception.radio.heard[run, robot],
-        perception.radio.message[run, robot],
-        perception.light.heard[run, robot],
-        perception.light.message[run, robot],
-        neighbourhood.found[run, robot],
-        neighbourhood.offset[run, robot],
-        neighbourhood.velocity[run, robot],
-        readings.illuminance[run, robot],
-        readings.concentration[run, robot],
-    )
+
+observe = compile_lines(
+    "observe", "time, perception, run, robot, angular_rate", _observing_lines(), {"Observation": Observation}
+)
+"""What one robot of one run knows at `time` [s]: an Observation; its arrays are not to be changed, but for the angular
+rate. That is a copy in `angular_rate` (3,), because a robot without a gyro puts its own estimate there."""
 
 
 @kernel

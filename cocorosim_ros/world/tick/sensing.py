@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.motion.dynamics import relative_velocity, state_rate
 from cocorosim_ros.world.motion.surroundings import look_around
-from cocorosim_ros.world.sensors.blue_light import neighbour_ranges, obstacle_ranges
-from cocorosim_ros.world.sensors.compass import compass_heading
-from cocorosim_ros.world.sensors.inertial import angular_rate, specific_force
+from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.instruments import Instruments
-from cocorosim_ros.world.sensors.pressure import absolute_pressure
-from cocorosim_ros.world.state.readings import Readings
+from cocorosim_ros.world.sensors.readings import Readings
+from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.surroundings.lamps import Lamps
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.vehicle_model.vehicles import Surroundings, Vehicles, body_of
@@ -30,6 +29,27 @@ class Afloat(NamedTuple):
     flow: Floats  # velocity of the water, see water.flow
     neighbours: Neighbours
     cones: Floats  # of the blue-light sensors, see sensors.cones
+    lamps: Lamps
+    concentration: Floats  # (runs, robots) of the plume [kg/m^3]
+
+
+def _measuring_lines() -> list[str]:
+    """The body of a function by which all sensors measure one robot."""
+    lines = []
+    for number, (topic, sensor) in enumerate(SENSORS.items()):
+        if sensor.measure is None:
+            continue
+        places = [f"readings.{field.name}[run, robot]" for field in sensor.fields]
+        if sensor.fields[0].width is None:
+            call = f"{places[0]} = measure_{topic}(sight)"
+        else:
+            call = f"measure_{topic}(sight, {', '.join(places)})"
+        lines += [f"if sight.instruments.measured[robot, {number}]:", f"    {call}"]
+    return lines
+
+
+_MEASURING: dict[str, Any] = {f"measure_{topic}": sensor.measure for topic, sensor in SENSORS.items()}
+_measure = compile_lines("_measure", "sight, readings, run, robot", _measuring_lines(), _MEASURING)
 
 
 @allocating_kernel
@@ -60,18 +80,22 @@ def _sense_all(
     for run in range(runs):
         for robot in range(robots):
             row = state[run, robot]
-            density, gravity = instruments.water_density[robot], instruments.gravity[robot]
-            readings.compass[run, robot] = compass_heading(row)
-            readings.pressure[run, robot] = absolute_pressure(row, density, gravity)
             body = body_of(afloat.vehicles, surroundings, run, robot)
             state_rate(row, time, body, rate)
-            angular_rate(row, readings.angular_rate[run, robot])
-            specific_force(row, rate, gravity, readings.specific_force[run, robot])
             relative_velocity(row, time, body, relative)
-            for axis in range(4):
-                known = instruments.velocity_measured[robot]
-                readings.velocity[run, robot, axis] = relative[axis] if known else math.nan
             nearby = neighbours.who[run, robot, : neighbours.near[run, robot]]
-            seen = readings.neighbour_range[run, robot]
-            neighbour_ranges(state[run], robot, nearby, afloat.cones, seen, nearest[run, robot])
-            obstacle_ranges(row, robot, instruments, afloat.tank, readings.obstacle_range[run, robot])
+            sight = Sight(
+                state[run],
+                robot,
+                row,
+                rate,
+                relative,
+                instruments,
+                afloat.tank,
+                afloat.lamps,
+                afloat.cones,
+                nearby,
+                nearest[run, robot],
+                afloat.concentration[run, robot],
+            )
+            _measure(sight, readings, run, robot)

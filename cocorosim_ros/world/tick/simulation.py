@@ -7,22 +7,20 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.controllers.conduct import blank_memory
 from cocorosim_ros.world.motion.motion import apply_commands, move
-from cocorosim_ros.world.sensors.chemical import measure_concentration
 from cocorosim_ros.world.sensors.cones import cones_of
 from cocorosim_ros.world.sensors.corruption import corrupted_channels
-from cocorosim_ros.world.sensors.effects import add_errors
 from cocorosim_ros.world.sensors.exact_neighbours import EXACT_RANGE, exact_neighbours
+from cocorosim_ros.world.sensors.faults import add_errors
 from cocorosim_ros.world.sensors.latency import late_readings
-from cocorosim_ros.world.sensors.light import measure_light
+from cocorosim_ros.world.sensors.readings import Readings, blank_readings
 from cocorosim_ros.world.state.neighbourhood import Neighbourhood, empty_neighbourhood
-from cocorosim_ros.world.state.perception import Perception
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE, Inbox
-from cocorosim_ros.world.state.readings import Readings, blank_readings
 from cocorosim_ros.world.state.state import YAW, X, row_size
 from cocorosim_ros.world.surroundings.neighbours import Neighbours, NeighbourSearch
 from cocorosim_ros.world.tick.deciding import decide, speak
 from cocorosim_ros.world.tick.divergence import check_motion
 from cocorosim_ros.world.tick.exchange import Exchange
+from cocorosim_ros.world.tick.perception import Perception
 from cocorosim_ros.world.tick.sensing import Afloat, sense
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.water import MovingWater
@@ -83,17 +81,14 @@ class Simulation:
         """Measure with all instruments; the arrays are those of the next call too."""
         world = self.world
         self._neighbours = self._search.find(self.state)
-        afloat = Afloat(self.water.vehicles, world.tank, world.water.flow, self._neighbours, self._cones)
+        flow, lamps, smell = world.water.flow, world.lamps, self.water.concentration
+        afloat = Afloat(self.water.vehicles, world.tank, flow, self._neighbours, self._cones, lamps, smell)
         sense(self.state, self.time_ns * 1e-9, afloat, world.instruments, self.readings, self.nearest)
-        if self._wants.illuminance.any():
-            measure_light(self.state, world.lamps, self._wants.illuminance, self.readings.illuminance)
-        if self._wants.concentration.any():
-            measure_concentration(self.water.concentration, self._wants.concentration, self.readings.concentration)
         if self._wants.neighbours.any():
             wanted = self._wants.neighbours
             exact_neighbours(self.state, wanted, EXACT_RANGE, self._neighbours, self.neighbourhood)
         if world.faults is not None:
-            add_errors(self.state, self.time_ns * 1e-9, world.faults.error, self.readings)
+            add_errors(self.time_ns * 1e-9, world.faults.error, self.readings)
             for late in self._late:
                 late.apply(self.readings)
         for channel in self._corruption:

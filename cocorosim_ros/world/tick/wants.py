@@ -11,15 +11,13 @@ from cocorosim_ros.foundation.arrays import Flags
 
 @dataclass(frozen=True)
 class Wants:
-    """Each (robots,): who knows its neighbours exactly, hears or speaks over blue light, measures light or smells."""
+    """Each (robots,): who knows its neighbours exactly, hears or speaks over blue light."""
 
     neighbours: Flags
     blue_light: Flags
-    illuminance: Flags
-    concentration: Flags
     speaks_light: Flags
 
 
 def nothing(robots: int) -> Wants:
     """Nobody wants anything."""
-    return Wants(*(np.zeros(robots, dtype=bool) for _ in range(5)))
+    return Wants(*(np.zeros(robots, dtype=bool) for _ in range(3)))

@@ -9,8 +9,8 @@ from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.links.blue_light import TO_NEAREST
 from cocorosim_ros.world.motion.motion import Stepping
-from cocorosim_ros.world.sensors.effects import Faults
 from cocorosim_ros.world.sensors.exact_neighbours import EXACT_RANGE
+from cocorosim_ros.world.sensors.faults import Faults
 from cocorosim_ros.world.sensors.instruments import Instruments
 from cocorosim_ros.world.surroundings.lamps import Lamps, darkness
 from cocorosim_ros.world.surroundings.tank import Tank

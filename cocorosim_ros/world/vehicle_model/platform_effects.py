@@ -10,10 +10,13 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.parameter import Parameter
-from cocorosim_ros.scenario.parts.platform import Platform, check_effects
+from cocorosim_ros.scenario.parts.platform import Platform, check_effects, check_sensors
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
-from cocorosim_ros.world.sensors.effects import ERROR_COLUMNS, LATE_TOPICS, SENSOR_EFFECTS, Faults
+from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, is_simulated
+from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS
+from cocorosim_ros.world.sensors.faults import Faults
 from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, READINGS_OF_LAWS, SENSOR_LAWS
 from cocorosim_ros.world.terms import law_places as laws
 from cocorosim_ros.world.terms.regressors import REGRESSORS
@@ -23,10 +26,13 @@ EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effect
 
 EQUATIONS = len(laws.EQUATIONS)
 
+
+def _of_recordings(name: str, parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+    return tuple(part for part in parameters if not is_simulated(name, part))
+
+
 RECORDING_EFFECTS: dict[str, tuple[Parameter, ...]] = {
-    "sensor_latency": (Parameter("pose", "s", "of the camera's poses", 0.0, "not negative"),),
-    "clock_skew": tuple(Parameter(topic, "s/s", f"of the {topic}'s clock") for topic in ("pose", *LATE_TOPICS)),
-    "camera_scale": (Parameter("scale", "1", "lengths as seen over lengths", 1.0, "positive"),),
+    **{name: parts for name, error in ERRORS.items() if (parts := _of_recordings(name, error.parameters))},
     **SENSOR_LAWS,
 }
 """Effects of cameras and clocks of a recording and laws of readings, which a diagnosis finds; a simulation has none."""
@@ -35,12 +41,18 @@ RECORDING_EFFECTS: dict[str, tuple[Parameter, ...]] = {
 def _known_effects() -> Mapping[str, Mapping[str, Parameter]]:
     tables: dict[str, dict[str, Parameter]] = {}
     described = [(name, effect.parameters) for name, effect in CATALOGUE_EFFECTS.items()]
-    described += [(name, effect.parameters) for name, effect in SENSOR_EFFECTS.items()]
-    for name, parameters in (*described, *RECORDING_EFFECTS.items()):
-        tables.setdefault(name, {}).update({part.name: part for part in parameters})
+    described += [(name, error.parameters) for name, error in ERRORS.items() if error.parameters]
+    for name, parameters in (*described, *SENSOR_LAWS.items()):
+        tables[name] = {part.name: part for part in parameters}
     return MappingProxyType(tables)
 
 
+_SIMULATED_ERRORS = {
+    f"{name}.{part.name}": ERROR_COLUMNS[f"{name}.{part.name}"]
+    for name, error in ERRORS.items()
+    for part in error.parameters
+    if error.changes and is_simulated(name, part)
+}
 KNOWN_EFFECTS: Mapping[str, Mapping[str, Parameter]] = _known_effects()
 """Every effect that a platform file can name, with its parameters by name."""
 
@@ -87,6 +99,7 @@ def check_platform(platform: Platform) -> None:
     """
     for each in (platform, *platform.robots.values()):
         check_effects(each, KNOWN_EFFECTS)
+        check_sensors(each, SENSORS)
         for place in (*LAWS, *SENSOR_LAWS):
             for name, value in each.effects.get(place, {}).items():
                 _check_code(f"{each.origin}: 'effects.{place}.{name}'", name, value)
@@ -112,14 +125,15 @@ def active_bits(platform: Platform) -> int:
 
 def build_faults(platforms: Sequence[Platform]) -> Faults | None:
     """What is wrong with the instruments of one robot per platform; None if nothing is."""
-    faults = Faults(np.zeros((len(platforms), len(ERROR_COLUMNS))), np.zeros((len(platforms), len(LATE_TOPICS))))
+    neutral = np.tile(NEUTRAL, (len(platforms), 1))
+    faults = Faults(neutral.copy(), np.zeros((len(platforms), len(LATE_TOPICS))))
     for robot, platform in enumerate(platforms):
-        for name, value in _chosen(platform, ERROR_COLUMNS).items():
+        for name, value in _chosen(platform, _SIMULATED_ERRORS).items():
             faults.error[robot, ERROR_COLUMNS[name]] = value
         for topic, value in platform.effects.get("sensor_latency", {}).items():
             if topic in LATE_TOPICS:
                 faults.latency[robot, LATE_TOPICS.index(topic)] = value
-    return faults if faults.error.any() or faults.latency.any() else None
+    return faults if (faults.error != neutral).any() or faults.latency.any() else None
 
 
 def not_simulated(robots: Mapping[str, Platform]) -> list[str]:

@@ -15,8 +15,8 @@ from cocorosim_ros.diagnosis.filter.covariance import (
     update,
     update_upright,
 )
-from cocorosim_ros.diagnosis.filter.layout import HFX, HGX, HORIZONTAL, VERTICAL
 from cocorosim_ros.diagnosis.filter.random_force import fading
+from cocorosim_ros.world.terms.blocks import HFX, HGX, HORIZONTAL, VERTICAL
 
 STEP, NOISE = 0.1, 0.3
 FADE = fading(STEP, 2.5, 0.4)

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.world.sensors import SENSORS
+
 Make = Callable[..., Any]
 
 
@@ -82,7 +84,7 @@ def test_depth_is_reached_and_held(make_simulation: Make, measured: bool, band: 
     Half a tick late, the change of pressure leaves the loop nearly undamped: the robot bobs by some 3 cm.
     """
     simulation = make_simulation([[[0.0, 0.0, -5.0, 0.0]]], "heading_hold", (0.0, 0.1, 5.4, 3.0))
-    simulation.world.instruments.velocity_measured[:] = measured
+    simulation.world.instruments.measured[:, list(SENSORS).index("velocity")] = measured
     heaves(simulation, 120)
     for _ in range(20):
         heaves(simulation, 5)

@@ -9,7 +9,7 @@ from collections import Counter
 import pytest
 
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, EFFECTS
-from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 # In kg, m and s; angles have no dimension.
@@ -35,31 +35,16 @@ def dimension(unit: str) -> dict[str, float]:
     return {base: exponent for base, exponent in total.items() if exponent}
 
 
-TURN, NONE = "rad/s", "1"
-# Per parameter: what it multiplies, and the unit of the term; of effects of the motion in their own files.
+# Per parameter: what it multiplies, and the unit of the term, as its own file says.
 TERMS: dict[str, tuple[str, str]] = {
-    **{
-        f"{effect}.{number.name}": (number.multiplies, number.gives)
-        for effect, described in EFFECTS.items()
-        for number in described.numbers
-    },
-    "compass_distortion.offset": (NONE, "rad"),
-    "compass_distortion.sin": (NONE, "rad"),
-    "compass_distortion.cos": (NONE, "rad"),
-    "pressure_offset.offset": (NONE, "Pa"),
-    "pressure_drift.rate": ("s", "Pa"),
-    "imu_bias.gyro_z": (NONE, TURN),
-    "imu_bias.accel_x": (NONE, "m/s^2"),
-    "imu_bias.accel_y": (NONE, "m/s^2"),
-    "imu_bias.accel_z": (NONE, "m/s^2"),
-    "sensor_latency.compass": (NONE, "s"),
-    "sensor_latency.pressure": (NONE, "s"),
-    "sensor_latency.imu": (NONE, "s"),
-    "sensor_latency.velocity": (NONE, "s"),
+    f"{name}.{number.name}": (number.multiplies, number.gives)
+    for table in (EFFECTS, ERRORS)
+    for name, described in table.items()
+    for number in described.numbers
 }
 PARAMETERS = {
     f"{effect}.{parameter.name}": parameter.unit
-    for table in (EFFECTS, SENSOR_EFFECTS)
+    for table in (EFFECTS, ERRORS)
     for effect, described in table.items()
     if not effect.startswith("law_")
     for parameter in described.parameters

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.world.sensors import SENSORS
+
 Make = Callable[..., Any]
 
 
@@ -49,7 +51,7 @@ def test_velocity_is_the_bodys_own(make_simulation: Make) -> None:
 def test_velocity_is_nan_where_it_is_not_measured(make_simulation: Make) -> None:
     """A robot without the estimate shows NaN in all four, its fellow is not concerned."""
     simulation = make_simulation([[[0.0, 0.0, -1.0, 0.0], [1.0, 0.0, -1.0, 0.0]]])
-    simulation.world.instruments.velocity_measured[0] = False
+    simulation.world.instruments.measured[0, list(SENSORS).index("velocity")] = False
     velocity = simulation.sense().velocity[0]
     assert np.isnan(velocity[0]).all()
     assert velocity[1].tolist() == [0.0] * 4

@@ -11,7 +11,7 @@ from scipy import stats
 
 from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.world.sensors.corruption import channel_values, corrupted_channels
-from cocorosim_ros.world.state.readings import Readings, blank_readings
+from cocorosim_ros.world.sensors.readings import Readings, blank_readings
 
 NAMES = ("lily_01", "lily_02", "lily_03")
 TICKS = 2000

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+
+from cocorosim_ros.world.sensors import SENSORS
 
 Make = Callable[..., Any]
 
@@ -51,12 +54,11 @@ def test_of_too_many_the_first_are_kept(make_simulation: Make) -> None:
 @pytest.mark.parametrize(("distance", "expected"), [(0.0, 110.0), (0.7, 10.0 + 100.0 * math.exp(-0.5)), (50.0, 10.0)])
 def test_illuminance_of_one_lamp(make_simulation: Make, distance: float, expected: float) -> None:
     """A lamp of 100 lx and 0.7 m width in 10 lx: exp(-1/2) of it one width away."""
-    from cocorosim_ros.world.sensors.light import measure_light
     from cocorosim_ros.world.surroundings.lamps import Lamps
 
     simulation = make_simulation([[[1.0, 2.0 + distance, -5.0, 0.0], [0, 0, -5, 0]]])
-    lamps = Lamps(10.0, np.array([[1.0, 2.0, -5.0, 100.0, 0.7]]))
-    reading = np.full((1, 2), np.nan)
-    measure_light(simulation.state, lamps, np.array([True, False]), reading)
+    simulation.world = replace(simulation.world, lamps=Lamps(10.0, np.array([[1.0, 2.0, -5.0, 100.0, 0.7]])))
+    simulation.world.instruments.measured[0, list(SENSORS).index("illuminance")] = True
+    reading = simulation.sense().illuminance
     assert reading[0, 0] == pytest.approx(expected)
     assert math.isnan(reading[0, 1])

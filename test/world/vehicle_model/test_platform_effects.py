@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform, platform_tree
 from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
-from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
+from cocorosim_ros.world.sensors.errors import ERRORS, is_simulated
 from cocorosim_ros.world.state.state import SURGE, YAW, X
 from cocorosim_ros.world.tick.assembly import build_vehicles, build_world
 from cocorosim_ros.world.tick.simulation import Simulation
@@ -66,8 +66,28 @@ def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) 
         assert vehicles.active[0, 0] & EFFECT_BIT[effect]
         for name, value in values.items():
             assert vehicles.parameters[0, 0, PARAMETER_COLUMNS[f"{effect}.{name}"]] == value
-    assert (faults is not None) == (effect in SENSOR_EFFECTS)
+    of_robot = effect in ERRORS and any(is_simulated(effect, part) for part in ERRORS[effect].parameters)
+    assert (faults is not None) == of_robot
     assert bool(not_simulated({"lily_01": platform})) == (effect in RECORDING_EFFECTS)
+
+
+def test_a_sensor_that_does_not_exist(tmp_path: Path) -> None:
+    """A flag that no sensor has is refused with the nearest name; one that a sensor has is kept and written back."""
+    sensors = "sensors: {compass: true, SENSOR: true}\n"
+    with pytest.raises(
+        CocorosimError, match=re.escape("'sensors.presure' is no known sensor; did you mean 'pressure'?")
+    ):
+        check_platform(lily(tmp_path, sensors.replace("SENSOR", "presure")))
+    platform = lily(tmp_path, sensors.replace("SENSOR", "thermometer"), "warm")
+    assert platform.sensors.has("thermometer") and platform.sensors.has("compass")
+    assert not platform.sensors.has("pressure")
+    assert platform_tree(platform)["sensors"]["thermometer"] is True
+
+
+def test_what_is_no_flag_is_no_sensor(tmp_path: Path) -> None:
+    """A key with a number is not taken for a sensor."""
+    with pytest.raises(CocorosimError, match=re.escape("'sensors.radio_rnge' is not a known key")):
+        lily(tmp_path, f"sensors: {{radio_rnge: {number(0.5, 'm')}}}\n")
 
 
 def test_shipped_lilys_have_no_effects() -> None:

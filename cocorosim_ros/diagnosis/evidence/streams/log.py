@@ -9,15 +9,12 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.world.sensors import SENSORS
 
-# Columns of each stream's values, SI units.
 STREAMS: dict[str, tuple[str, ...]] = {
-    "pose": ("x", "y", "z", "yaw"),  # m, m, m [world], rad, not wrapped
-    "compass": ("heading",),  # rad, not wrapped
-    "pressure": ("pressure",),  # Pa, absolute
-    "imu": ("gyro_z", "accel_x", "accel_y", "accel_z"),  # rad/s, m/s^2 [body], specific force
-    "velocity": ("u", "v", "w"),  # m/s [body], through the water
+    topic: tuple(kind.column for kind in sensor.kinds) for topic, sensor in SENSORS.items() if sensor.kinds
 }
+"""Columns of each stream's values, in the units of the sensor's kinds; angles are not wrapped."""
 
 
 @dataclass(frozen=True)

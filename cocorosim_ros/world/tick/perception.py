@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from cocorosim_ros.world.sensors.readings import Readings
 from cocorosim_ros.world.state.neighbourhood import Neighbourhood
 from cocorosim_ros.world.state.radio import Inbox
-from cocorosim_ros.world.state.readings import Readings
 
 
 class Perception(NamedTuple):

@@ -1,0 +1,62 @@
+"""What an error of a sensor is: its numbers, and how it changes what is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.terms.effect import Description
+from cocorosim_ros.world.terms.search import Search
+
+Hook = Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Change:
+    """How an error changes one number of a reading; `numbers` are those of its parameters that it takes.
+
+    shown(value, truth, stamp, *numbers) returns what is shown in place of `value`, which other errors may have changed,
+    where an ideal sensor would show `truth` at `stamp` [s]. slope(row, *numbers) returns its derivative by the truth
+    at the state `row`; None where that is 1. foreseen: `shown` in the filter, where it needs other functions.
+    """
+
+    kind: str  # of sensors.KINDS
+    numbers: tuple[str, ...]
+    shown: Hook
+    slope: Hook | None = None
+    foreseen: Hook | None = None
+
+
+@dataclass(frozen=True)
+class OfEveryStream:
+    """How an error is told of which each stream has its own: there the parameters are called like the topics.
+
+    number: what the parameter is called where the topic is known. summary, search: of the error of one topic.
+    """
+
+    number: str
+    summary: Callable[[str], str]
+    search: Callable[[str], Search]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SensorError(Description):
+    """One way in which instruments, cameras or clocks are wrong by a law; what is random is sensors.corruption.
+
+    sensor: the topic that it is of; '' for all. beside: errors of the same sensor all numbers of which are fitted with
+    it, because the one does not come without the other. against: the regressor along which the report draws it.
+    """
+
+    sensor: str = ""
+    changes: tuple[Change, ...] = ()
+    streams: OfEveryStream | None = None
+    beside: tuple[str, ...] = ()
+    against: str = "t"
+
+
+@kernel
+def added(value: float, truth: float, stamp: float, amount: float) -> float:
+    """Return what is shown with a constant amount on top."""
+    return value + amount

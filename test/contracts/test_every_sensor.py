@@ -1,0 +1,131 @@
+"""What every sensor of SENSORS and every error of ERRORS has to keep, unasked."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.scenario.parts.corruption import SENSOR_CHANNELS
+from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
+from cocorosim_ros.wire.cdr.packed import PackedMessage
+from cocorosim_ros.wire.cdr.type_store import build
+from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.sensors import KINDS, SENSORS, errors
+from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, changes_of
+from cocorosim_ros.world.sensors.readings import FIELDS
+from cocorosim_ros.world.sensors.sensor import PER_CONE
+from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
+from cocorosim_ros.world.terms.search import Strength
+
+CONES = tuple(BlueLightSensor(name, azimuth, 0.0, 2.0, 0.5, 0.3) for name, azimuth in (("left", 1.0), ("right", -1.0)))
+every_sensor = pytest.mark.parametrize("topic", SENSORS)
+every_kind = pytest.mark.parametrize("name", KINDS)
+CHANGES = [(error, change) for error, described in ERRORS.items() for change in described.changes]
+every_change = pytest.mark.parametrize(
+    ("error", "change"), CHANGES, ids=[f"{name}-{each.kind}" for name, each in CHANGES]
+)
+
+
+@every_sensor
+def test_its_numbers_fill_its_message(topic: str) -> None:
+    """As many places as its fields have numbers; each place takes a number and gives it back."""
+    sensor = SENSORS[topic]
+    layout = sensor.layout(CONES)
+    widths = [len(CONES) if field.width == PER_CONE else field.width or 1 for field in sensor.fields]
+    assert sensor.measure is None or sum(widths) == len(layout.places)
+    message = PackedMessage([build(sensor.message, {"header": {"frame_id": "a"}, **layout.content})], layout.places)
+    values = np.random.default_rng(1).normal(size=(1, len(layout.places)))
+    assert np.array_equal(message.decode(message.encode(10**9, values)[0]), values[0])
+
+
+@every_sensor
+def test_it_tells_what_it_is(topic: str) -> None:
+    """In words; a diagnosis that knows its numbers knows how to read its topic; only its own channels are corrupted."""
+    sensor = SENSORS[topic]
+    assert sensor.meaning and not sensor.meaning.endswith(".")
+    assert bool(sensor.kinds) == (sensor.recorded is not None)
+    assert sensor.asked <= (topic in EXTRA_TOPICS)
+    assert {name for field in sensor.fields for name in field.channels} <= set(SENSOR_CHANNELS)
+    if sensor.recorded is not None:
+        picked = sensor.recorded.columns(np.ones((4, sensor.recorded.numbers)))
+        assert picked.shape == (4, len(sensor.kinds))
+        assert not sensor.recorded.drawn or sensor.recorded.drawn in KINDS
+
+
+def test_every_channel_has_a_field() -> None:
+    """What a scenario may corrupt is measured by some sensor."""
+    assert {name for field in FIELDS.values() for name in field.channels} == set(SENSOR_CHANNELS)
+
+
+def expected(name: str, state: Any, after: float, numbers: Any) -> float:
+    """What the filter expects, `after` [s] behind a state that does not accelerate."""
+    from cocorosim_ros.diagnosis.filter.reading import expected as expect
+
+    still = (np.zeros(STATE_SIZE), np.zeros(STATE_SIZE))
+    code = list(KINDS).index(name)
+    return float(expect(code, (3.0, after, abs(after), 0.0), state, still, numbers, state[4:8].copy()))
+
+
+@every_kind
+def test_its_sensitivity_is_the_slope_of_what_it_shows(name: str) -> None:
+    """Central differences by each number of the state, with errors, where the rate of the state does not change."""
+    from cocorosim_ros.diagnosis.filter.reading import sensitivity, sensitivity_upright
+
+    kind, code, after = KINDS[name], list(KINDS).index(name), 0.04
+    rng = np.random.default_rng(5)
+    numbers = np.array(NEUTRAL) + rng.uniform(0.02, 0.1, len(NEUTRAL))
+    state = rng.uniform(0.1, 0.9, STATE_SIZE)
+    columns = (2, 6) if kind.upright else (0, 1, 3, 4, 5, 7)
+    size, slope_of = (VERTICAL, sensitivity_upright) if kind.upright else (HORIZONTAL, sensitivity)
+    seen, still = np.full(size, np.nan), np.zeros(HORIZONTAL * HORIZONTAL)
+    slope_of(code, after, state, numbers, still, seen)
+    for place, column in enumerate(columns):
+        up, down = state.copy(), state.copy()
+        up[column], down[column] = up[column] + 1e-4, down[column] - 1e-4
+        slope = (expected(name, up, after, numbers) - expected(name, down, after, numbers)) / 2e-4
+        # A heading is turned where the robot is, not where it will be: a hundredth of a radian with these numbers.
+        assert seen[place] == pytest.approx(slope, rel=0.01, abs=1e-3 * max(1.0, abs(slope))), (name, column)
+
+
+@every_change
+def test_neutral_numbers_change_no_bit(error: str, change: Any) -> None:
+    """In simulation and filter alike."""
+    neutral = {part.name: part.neutral for part in ERRORS[error].parameters}
+    given = [neutral[name] for name in change.numbers]
+    for value in (0.3, -2.9, 101325.0 + 1234.5):
+        for shown in (change.shown, change.foreseen or change.shown):
+            assert shown(value, value, 7.0, *given) == value
+
+
+@every_change
+def test_simulation_and_filter_agree(error: str, change: Any) -> None:
+    """Where they do not share one function the two differ by rounding alone."""
+    rng = np.random.default_rng(9)
+    for value, stamp, *given in rng.uniform(-3.0, 3.0, (50, 2 + len(change.numbers))):
+        foreseen = (change.foreseen or change.shown)(value, value, stamp, *given)
+        assert change.shown(value, value, stamp, *given) == pytest.approx(foreseen, rel=1e-14, abs=1e-14)
+
+
+@pytest.mark.parametrize("name", ERRORS)
+def test_the_file_of_an_error_says_all_of_it(name: str) -> None:
+    """The file is called like the error; what changes is a number of its own sensor; every number is looked for."""
+    error = ERRORS[name]
+    assert getattr(importlib.import_module(f"cocorosim_ros.world.sensors.errors.{name}"), name.upper()) is error
+    assert error.summary and error.check.endswith(".")
+    assert all(KINDS[change.kind] in SENSORS[error.sensor].kinds for change in error.changes)
+    assert {number for change in error.changes for number in change.numbers} in (set(), {n.name for n in error.numbers})
+    assert all(isinstance(number.search, Strength) and number.example is not None for number in error.numbers)
+    assert set(error.beside) <= set(ERRORS)
+
+
+def test_no_file_of_an_error_is_left_out() -> None:
+    """Every file beside the table is in it, and every number of what changes readings has a column of its own."""
+    files = {path.stem for path in Path(str(errors.__file__)).parent.glob("*.py")}
+    assert files - {"__init__"} == set(ERRORS)
+    columns = [column for kind in KINDS for _, found in changes_of(kind) for column in found]
+    assert set(columns) == set(range(len(ERROR_COLUMNS)))
