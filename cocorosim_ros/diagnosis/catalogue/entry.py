@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from cocorosim_ros.world.terms.law import Law
+
 SENSOR_CHANNELS = ("compass", "pressure", "imu", "pose", "clock", "velocity")
 """Channels of entries that act on what is read; all others act on the motion."""
 
@@ -95,3 +97,4 @@ class Entry:
     prior_nats: float = 0.0  # against it from the outset, for entries of which there are many
     of_pump: bool = False  # of how the pump answers its command, how the dive speed is resisted, or when depth is read
     law: str | None = None  # the place of the simulator that it takes, for laws outside the catalogue
+    form: Law | None = None  # what such a law says

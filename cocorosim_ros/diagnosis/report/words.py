@@ -6,6 +6,7 @@ import math
 
 from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.terms.law import is_law, subject_and_product
 
 VERDICTS = {
     "consistent": (
@@ -33,10 +34,6 @@ TIERS = {
     "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
 }
 CHANNELS = {"position": "position, horizontal"}
-
-READING_WORDS = {
-    "yaw": "the heading", "t": "time", "x": "place", "u": "speed ahead", "w": "speed of rising", "r": "rate of turning",
-}  # fmt: skip
 
 NOISES = {
     "random.force": "random force, horizontal",
@@ -99,15 +96,15 @@ _UNITS = {  # of parameters that are no physics of the body
 
 def effect_words(identifier: str) -> str:
     """An identifier of the catalogue, or of a law outside it, as words."""
-    if identifier.startswith("unknown:"):
-        equation, _, regressor = identifier.removeprefix("unknown:").partition("~")
-        return f"unknown law of {equation.replace('_', ' ')} in proportion to {regressor.replace('*', chr(0xB7))}"
+    if is_law(identifier):
+        equation, product = subject_and_product(identifier)
+        return f"unknown law of {equation.replace('_', ' ')} in proportion to {product.text.replace('*', chr(0xB7))}"
     return identifier.replace("_", " ")
 
 
 def check_words(identifier: str) -> str:
     """What to look at on the robot or in the tank."""
-    if identifier.startswith("unknown:"):
+    if is_law(identifier):
         return (
             "No entry of the catalogue has this law: look for what could act like it, and record again to see it twice."
         )

@@ -6,24 +6,31 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, KIND_NAMES, POSE_X, PRESSURE
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.reading_laws import factor_at
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
+from cocorosim_ros.world.terms.law import Factor, Product
+from cocorosim_ros.world.terms.readings import READING
+from cocorosim_ros.world.terms.regressors import HEADING
 
 KIND_OF_TOPIC = {"pose": POSE_X, "compass": COMPASS, "pressure": PRESSURE, "imu": GYRO}
 TOPIC_OF_EFFECT = {
     "compass_distortion": "compass", "pressure_offset": "pressure", "pressure_drift": "pressure", "imu_bias": "imu",
     "camera_scale": "pose",
 }  # fmt: skip
-UNITS = {POSE_X: "m", COMPASS: "rad", PRESSURE: "Pa", GYRO: "rad/s"}
 # A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
 RATE_OF_TOPIC = {"pose": "u", "compass": "r", "pressure": "w", "imu": "t"}
-REGRESSOR_OF_EFFECT = {"compass_distortion": "yaw", "camera_scale": "x"}
-STATE_COLUMNS = {"x": 0, "y": 1, "z": 2, "yaw": 3, "u": 4, "v": 5, "w": 6, "r": 7}
+REGRESSOR_OF_EFFECT = {"compass_distortion": HEADING.name, "camera_scale": "x"}
+
+
+def unit_of_kind(kind: int) -> str:
+    """The SI unit of a kind of reading."""
+    return READING[KIND_NAMES[kind]].unit
 
 
 def residual_readings(
@@ -33,9 +40,9 @@ def residual_readings(
     found = []
     for effect in effects:
         topic = effect.topic or TOPIC_OF_EFFECT.get(effect.id)
-        if effect.correction is not None or topic not in KIND_OF_TOPIC:
+        if effect.correction is not None or topic not in KIND_OF_TOPIC or _of_another_reading(effect, topic):
             continue
-        regressor = _regressor(effect, topic)
+        product = _product(effect, topic)
         for number, track in enumerate(base.tracks):
             chosen = track.readings.kind == KIND_OF_TOPIC[topic]
             if track.name not in effect.robots or not chosen.any():
@@ -45,24 +52,34 @@ def residual_readings(
                 deviation(track, chosen, course[number], row) for course, row in zip(courses, rows, strict=True)
             )
             stamp = track.readings.stamp[chosen]
-            against = _along(regressor, stamp, courses[1][number])
-            unit = UNITS[KIND_OF_TOPIC[topic]]
-            found.append(ResidualReading(track.name, topic, unit, regressor, stamp, against, before, after))
+            against = _along(product, stamp, track, courses[1][number], rows[1])
+            unit = unit_of_kind(KIND_OF_TOPIC[topic])
+            found.append(
+                ResidualReading(track.name, topic, unit, product.text, stamp, against, before, after, product.unit)
+            )
     return tuple(found)
 
 
-def _regressor(effect: FoundEffect, topic: str) -> str:
+def _of_another_reading(effect: FoundEffect, topic: str) -> bool:
+    """Whether it is a law of a reading of the topic that is not drawn, such as an acceleration of the imu."""
+    return effect.law is not None and effect.law.of != KIND_NAMES[KIND_OF_TOPIC[topic]]
+
+
+def _product(effect: FoundEffect, topic: str) -> Product:
+    """What the deviation of a stream depends on under this effect."""
+    if effect.law is not None:
+        return effect.law.product
     if effect.id == "sensor_latency":
-        return RATE_OF_TOPIC[topic]
-    first = effect.id.partition("~")[2].strip("|").partition("|")[0].partition("*")[0]
-    return REGRESSOR_OF_EFFECT.get(effect.id, first if first in STATE_COLUMNS else "t")
+        return Product(Factor(RATE_OF_TOPIC[topic]))
+    return Product(Factor(REGRESSOR_OF_EFFECT.get(effect.id, "t")))
 
 
-def _along(regressor: str, stamp: Floats, course: Smoothed) -> Floats:
-    if regressor == "t":
-        return stamp
-    values = np.interp(stamp, course.time, course.mean[:, STATE_COLUMNS[regressor]])
-    return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if regressor == "yaw" else values
+def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row: Floats) -> Floats:
+    """The product (n,) at these moments, under the numbers of this row; angles between -pi and pi."""
+    seen = track.course_along(course, row)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values = factor_at(seen, stamp, product.first) * factor_at(seen, stamp, product.second)
+    return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if product.text == HEADING.name else values
 
 
 def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:
