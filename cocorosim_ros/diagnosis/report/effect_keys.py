@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.reading.quantity import UNITS
+from cocorosim_ros.scenario.reading.quantity import has_dimension
 from cocorosim_ros.world.effects import EFFECTS, LAWS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
@@ -68,7 +68,7 @@ def unit_in_file(unit: str) -> str:
 
     They stand there as pure numbers, in SI units.
     """
-    return unit if any(unit in units for units in UNITS.values()) else "1"
+    return unit if has_dimension(unit) else "1"
 
 
 def section_of(found: FoundEffect) -> str:
