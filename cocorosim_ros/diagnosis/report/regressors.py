@@ -54,8 +54,9 @@ def residual_of(equation: str, residual: ResidualForce) -> Missing | None:
 
 
 def regressor_of(name: str, residual: ResidualForce) -> Along:
-    """Values of a regressor of the table, or of the heading, at the moments of a residual force."""
-    return Along(values_along(residual.course)[name], REGRESSOR[name].unit)
+    """Values of a regressor that does not swing in time, or of the heading, at the moments of a residual force."""
+    regressor = REGRESSOR[name]
+    return Along(regressor.along(residual.course, np.zeros(len(residual.time))), regressor.unit)
 
 
 def followed_by(located: Located, residual: ResidualForce) -> Along | None:

@@ -123,7 +123,7 @@ def why_not_drawn(pair: Pair, located: Located) -> str:
     equation, regressor = (words.replace("_", " ") for words in said_law(located))
     subject = f"There is no picture of {equation} against {regressor}"
     if residual_of(said_law(located)[0], pair.before) is None:
-        return f"{subject}: it is a stream, which is drawn where an effect of it was found, over what that depends on."
+        return f"{subject}: it is of readings, which are drawn where an effect of them was found."
     if followed_by(located, pair.before) is None:
         return f"{subject}: that is no product of what a recording shows."
     return f"{subject}: in this recording it has no value."

@@ -254,7 +254,7 @@ def test_every_regressor_has_its_picture_or_its_sentence(example: Example, name:
 def test_what_has_no_picture_has_a_sentence(example: Example) -> None:
     """Streams without an effect, effects of streams without a picture, findings and readings beyond the first few."""
     few = with_findings(example("mismatch"), located("compass", "sin", None))
-    assert "There is no picture of compass against sin: it is a stream" in page(few)[1].text
+    assert "There is no picture of compass against sin: it is of readings" in page(few)[1].text
     many = tuple(located("surge", name, Law.parse(f"unknown:surge~{name}")) for name in ("x", "y", "t", "v"))
     assert "Drawn are the 3 clearest of 4 findings" in page(with_findings(few, *many))[1].text
     late = FoundEffect("sensor_latency", "late", "", ("lily_01",), "confirmed", {}, 9.0, topic="velocity")
