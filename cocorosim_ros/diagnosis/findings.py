@@ -7,6 +7,9 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import SURGE, YAW, YAW_RATE, X
+from cocorosim_ros.world.terms.course import Course
+from cocorosim_ros.world.terms.law import Law
 
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]
@@ -48,6 +51,8 @@ class Located:
     size: float
     unit: str
     z: float
+    law: Law | None = None  # that stands out, if it is one outside the catalogue
+    swing: tuple[float, float] = (0.0, 0.0)  # rate [rad/s] and phase [rad] of a law that swings in time
 
 
 @dataclass(frozen=True)
@@ -75,6 +80,7 @@ class FoundEffect:
     held_out_nats: float = float("nan")  # what it gains on data that its fit did not see
     settings: Mapping[str, float] = field(default_factory=dict)  # what the simulator's effect needs beside `parameters`
     simulated_as: str = ""  # the effect of the simulator behind a law outside the catalogue, if it has one
+    law: Law | None = None  # which `id` names, if it is one outside the catalogue
 
 
 @dataclass(frozen=True)
@@ -101,27 +107,38 @@ class ScreenedEffect:
 
 @dataclass(frozen=True)
 class ResidualForce:
-    """Force that the model lacks, over time, from the smoother.
+    """Force that the model lacks along a course, from the smoother.
 
-    time (n,) [s]; force and spread (n, 4): X, Y, Z [N], N [N m] in body axes and their standard deviations; place
-    (n, 4) x, y, z [m], yaw [rad]; velocity (n, 4) u, v, w [m/s], r [rad/s]. regressors: (n,) each, what else the force
-    may depend on, by the names of the contract: thrust, yaw_command, pump, neighbour_distance, ...
+    force and spread (n, 4): X, Y, Z [N], N [N m] in body axes and their standard deviations. course: what the force may
+    depend on, at the same n moments.
     """
 
     robot: str
-    time: Floats
     force: Floats
     spread: Floats
-    place: Floats
-    velocity: Floats
-    regressors: Mapping[str, Floats] = field(default_factory=dict)
+    course: Course
+
+    @property
+    def time(self) -> Floats:
+        """(n,) [s]."""
+        return self.course.time
+
+    @property
+    def place(self) -> Floats:
+        """(n, 4) x, y, z [m], yaw [rad]."""
+        return self.course.state[:, X : YAW + 1]
+
+    @property
+    def velocity(self) -> Floats:
+        """(n, 4) u, v, w [m/s], r [rad/s]."""
+        return self.course.state[:, SURGE : YAW_RATE + 1]
 
 
 @dataclass(frozen=True)
 class ResidualReading:
     """What a stream shows less what the model expects there, over time; (n,) each.
 
-    against: what the deviation is drawn over, named `regressor`, such as the yaw [rad] for a compass.
+    against: what the deviation is drawn over, such as the yaw [rad] for a compass, named `regressor`.
     """
 
     robot: str
@@ -132,6 +149,7 @@ class ResidualReading:
     against: Floats
     before: Floats  # of the recalibrated model
     after: Floats  # of the model with the effects
+    against_unit: str = "1"
 
 
 @dataclass(frozen=True)

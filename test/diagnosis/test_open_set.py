@@ -13,8 +13,10 @@ from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, KIND_NAMES, PRESSURE
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
-from cocorosim_ros.diagnosis.tracks.reading_laws import Course, law_shift
-from cocorosim_ros.world.sensors.law import READINGS_OF_LAWS
+from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift
+from cocorosim_ros.world.terms.course import Course
+from cocorosim_ros.world.terms.law import Law
+from cocorosim_ros.world.terms.readings import READING_CODE, READINGS
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 SECONDS = 150.0
@@ -22,8 +24,8 @@ SECONDS = 150.0
 
 def test_codes_of_readings_are_the_filters() -> None:
     """One order of readings, and laws for all of them."""
-    assert READINGS_OF_LAWS == KIND_NAMES
-    assert set(SENSOR_LAWS_OF) == set(READINGS_OF_LAWS)
+    assert tuple(READING_CODE) == KIND_NAMES
+    assert set(SENSOR_LAWS_OF) == set(READING_CODE)
 
 
 def course() -> Course:
@@ -33,14 +35,16 @@ def course() -> Course:
     force = np.tile([-0.002, 0.003, 0.01], (11, 1))
     thrust = np.tile([0.001, 0.0, 0.0, 1e-4], (11, 1))
     water = np.full(3, -9.0), np.array([9.0, 9.0, 0.0])
-    return Course(time, state, thrust, force, 0.0 * force, np.array([False, False, True]), water)
+    return Course(
+        time, state, thrust, force, 0.0 * force, np.array([False, False, True]), water, np.zeros((1, 0, 5)), -1
+    )
 
 
 def law_row(reading: str, coefficient: float, *factors: tuple[str, float, bool]) -> Any:
     """The numbers of a model with one law of readings."""
     row = NEUTRAL.copy()
     row[COLUMN["sensor_law_1.coefficient"]] = coefficient
-    row[COLUMN["sensor_law_1.reading"]] = READINGS_OF_LAWS.index(reading)
+    row[COLUMN["sensor_law_1.reading"]] = READING_CODE[reading]
     for place, (name, power, signed) in enumerate(factors, 1):
         row[COLUMN[f"sensor_law_1.regressor_{place}"]] = REGRESSOR_CODE[name]
         row[COLUMN[f"sensor_law_1.power_{place}"]] = power
@@ -100,7 +104,7 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
         # The phase of a swing is nought at first.
         values = list(candidate.settings(scene))[-1]
         reading = values.get("sensor_law_1.reading")
-        if reading is not None and not fit.tracks[0].sees(READINGS_OF_LAWS[int(reading)]):
+        if reading is not None and not fit.tracks[0].sees(READINGS[int(reading)].name):
             continue
         row, change = candidate.write(fit.filled, values)[0], np.zeros(len(fit.passes[0].innovation))
         fit.tracks[0].slope(row, fit.passes[0], 1.0, change)
@@ -119,7 +123,6 @@ def test_laws_that_the_base_has_keep_their_places(swim: Any) -> None:
     from cocorosim_ros.diagnosis.fitting.candidate import expand
     from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
     from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
-    from cocorosim_ros.diagnosis.report.effect_keys import law_numbers
     from cocorosim_ros.diagnosis.tracks.columns import COLUMN
     from cocorosim_ros.scenario.parts.platform import load_platform
 
@@ -129,7 +132,7 @@ def test_laws_that_the_base_has_keep_their_places(swim: Any) -> None:
 
     def hold(place: str, law: str, coefficient: float) -> dict[str, Any]:
         """What is looked for once the base has the law in a place: candidates by name."""
-        for name, value in {"coefficient": coefficient, **law_numbers(law)}.items():
+        for name, value in {"coefficient": coefficient, **Law.parse(law).codes}.items():
             rows[:, COLUMN[f"{place}.{name}"]] = value
         found = expand(open_set(scene, [], rows, water=False), fit.tracks, rows)
         assert len({candidate.entry.name for candidate in found}) == len(found)

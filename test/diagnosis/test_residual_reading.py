@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,6 +14,8 @@ from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
 from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.world.terms.course import Course
+from cocorosim_ros.world.terms.law import Law
 
 TIME = np.linspace(0.0, 10.0, 101)
 # x, y, z, yaw, u, v, w, r at any moment: steady, so that delays are seen in x and yaw.
@@ -23,6 +26,14 @@ COURSE = SimpleNamespace(
 )  # fmt: skip
 
 
+def swum(course: Any, row: np.ndarray) -> Course:
+    """What laws may depend on along this course, with two thrusters that push ever more."""
+    force = np.stack([-0.001 * TIME, 0.002 * TIME], axis=1)
+    far = np.full(3, -9.0), np.full(3, 9.0)
+    nobody = np.zeros((1, 0, 5))
+    return Course(TIME, course.mean, np.zeros((101, 4)), force, 0 * force, np.zeros(2, dtype=bool), far, nobody, -1)
+
+
 def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
     """A fit of one robot whose stream of this kind has these values."""
     row = NEUTRAL.copy()
@@ -30,7 +41,9 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
         row[COLUMN[name.replace("__", ".")]] = value
     readings = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
     log = SimpleNamespace(streams={"compass": SimpleNamespace(noise=np.array([0.02]))})
-    track = SimpleNamespace(name="lily_01", readings=readings, log=log, law_shift=lambda row: np.zeros(len(TIME)))
+    track = SimpleNamespace(
+        name="lily_01", readings=readings, log=log, law_shift=lambda row: np.zeros(len(TIME)), course_along=swum
+    )
     return SimpleNamespace(tracks=(track,), filled=row[None])
 
 
@@ -90,3 +103,22 @@ def test_other_effects_have_no_reading() -> None:
     one = fit(COMPASS, 0.1 * TIME)
     others = [effect("added_mass"), effect("frame_mixup", "compass", "in degrees"), effect("pressure_offset")]
     assert residual_readings(one, one, ([COURSE], [COURSE]), others) == ()
+
+
+def test_a_law_is_drawn_over_its_product() -> None:
+    """A compass in error with what all thrusters deliver, 0.003 N/s t, is drawn over that, in newtons."""
+    fits = fit(COMPASS, 0.1 * TIME + 8.0 * 0.003 * TIME), fit(COMPASS, 0.1 * TIME)
+    law = Law.parse("unknown:compass~|thrust|")
+    named = replace(effect(law.text, "compass"), law=law)
+    (reading,) = residual_readings(*fits, ([COURSE], [COURSE]), [named])
+    assert (reading.regressor, reading.against_unit) == ("|thrust|", "N")
+    # What actuators deliver is a mean until the next point, half a step of 0.1 s later.
+    assert reading.against[1:] == pytest.approx(0.003 * (TIME[1:] - 0.05))
+    assert reading.before == pytest.approx(0.024 * TIME, abs=1e-12)
+
+
+def test_laws_of_readings_without_a_picture_have_no_other_readings() -> None:
+    """An accelerometer in error is not shown by the gyroscope of the same topic."""
+    one = fit(GYRO, 0.1 + 0 * TIME)
+    law = Law.parse("unknown:imu~u", "accel_x")
+    assert residual_readings(one, one, ([COURSE], [COURSE]), [replace(effect(law.text, "imu"), law=law)]) == ()

@@ -7,9 +7,12 @@ motion that it has, and the first of them would be blamed for it.
 from __future__ import annotations
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
+from cocorosim_ros.world.terms.law import Factor, Law, Product
 
 EDDY = "eddy"
 """The simulator's effect, of which a model has one."""
+ALONG_X = Law("world_x", Product(Factor("y")))
+"""As what it is reported: of its two halves the one along x."""
 _PLACES = 6  # along each axis
 _BESIDE = 0.25  # of the robots' range along an axis: how far beside it the axis of an eddy may stand
 _CORES = (0.2, 0.6)  # of how far the robots have been
@@ -22,7 +25,7 @@ def eddy_entry(scene: Scene) -> Entry:
     reach = max(scene.upper[0] - scene.lower[0], scene.upper[1] - scene.lower[1])
     large = _AROUND * _FAST * _CORES[-1] * reach
     return Entry(
-        "unknown:world_x~y",
+        ALONG_X.text,
         "a law outside the catalogue: water that turns about a place, along x in proportion to y and along y to x",
         "V_c = c / (2 pi d) (1 - exp(-d^2 / core^2)) around (x, y) at the distance d",
         "surge",
@@ -34,6 +37,7 @@ def eddy_entry(scene: Scene) -> Entry:
         ),
         water=True,
         law=EDDY,
+        form=ALONG_X,
     )
 
 

@@ -10,6 +10,7 @@ from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.sensors.sensor_error import OfEveryStream, SensorError
 from cocorosim_ros.world.terms.effect import Description, Number
+from cocorosim_ros.world.terms.law import Law
 from cocorosim_ros.world.terms.search import Basis, Given, Grid, Limits, Scene, Search, Spacing, Standing, Strength
 
 __all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape", "entries_of_error", "entry_of"]
@@ -63,6 +64,7 @@ class Entry(Standing):
     needs_neighbours: bool = False
     prior_nats: float = 0.0  # against it from the outset, for entries of which there are many
     law: str | None = None  # the place of the simulator that it takes, for laws outside the catalogue
+    form: Law | None = None  # what such a law says
 
 
 def entry_of(identifier: str, effect: Description, search: Search) -> Entry:

@@ -7,50 +7,47 @@ catalogue clearly, since there are many of them.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import PUMP_TICK
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.catalogue.law_forms import (
-    Factor,
-    Law,
     amount,
+    both,
     given,
-    product,
-    signed_square,
+    signed_power,
     single,
     square,
+    typical_size,
 )
 from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
-from cocorosim_ros.world.terms.law_places import EQUATIONS
+from cocorosim_ros.world.terms.equations import EQUATION
+from cocorosim_ros.world.terms.law import Factor, Law, Product
+from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 LARGE_SHARE = 0.1  # of the full force of an equation
 TURNING = 0.01  # of the mass: the filter's steps follow turning axes no better
 LEAST_FORCE = 0.002  # of the full force: below, it may be what the filter's steps leave
 
 
-def _powers(name: str) -> tuple[Law, ...]:
+def _powers(name: str) -> tuple[Product, ...]:
     """A speed's powers other than one and two, which are linear and quadratic drag."""
     return (
-        Law(f"|{name}|^-1*{name}", Factor(name, 0.0)),
-        Law(f"|{name}|^0.5*{name}", Factor(name, 1.5)),
-        Law(f"|{name}|^2*{name}", Factor(name, 3.0)),
-        Law(f"|{name}|", Factor(name, 1.0, False)),
+        signed_power(name, 0.0),
+        signed_power(name, 1.5),
+        signed_power(name, 3.0),
+        amount(name),
     )
 
 
-def _elsewhere(name: str) -> tuple[Law, ...]:
+def _elsewhere(name: str) -> tuple[Product, ...]:
     """A drag that changes with place or in time."""
-    return tuple(product(name, where) for where in ("x", "y", "z", "t"))
+    return tuple(both(name, where) for where in ("x", "y", "z", "t"))
 
 
 PLACE = tuple(single(name) for name in ("x", "y", "z"))
-SQUARED_PLACE = (*(Law(f"{name}*{name}", Factor(name, 2.0, False)) for name in ("x", "y")), product("x", "y"))
-EVERYTHING = (
-    "1", "x", "y", "z", "t", "u", "v", "w", "r", "speed", "thrust", "yaw_command", "pump", "pump_rate", "sin_yaw",
-    "cos_yaw", "wall_distance",
-)  # fmt: skip
+SQUARED_PLACE = (square("x"), square("y"), both("x", "y"))
+EVERYTHING = tuple(regressor.name for regressor in REGRESSORS if regressor.from_own_course)
 # What the platform's own numbers or the catalogue hold already, under other names.
 COVERED: dict[str, tuple[str, ...]] = {
     "surge": ("u", "thrust", "speed"),
@@ -60,29 +57,29 @@ COVERED: dict[str, tuple[str, ...]] = {
 }
 
 
-def _all_but(equation: str) -> tuple[Law, ...]:
+def _all_but(equation: str) -> tuple[Product, ...]:
     return tuple(single(name) for name in EVERYTHING if name not in COVERED[equation])
 
 
-LAWS_OF: dict[str, tuple[Law, ...]] = {
+LAWS_OF: dict[str, tuple[Product, ...]] = {
     "surge": (
         *_all_but("surge"),
         *_powers("u"),
-        product("v", "r"),
+        both("v", "r"),
         square("r"),
         *_elsewhere("u"),
-        signed_square("thrust"),
+        signed_power("thrust", 2.0),
         amount("yaw_command"),
     ),
     "sway": (
         *_all_but("sway"),
         *_powers("v"),
         *_elsewhere("v"),
-        product("u", "r"),
-        product("u", "v"),
-        product("u", "x"),
-        product("u", "y"),
-        signed_square("r"),
+        both("u", "r"),
+        both("u", "v"),
+        both("u", "x"),
+        both("u", "y"),
+        signed_power("r", 2.0),
     ),
     "heave": (
         *_all_but("heave"),
@@ -91,82 +88,83 @@ LAWS_OF: dict[str, tuple[Law, ...]] = {
         square("u"),
         square("z"),
         square("r"),
-        signed_square("pump"),
+        signed_power("pump", 2.0),
     ),
     "yaw": (
         *_all_but("yaw"),
         *_powers("r"),
-        signed_square("u"),
-        signed_square("yaw_command"),
-        product("sin_yaw", "cos_yaw"),
+        signed_power("u", 2.0),
+        signed_power("yaw_command", 2.0),
+        both("sin_yaw", "cos_yaw"),
         *_elsewhere("r"),
-        Law("|u|*v", Factor("v"), Factor("u", 1.0, False)),
-        product("u", "r"),
-        product("x", "y"),
+        Product(Factor("v"), Factor("u", 1.0, False)),
+        both("u", "r"),
+        both("x", "y"),
     ),
-    "world_x": (*PLACE, single("t"), *SQUARED_PLACE, Law("|x|^2*x", Factor("x", 3.0)), single("speed")),
-    "world_y": (*PLACE, single("t"), *SQUARED_PLACE, Law("|y|^2*y", Factor("y", 3.0)), single("speed")),
+    "world_x": (*PLACE, single("t"), *SQUARED_PLACE, signed_power("x", 3.0), single("speed")),
+    "world_y": (*PLACE, single("t"), *SQUARED_PLACE, signed_power("y", 3.0), single("speed")),
 }
 ROUNDINGS = (0.03, 0.1, 0.3)
-SYMBOLS = dict(zip(EQUATIONS, ("X", "Y", "Z", "N", "F_x", "F_y", "F_z"), strict=True))
 SWINGING = ("world_x", "world_y", "surge", "sway", "heave", "yaw")
+PUMP_BEHIND = Law("heave", single("pump_rate"))
+TURNING_AXES = (Law("surge", both("v", "r")), Law("sway", both("u", "r")))
 
 
 def law_entries(scene: Scene, place: str) -> list[Entry]:
     """All laws of motion, each as the simulator's effect at this place of LAWS."""
     plain = [
-        (equation, law)
-        for equation, laws in LAWS_OF.items()
-        for law in laws
-        if scene.scales[law.first.name] > 0.0 and scene.scales[law.second.name] > 0.0
+        Law(equation, product)
+        for equation, products in LAWS_OF.items()
+        for product in products
+        if scene.scales[product.first.name] > 0.0 and scene.scales[product.second.name] > 0.0
     ]
     return [
-        *(_entry(place, equation, law, scene) for equation, law in plain),
+        *(_entry(place, law, scene) for law in plain),
         *(_swinging(place, equation, scene) for equation in SWINGING),
     ]
 
 
-def _entry(place: str, equation: str, law: Law, scene: Scene) -> Entry:
-    force = SYMBOLS[equation]
-    size = typical(scene, equation, law)
-    negligible = _negligible(size, scene, equation, law)
-    amplitude = Amplitude(f"{place}.coefficient", "coefficient", _unit(equation, law), size, negligible=negligible)
+def _entry(place: str, law: Law, scene: Scene) -> Entry:
+    force, product = EQUATION[law.of].symbol, law.product
+    size = typical(scene, law)
+    negligible = _negligible(size, scene, law)
     return Entry(
-        f"unknown:{equation}~{law.regressor}",
-        f"a law outside the catalogue: {force} in proportion to {law.regressor}",
-        f"{force} = c {law.regressor}",
-        "surge" if equation.startswith("world") else equation,
-        (amplitude,),
-        _roundings(place, law, scene),
-        fixed=_codes(place, equation, law),
-        of_pump=equation == "heave" and _follows_pump(law),
+        law.text,
+        f"a law outside the catalogue: {force} in proportion to {product.text}",
+        f"{force} = c {product.text}",
+        "surge" if law.of.startswith("world") else law.of,
+        (Amplitude(f"{place}.coefficient", "coefficient", law.unit, size, negligible=negligible),),
+        _roundings(place, product, scene),
+        fixed=given(place, law.codes),
+        of_pump=law.of == "heave" and _follows_pump(product),
         law=place,
+        form=law,
     )
 
 
-def _negligible(size: float, scene: Scene, equation: str, law: Law) -> tuple[float, float]:
+def _negligible(size: float, scene: Scene, law: Law) -> tuple[float, float]:
     """Coefficients that are not believed: a pump's lag by another name, and what turning axes leave of a mass.
 
     size: the coefficient that is `typical`.
     """
     least = LEAST_FORCE / LARGE_SHARE * size
-    if (equation, law.regressor) == ("heave", "pump_rate"):
+    if law == PUMP_BEHIND:
         return -PUMP_TICK, least
-    if (equation, law.regressor) in (("surge", "v*r"), ("sway", "u*r")):
+    if law in TURNING_AXES:
         least = max(least, TURNING * scene.scales["mass"])
     return -least, least
 
 
-def _follows_pump(law: Law) -> bool:
+def _follows_pump(product: Product) -> bool:
     """Whether it is about what a depth controller moves in answer to the water: the pump, the dive speed."""
-    return not {law.first.name, law.second.name}.isdisjoint(("pump", "pump_rate", "w"))
+    return not {product.first.name, product.second.name}.isdisjoint(("pump", "pump_rate", "w"))
 
 
-def _roundings(place: str, law: Law, scene: Scene) -> tuple[Shape, ...]:
+def _roundings(place: str, product: Product, scene: Scene) -> tuple[Shape, ...]:
     """Where a law that is steep at zero is rounded off: unlike shares of its regressor's size."""
-    if law.first.power >= 1.0:
+    if product.first.power >= 1.0:
         return ()
-    size = scene.scales[law.first.name]
+    size = scene.scales[product.first.name]
     return (Shape(f"{place}.round_1", "round_1", "1", lambda here: [share * size for share in ROUNDINGS], fixed=True),)
 
 
@@ -174,8 +172,8 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
     """Force that swings in time, at the periods that stand out of the residual."""
     omega, phase = f"{place}.omega", f"{place}.phase"
     return replace(
-        _entry(place, equation, single("sin_t"), scene),
-        equation=f"{SYMBOLS[equation]} = c sin(omega t + phase)",
+        _entry(place, Law(equation, single("sin_t")), scene),
+        equation=f"{EQUATION[equation].symbol} = c sin(omega t + phase)",
         shapes=(
             Shape(
                 omega,
@@ -190,17 +188,9 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
     )
 
 
-def _codes(place: str, equation: str, law: Law) -> dict[str, Callable[[Scene], float]]:
-    return given(place, {"equation": float(EQUATIONS.index(equation)), **law.codes})
-
-
-def typical(scene: Scene, equation: str, law: Law) -> float:
+def typical(scene: Scene, law: Law) -> float:
     """Coefficient with which the law is a tenth of the equation's full force."""
     force = scene.scales[
-        {"heave": "heave_force", "world_z": "heave_force", "yaw": "yaw_force"}.get(equation, "surge_force")
+        {"heave": "heave_force", "world_z": "heave_force", "yaw": "yaw_force"}.get(law.of, "surge_force")
     ]
-    return LARGE_SHARE * force / law.size(scene)
-
-
-def _unit(equation: str, law: Law) -> str:
-    return law.unit("N m" if equation == "yaw" else "N")
+    return LARGE_SHARE * force / typical_size(law.product, scene)

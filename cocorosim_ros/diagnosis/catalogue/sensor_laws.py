@@ -7,32 +7,41 @@ distorted compass by the sine and cosine of the heading.
 from __future__ import annotations
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene
-from cocorosim_ros.diagnosis.catalogue.law_forms import Factor, Law, amount, given, product, single, square
-from cocorosim_ros.world.sensors.law import READINGS_OF_LAWS
+from cocorosim_ros.diagnosis.catalogue.law_forms import (
+    amount,
+    both,
+    given,
+    signed_power,
+    single,
+    square,
+    typical_size,
+)
+from cocorosim_ros.world.terms.law import Factor, Law, Product
+from cocorosim_ros.world.terms.readings import READING, readings_of
 
 
-def _plain(*names: str) -> tuple[Law, ...]:
+def _plain(*names: str) -> tuple[Product, ...]:
     return tuple(single(name) for name in names)
 
 
 _MOTORS = (*_plain("thrust", "yaw_command"), amount("thrust"))
 _PUMP = _plain("pump", "pump_rate")
 _PLACE = _plain("x", "y", "z")
-_SPREAD = Law("|x|^2*x", Factor("x", 3.0)), Law("|y|^2*y", Factor("y", 3.0))  # of lenses, along x and y
-_LEVER = Law("|r|*r", Factor("r", 2.0))
+_SPREAD = signed_power("x", 3.0), signed_power("y", 3.0)  # of lenses, along x and y
+_LEVER = signed_power("r", 2.0)
 _ACCELERATED = (*_MOTORS, *_plain("z", "t", "u", "r"), square("r"), square("u"))
 
 # By reading.
-SENSOR_LAWS_OF: dict[str, tuple[Law, ...]] = {
+SENSOR_LAWS_OF: dict[str, tuple[Product, ...]] = {
     "compass": (
         *_MOTORS, *_PUMP, *_PLACE, *_plain("t", "u", "v", "w", "speed"), amount("r"), _LEVER,
-        Law("|thrust|*sin_yaw", Factor("thrust", 1.0, False), Factor("sin_yaw")),
-        Law("|thrust|*cos_yaw", Factor("thrust", 1.0, False), Factor("cos_yaw")),
-        product("sin_yaw", "cos_yaw"), square("cos_yaw"),
+        Product(Factor("thrust", 1.0, False), Factor("sin_yaw")),
+        Product(Factor("thrust", 1.0, False), Factor("cos_yaw")),
+        both("sin_yaw", "cos_yaw"), square("cos_yaw"),
     ),
     "pressure": (
         *_MOTORS, *_PUMP, *_PLACE, *_plain("u", "v", "r", "speed"), square("u"), square("speed"), square("z"),
-        square("r"), amount("w"), Law("|w|*w", Factor("w", 2.0)), square("t"),
+        square("r"), amount("w"), signed_power("w", 2.0), square("t"),
     ),
     "gyro_z": (
         *_MOTORS, *_PUMP, *_plain("r", "t", "z", "u", "v", "speed", "sin_yaw", "cos_yaw"), amount("r"), _LEVER,
@@ -40,23 +49,23 @@ SENSOR_LAWS_OF: dict[str, tuple[Law, ...]] = {
     "accel_x": _ACCELERATED,
     "accel_y": _ACCELERATED,
     "accel_z": _ACCELERATED,
-    "pose_x": (*_plain("y", "z", "sin_yaw", "cos_yaw"), square("x"), square("y"), product("x", "y"), _SPREAD[0]),
-    "pose_y": (*_plain("x", "z", "sin_yaw", "cos_yaw"), square("x"), square("y"), product("x", "y"), _SPREAD[1]),
+    "pose_x": (*_plain("y", "z", "sin_yaw", "cos_yaw"), square("x"), square("y"), both("x", "y"), _SPREAD[0]),
+    "pose_y": (*_plain("x", "z", "sin_yaw", "cos_yaw"), square("x"), square("y"), both("x", "y"), _SPREAD[1]),
     "pose_z": (*_plain("x", "y", "z"), square("x"), square("y"), square("z")),
     "pose_yaw": _plain("x", "y", "z", "t"),
-    "velocity_u": (*_plain("u", "t"), amount("thrust"), _LEVER, Law("|u|*u", Factor("u", 2.0))),
+    "velocity_u": (*_plain("u", "t"), amount("thrust"), _LEVER, signed_power("u", 2.0)),
     "velocity_v": _plain("v", "r", "t"),
     "velocity_w": _plain("w", "t"),
 }  # fmt: skip
-# By reading: topic, size of a bad case, its unit.
-_SHOWN: dict[str, tuple[str, float, str]] = {
-    "compass": ("compass", 0.05, "rad"),
-    "pressure": ("pressure", 200.0, "Pa"),
-    "gyro_z": ("imu", 0.02, "rad/s"),
-    **{f"accel_{axis}": ("imu", 0.03, "m/s^2") for axis in "xyz"},
-    **{f"pose_{axis}": ("pose", 0.03, "m") for axis in "xyz"},
-    "pose_yaw": ("pose", 0.05, "rad"),
-    **{f"velocity_{axis}": ("velocity", 0.005, "m/s") for axis in "uvw"},
+# By reading: the size of a bad case, in its unit.
+_BAD = {
+    "compass": 0.05,
+    "pressure": 200.0,
+    "gyro_z": 0.02,
+    **dict.fromkeys(("accel_x", "accel_y", "accel_z"), 0.03),
+    **dict.fromkeys(("pose_x", "pose_y", "pose_z"), 0.03),
+    "pose_yaw": 0.05,
+    **dict.fromkeys(("velocity_u", "velocity_v", "velocity_w"), 0.005),
 }
 
 
@@ -67,24 +76,25 @@ def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:
     look calmer, and laws of poses by place take that for a merit.
     """
     return [
-        _entry(place, reading, law, scene)
-        for reading, laws in SENSOR_LAWS_OF.items()
-        for law in laws
-        if law.size(scene) > 0.0 and (scene.driven or not reading.startswith("pose"))
+        _entry(place, Law(reading, product), scene)
+        for reading, products in SENSOR_LAWS_OF.items()
+        for product in products
+        if typical_size(product, scene) > 0.0 and (scene.driven or READING[reading].topic != "pose")
     ]
 
 
-def _entry(place: str, reading: str, law: Law, scene: Scene) -> Entry:
-    topic, size, unit = _SHOWN[reading]
-    large = size / law.size(scene)
-    words = f"{topic}" if len([each for each, *_ in _SHOWN.values() if each == topic]) == 1 else f"{topic} ({reading})"
+def _entry(place: str, law: Law, scene: Scene) -> Entry:
+    reading, product = READING[law.of], law.product
+    large = _BAD[reading.name] / typical_size(product, scene)
+    words = reading.topic if len(readings_of(reading.topic)) == 1 else f"{reading.topic} ({reading.name})"
     return Entry(
-        f"unknown:{topic}~{law.regressor}",
-        f"a law outside the catalogue: {words} in error in proportion to {law.regressor}",
-        f"{reading} = truth + c {law.regressor}",
-        topic,
-        (Amplitude(f"{place}.coefficient", "coefficient", law.unit(unit), large),),
-        topic=topic,
-        fixed=given(place, {"reading": float(READINGS_OF_LAWS.index(reading)), **law.codes}),
+        law.text,
+        f"a law outside the catalogue: {words} in error in proportion to {product.text}",
+        f"{reading.name} = truth + c {product.text}",
+        reading.topic,
+        (Amplitude(f"{place}.coefficient", "coefficient", law.unit, large),),
+        topic=reading.topic,
+        fixed=given(place, law.codes),
         law=place,
+        form=law,
     )

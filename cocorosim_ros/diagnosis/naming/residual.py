@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +14,7 @@ from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
 from cocorosim_ros.world.vehicle_model.vehicles import MASS
 
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
@@ -95,17 +95,13 @@ def _changes(time: Floats, force: Floats) -> list[float]:
 
 
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
-    """Root mean squares of the regressors, full forces by equation, the mass."""
-    rms = np.sqrt(np.mean(seen**2, axis=0))
-    force = np.maximum(track.force_scale, 1e-9)
+    """Typical sizes of the regressors, full forces by equation, the mass."""
+    extent = Extent(
+        np.sqrt(np.mean(seen**2, axis=0)), duration, np.maximum(track.force_scale, 1e-9), track.water[1][0] < FAR
+    )
     full = full_forces(track)
     return {
-        **dict(zip(("x", "y", "z", "yaw", "u", "v", "w", "r"), np.maximum(rms[:8], 1e-6).tolist(), strict=True)),
-        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)),
-        "thrust": 0.5 * float(max(force[0], force[1])), "yaw_command": 0.3 * float(force[3]),
-        "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
-        "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
-        "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
+        **{regressor.name: regressor.typical(extent) for regressor in REGRESSORS},
         "surge_force": full.across, "heave_force": full.random_heave, "yaw_force": full.yaw,
         "mass": float(track.platform_row[MASS]),
     }  # fmt: skip

@@ -3,35 +3,14 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass
 
 from cocorosim_ros.diagnosis.findings import Estimate
-from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of
+from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of, with_superscripts
+from cocorosim_ros.foundation.units.units import prefixed, units_shown
 
 NONE = "\u2013"
 _FINEST = 6  # decimals, at most
-_PREFIXES = {
-    "N": (("k", 1e-3), ("", 1.0), ("m", 1e3), ("\u00b5", 1e6), ("n", 1e9)),
-    "Pa": (("k", 1e-3), ("", 1.0), ("m", 1e3)),
-    "m": (("", 1.0), ("m", 1e3), ("\u00b5", 1e6)),
-    "s": (("", 1.0), ("m", 1e3), ("\u00b5", 1e6)),
-}
-# Units whose handy form is no prefix alone: factor and text, the largest unit first.
-_SPECIAL: dict[str, tuple[tuple[float, str], ...]] = {
-    "rad": ((math.degrees(1.0), "\u00b0"),),
-    "rad/s": ((math.degrees(1.0), "\u00b0/s"),),
-    "kg": ((1.0, "kg"), (1e3, "g"), (1e6, "mg")),
-    "kg m^2": ((1.0, "kg m\u00b2"), (1e4, "kg cm\u00b2")),
-    "kg/m": ((1.0, "kg/m"), (1e3, "g/m")),
-    "m^2": ((1.0, "m\u00b2"), (1e4, "cm\u00b2"), (1e6, "mm\u00b2")),
-    "m^2/s^2": ((1.0, "m\u00b2/s\u00b2"), (1e4, "cm\u00b2/s\u00b2"), (1e6, "mm\u00b2/s\u00b2")),
-    "s/s": ((1e6, "ppm"),),
-    "1/s": ((1.0, "m/s per m"), (1e3, "mm/s per m")),
-}
-_SUPERSCRIPTS = str.maketrans(
-    "0123456789-.", "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b\u02d9"
-)
 
 
 @dataclass(frozen=True)
@@ -45,7 +24,7 @@ class Scale:
 def handy_scale(magnitude: float, unit: str) -> Scale:
     """The unit in which a number of this size [SI unit] is at least 1, if there is one."""
     unit = unit_of(powers_of(unit)) if "(" in unit else unit
-    options = _SPECIAL.get(unit) or _prefixed(unit)
+    options = [(each.per_si, unit_text(each.label or each.symbol)) for each in units_shown(unit) or prefixed(unit)]
     size = abs(magnitude)
     if size == 0.0 or not math.isfinite(size):
         return Scale(*min(options, key=lambda option: abs(math.log(option[0]))))
@@ -54,9 +33,7 @@ def handy_scale(magnitude: float, unit: str) -> Scale:
 
 def unit_text(unit: str) -> str:
     """A unit with superscripts: 'N m s^2' as N m s\u00b2; nothing for a pure number."""
-    if unit == "1":
-        return ""
-    return re.sub(r"\^(-?[0-9.]+)", lambda power: power[1].translate(_SUPERSCRIPTS), unit)
+    return "" if unit == "1" else with_superscripts(unit)
 
 
 def with_unit(number: str, unit: str) -> str:
@@ -117,10 +94,3 @@ def _signed(text: str) -> str:
 
 def _decimals(size: float, digits: int) -> int:
     return min(max(0, digits - 1 - math.floor(math.log10(abs(size)))), _FINEST)
-
-
-def _prefixed(unit: str) -> tuple[tuple[float, str], ...]:
-    symbol = re.match(r"[A-Za-z]+", unit)
-    if symbol is None or symbol[0] not in _PREFIXES or unit[symbol.end() :].startswith("^"):
-        return ((1.0, unit_text(unit)),)
-    return tuple((factor, unit_text(prefix + unit)) for prefix, factor in _PREFIXES[symbol[0]])

@@ -20,13 +20,12 @@ from cocorosim_ros.diagnosis.report.figure_style import (
 from cocorosim_ros.diagnosis.report.number_text import handy_scale
 
 _DOTS = 600
-_UNITS = {"yaw": "rad", "t": "s", "z": "m", "x": "m", "y": "m", "r": "rad/s", "u": "m/s", "v": "m/s", "w": "m/s"}
 
 
 def reading_figure(reading: ResidualReading) -> Markup:
     """Deviation of the readings over what it depends on, before and after."""
     y_scale = handy_scale(largest(reading.before), reading.unit)
-    x_scale = handy_scale(largest(reading.against), _UNITS.get(reading.regressor, "1"))
+    x_scale = handy_scale(largest(reading.against), reading.against_unit)
     x = reading.against * x_scale.factor
     every = max(1, len(x) // _DOTS)
     with Drawing(1, 1, 3.0, Margins(top=0.1)) as drawing:
@@ -42,7 +41,10 @@ def reading_figure(reading: ResidualReading) -> Markup:
             means = binned_means(x, y)
             axes.plot(means.centre, means.mean, "o-", color=colour, markersize=3.5, linewidth=1.2, label=label)
         axes.axhline(0.0, color=QUIET, linewidth=0.8)
-        axes.set(xlabel=labelled(reading.regressor, x_scale), ylabel=labelled(f"{reading.topic}, deviation", y_scale))
+        axes.set(
+            xlabel=labelled(reading.regressor.replace("*", "\u00b7"), x_scale),
+            ylabel=labelled(f"{reading.topic}, deviation", y_scale),
+        )
         style_axes(axes)
         axes.legend(loc="upper right")
     return drawing.svg

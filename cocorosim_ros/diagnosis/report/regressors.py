@@ -1,41 +1,46 @@
-"""What a residual may be proportional to, by the names of the contract: its values along a recording, and its unit."""
+"""What a picture of the missing force shows: what is missing on an equation, and the values of what it may follow."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.findings import ResidualForce
+from cocorosim_ros.diagnosis.findings import Located, ResidualForce
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.units.unit_algebra import Powers, multiplied, powers_of, unit_of
+from cocorosim_ros.world.terms.equations import EQUATION
+from cocorosim_ros.world.terms.regressors import REGRESSOR, values_along
 
-EQUATIONS = {"surge": (0, "N"), "sway": (1, "N"), "heave": (2, "N"), "yaw": (3, "N m")}
-"""Column of the residual force and its unit."""
-_IN_WORLD = {"world_x": 0, "world_y": 1, "world_z": 2}
-UNITS = {
-    "x": "m", "y": "m", "z": "m", "t": "s", "u": "m/s", "v": "m/s", "w": "m/s", "r": "rad/s", "speed": "m/s",
-    "yaw": "rad", "thrust": "N", "pump": "N", "yaw_command": "N m", "pump_rate": "N/s",
-    "neighbour_distance": "m", "wall_distance": "m",
-}  # fmt: skip
-"""Units of the regressors that are no pure numbers."""
-_FACTOR = re.compile(r"\|?([a-z_0-9]+)\|?(?:\^(-?[0-9.]+))?")
-_OF_WORLD = re.compile(r"(.+) \((world_[xyz])\)")
+OF_BODY = ("surge", "sway", "heave", "yaw")
+"""The equations whose residual force is known as such: its columns."""
+_SPREAD = {"world_x": 0, "world_y": 1, "world_z": 2} | {name: column for column, name in enumerate(OF_BODY)}
 
 
-def law_of(equation: str, regressor: str) -> tuple[str, str]:
-    """Equation and regressor; those along the world's axes are written 'x (world_x)' beside an equation of the body."""
-    match = _OF_WORLD.fullmatch(regressor)
-    return (match[2], match[1]) if match else (equation, regressor)
+class Along(NamedTuple):
+    """Values (n,) along a recording and their SI unit."""
+
+    values: Floats
+    unit: str
 
 
-def residual_of(equation: str, residual: ResidualForce) -> tuple[Floats, Floats, str] | None:
-    """Residual, its standard deviation (n,) and unit for an equation of motion; None for a stream's equation."""
-    if equation in EQUATIONS:
-        column, unit = EQUATIONS[equation]
-        return residual.force[:, column], residual.spread[:, column], unit
-    if equation not in _IN_WORLD:
+class Missing(NamedTuple):
+    """What is missing (n,) on an equation, its standard deviation (n,) and their unit."""
+
+    values: Floats
+    spread: Floats
+    unit: str
+
+
+def said_law(located: Located) -> tuple[str, str]:
+    """Equation and regressor by their own names; diagnosis.json writes 'x (world_x)' beside an equation of the body."""
+    if located.law is None or located.law.topic is not None:
+        return located.equation, located.regressor
+    return located.law.of, located.law.product.text
+
+
+def residual_of(equation: str, residual: ResidualForce) -> Missing | None:
+    """What is missing on an equation of motion; None for a stream's equation."""
+    if equation not in EQUATION:
         return None
     yaw = residual.place[:, 3]
     along, across = residual.force[:, 0], residual.force[:, 1]
@@ -43,37 +48,23 @@ def residual_of(equation: str, residual: ResidualForce) -> tuple[Floats, Floats,
         "world_x": along * np.cos(yaw) - across * np.sin(yaw),
         "world_y": along * np.sin(yaw) + across * np.cos(yaw),
         "world_z": residual.force[:, 2],
+        **{name: residual.force[:, column] for column, name in enumerate(OF_BODY)},
     }
-    return turned[equation], residual.spread[:, _IN_WORLD[equation]], "N"
+    return Missing(turned[equation], residual.spread[:, _SPREAD[equation]], EQUATION[equation].unit)
 
 
-def regressor_of(name: str, residual: ResidualForce) -> tuple[Floats, str] | None:
-    """Values (n,) of a regressor and its SI unit; None where the recording's residual does not hold it."""
-    known = _series(residual)
-    values = np.ones_like(residual.time)
-    powers: Powers = {}
-    for factor in name.replace(" ", "").split("*"):
-        match = _FACTOR.fullmatch(factor)
-        if match is None or match[1] not in known:
-            return None
-        exponent = float(match[2] or 1.0)
-        base = known[match[1]]
-        base = np.abs(base) if "|" in factor or exponent % 1.0 else base
-        with np.errstate(divide="ignore", invalid="ignore"):
-            values = values * base**exponent
-        powers = multiplied(powers, powers_of(UNITS.get(match[1], "1")), exponent)
-    return values, unit_of(powers)
+def regressor_of(name: str, residual: ResidualForce) -> Along:
+    """Values of a regressor that does not swing in time, or of the heading, at the moments of a residual force."""
+    regressor = REGRESSOR[name]
+    return Along(regressor.along(residual.course, np.zeros(len(residual.time))), regressor.unit)
 
 
-def _series(residual: ResidualForce) -> Mapping[str, Floats]:
-    x, y, z, yaw = residual.place.T
-    u, v, w, r = residual.velocity.T
-    return {
-        "1": np.ones_like(x),
-        **{"x": x, "y": y, "z": z, "t": residual.time, "u": u, "v": v, "w": w, "r": r},
-        "yaw": yaw,
-        "speed": np.sqrt(u**2 + v**2 + w**2),
-        "sin_yaw": np.sin(yaw),
-        "cos_yaw": np.cos(yaw),
-        **residual.regressors,
-    }
+def followed_by(located: Located, residual: ResidualForce) -> Along | None:
+    """Values of what a law of motion is in proportion to, the time for a constant; None for all other findings."""
+    if located.law is None or located.law.topic is not None:
+        return None
+    product = located.law.product
+    if not product.factors:
+        return Along(residual.time, "s")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return Along(product.along(values_along(residual.course, located.swing)), product.unit)

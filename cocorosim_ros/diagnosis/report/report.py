@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,12 +24,18 @@ from cocorosim_ros.diagnosis.report.number_text import (
 from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_unit
 from cocorosim_ros.diagnosis.report.place_figure import over_place
 from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
-from cocorosim_ros.diagnosis.report.regressors import EQUATIONS, law_of, residual_of
-from cocorosim_ros.diagnosis.report.residual_figures import Pair, against_regressor, by_conditions, over_time, pairs_of
+from cocorosim_ros.diagnosis.report.regressors import OF_BODY, residual_of, said_law
+from cocorosim_ros.diagnosis.report.residual_figures import (
+    Pair,
+    against_regressor,
+    by_conditions,
+    over_time,
+    pairs_of,
+    why_not_drawn,
+)
 from cocorosim_ros.diagnosis.report.words import (
     CHANNELS,
     NOISES,
-    READING_WORDS,
     TIERS,
     VERDICTS,
     check_words,
@@ -39,6 +45,7 @@ from cocorosim_ros.diagnosis.report.words import (
     parameter_unit,
 )
 from cocorosim_ros.study.pictures.page import page_template
+from cocorosim_ros.world.terms.regressors import REGRESSOR
 
 MOST_ROBOTS = 3  # whose pictures are shown
 MOST_LOCATED = 3  # whose residual is drawn against its regressor, per robot
@@ -76,10 +83,33 @@ def _where(diagnosis: Diagnosis, origin: Origin) -> Context:
         "located": [_located(each) for each in diagnosis.mismatch],
         "robots": [_pictures(pair, diagnosis) | {"title": title} for pair, title in shown],
         "more": _more([pair.before.robot for pair in pairs]),
-        "readings": [(reading_figure(each), each) for each in diagnosis.readings[:MOST_READINGS]],
-        "readings_first": bool(diagnosis.mismatch) and diagnosis.mismatch[0].equation not in EQUATIONS,
-        "reading_words": READING_WORDS,
+        "readings": [
+            (reading_figure(each), each, _regressor_words(each.regressor))
+            for each in diagnosis.readings[:MOST_READINGS]
+        ],
+        "readings_first": bool(diagnosis.mismatch) and diagnosis.mismatch[0].equation not in OF_BODY,
+        "readings_left_out": _readings_left_out(diagnosis),
     }
+
+
+def _regressor_words(regressor: str) -> str:
+    """What a picture is drawn over, as its caption says it."""
+    return REGRESSOR[regressor].meaning if regressor in REGRESSOR else regressor.replace("*", "\u00b7")
+
+
+def _readings_left_out(diagnosis: Diagnosis) -> list[str]:
+    """A sentence for each stream that an effect was found of and that has no picture."""
+    hidden = [f"/{each.robot}/{each.topic}" for each in diagnosis.readings[MOST_READINGS:]]
+    drawn = {(each.robot, each.topic) for each in diagnosis.readings}
+    said = [f"Not drawn, to be brief: what {', '.join(hidden)} show less what the model expects."] if hidden else []
+    for found in diagnosis.effects:
+        missing = [name for name in found.robots if found.topic and (name, found.topic) not in drawn]
+        if missing and found.correction is None:
+            topics = ", ".join(f"/{name}/{found.topic}" for name in missing)
+            said.append(
+                f"There is no picture of {topics} for {effect_words(found.id)}: no picture shows such readings."
+            )
+    return said
 
 
 def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
@@ -104,7 +134,7 @@ def _more(robots: Sequence[str]) -> str:
 
 def _located(found: Located) -> Context:
     start, end = found.when
-    equation, regressor = law_of(found.equation, found.regressor)
+    equation, regressor = said_law(found)
     return {
         "equation": equation.replace("_", " "),
         "regressor": typeset(regressor) if regressor != "1" else "nothing: it is constant",
@@ -118,19 +148,26 @@ def _located(found: Located) -> Context:
 
 def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
     mine = [each for each in diagnosis.mismatch if not each.robots or pair.before.robot in each.robots]
-    laws = [law_of(each.equation, each.regressor)[0] for each in mine]
-    equations = [name for name in laws if residual_of(name, pair.before)] or ["surge", "yaw"]
+    equations = [name for name, _ in map(said_law, mine) if residual_of(name, pair.before)] or ["surge", "yaw"]
     leading = equations[0]
-    drawn = [(against_regressor(pair, each), each) for each in mine[:MOST_LOCATED]]
     return {
         "robot": pair.before.robot,
         "paired": pair.after is not None,
         "over_time": over_time(pair),
-        "against": [(svg, *law_of(each.equation, each.regressor)) for svg, each in drawn if svg],
+        "against": [(against_regressor(pair, each), *said_law(each)) for each in mine[:MOST_LOCATED]],
+        "left_out": _left_out(pair, mine, {each.topic for each in diagnosis.readings}),
         "leading": leading.replace("_", " "),
         "over_place": over_place(pair, leading) if "position" in diagnosis.fit or not diagnosis.fit else "",
         "by_conditions": by_conditions(pair, equations[:2]),
     }
+
+
+def _left_out(pair: Pair, mine: Sequence[Located], drawn_streams: Collection[str]) -> list[str]:
+    """A sentence for each finding about a robot that has no picture of its own."""
+    said = [why_not_drawn(pair, each) for each in mine[:MOST_LOCATED] if said_law(each)[0] not in drawn_streams]
+    if len(mine) > MOST_LOCATED:
+        said.append(f"Drawn are the {MOST_LOCATED} clearest of {len(mine)} findings; the table has all.")
+    return [sentence for sentence in said if sentence]
 
 
 def _what(diagnosis: Diagnosis) -> Context:

@@ -24,15 +24,21 @@ from cocorosim_ros.diagnosis.report.figure_style import (
     thinned,
 )
 from cocorosim_ros.diagnosis.report.number_text import Scale, handy_scale
-from cocorosim_ros.diagnosis.report.regressors import EQUATIONS, law_of, regressor_of, residual_of
+from cocorosim_ros.diagnosis.report.regressors import (
+    OF_BODY,
+    Along,
+    Missing,
+    followed_by,
+    regressor_of,
+    residual_of,
+    said_law,
+)
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.terms.equations import EQUATION
+from cocorosim_ros.world.terms.regressors import REGRESSOR
 
 _DOTS = 600
 _CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")
-_CONDITION_NAMES = {
-    "yaw": "heading", "z": "height z", "thrust": "thrust command", "yaw_command": "torque command",
-    "pump": "pump command",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -66,7 +72,7 @@ def pairs_of(diagnosis: Diagnosis) -> list[Pair]:
 
 def over_time(pair: Pair) -> Markup:
     """A panel per degree of freedom that the recording shows: the residual with its 95 % band."""
-    shown = [name for name, (column, _) in EQUATIONS.items() if largest(pair.before.force[:, column]) > 0.0]
+    shown = [name for column, name in enumerate(OF_BODY) if largest(pair.before.force[:, column]) > 0.0]
     if not shown:
         return Markup("")
     with Drawing(len(shown), 1, 0.86 + 1.3 * len(shown), Margins(down=0.22)) as drawing:
@@ -80,7 +86,7 @@ def over_time(pair: Pair) -> Markup:
 
 
 def _panel_over_time(axes: Axes, pair: Pair, equation: str) -> None:
-    column, unit = EQUATIONS[equation]
+    column, unit = OF_BODY.index(equation), EQUATION[equation].unit
     scale = handy_scale(largest(thinned(pair.before.force[:, column])), unit)
     for residual, colour, label in pair.both:
         time, middle, spread = (thinned(part) for part in (
@@ -95,34 +101,48 @@ def _panel_over_time(axes: Axes, pair: Pair, equation: str) -> None:
 
 
 def against_regressor(pair: Pair, located: Located) -> Markup:
-    """The residual of an equation over what it is proportional to; empty if the recording's residual lacks either."""
-    law = law_of(located.equation, located.regressor)
-    if _points(pair.before, *law) is None:
+    """The residual of an equation over what it is proportional to; empty where `why_not_drawn` says why."""
+    if why_not_drawn(pair, located):
         return Markup("")
     with Drawing(1, len(pair.both), 3.2, Margins(across=0.85)) as drawing:
         top = 0.0
         for axes, (residual, colour, label) in zip(drawing.axes[0], pair.both, strict=True):
-            points = _points(residual, *law)
+            points = _points(residual, located)
             if points is not None:
-                top = max(top, _scatter(axes, points, law, colour))
+                top = max(top, _scatter(axes, points, said_law(located), colour))
             axes.set_title(label)
         for axes in drawing.axes[0]:
             axes.set_ylim(-top, top)
     return drawing.svg
 
 
-def _points(residual: ResidualForce, equation: str, regressor: str) -> tuple[Floats, str, Floats, str] | None:
-    missing, along = residual_of(equation, residual), regressor_of(regressor, residual)
+def why_not_drawn(pair: Pair, located: Located) -> str:
+    """A sentence where there is no picture of this residual over what it is proportional to; empty if there is one."""
+    if _points(pair.before, located) is not None:
+        return ""
+    equation, regressor = (words.replace("_", " ") for words in said_law(located))
+    subject = f"There is no picture of {equation} against {regressor}"
+    if residual_of(said_law(located)[0], pair.before) is None:
+        return f"{subject}: it is of readings, which are drawn where an effect of them was found."
+    if followed_by(located, pair.before) is None:
+        return f"{subject}: that is no product of what a recording shows."
+    return f"{subject}: in this recording it has no value."
+
+
+def _points(residual: ResidualForce, located: Located) -> tuple[Along, Missing] | None:
+    """What is drawn along and upwards, where both are finite; None if that is nowhere or there is no such picture."""
+    missing, along = residual_of(said_law(located)[0], residual), followed_by(located, residual)
     if missing is None or along is None:
         return None
-    if regressor == "1":
-        along = residual.time, "s"
-    return along[0], along[1], missing[0], missing[2]
+    good = np.isfinite(missing.values) & np.isfinite(along.values)
+    if not good.any():
+        return None
+    return Along(along.values[good], along.unit), Missing(missing.values[good], missing.spread[good], missing.unit)
 
 
-def _scatter(axes: Axes, points: tuple[Floats, str, Floats, str], law: tuple[str, str], colour: str) -> float:
+def _scatter(axes: Axes, points: tuple[Along, Missing], law: tuple[str, str], colour: str) -> float:
     """Draws a cloud, its means in classes, and gives the height that both panels need."""
-    along, along_unit, missing, unit = points
+    (along, along_unit), (missing, _, unit) = points
     x_scale, y_scale = _scale_along(law[1], along, along_unit), handy_scale(_size(missing), unit)
     x, y = along * x_scale.factor, missing * y_scale.factor
     every = max(1, len(x) // _DOTS)
@@ -161,13 +181,13 @@ def _condition_panel(axes: Axes, pair: Pair, equation: str, condition: str) -> N
     scale = None
     for residual, colour, label in pair.both:
         missing, along = residual_of(equation, residual), regressor_of(condition, residual)
-        if missing is not None and along is not None:
-            values = np.mod(along[0] + np.pi, 2 * np.pi) - np.pi if condition == "yaw" else along[0]
-            scale = scale or _scale_along(condition, values, along[1])
+        if missing is not None:
+            values = np.mod(along.values + np.pi, 2 * np.pi) - np.pi if condition == "yaw" else along.values
+            scale = scale or _scale_along(condition, values, along.unit)
             _draw_means(axes, values * scale.factor, missing[0] * factor, colour, label)
     axes.axhline(0.0, color=QUIET, linewidth=0.8)
     if scale is not None:
-        axes.set_xlabel(labelled(_CONDITION_NAMES.get(condition, condition), scale, between="\n"))
+        axes.set_xlabel(labelled(REGRESSOR[condition].label or condition, scale, between="\n"))
     style_axes(axes, ticks=3)
 
 
@@ -190,8 +210,7 @@ def _scale_along(regressor: str, values: Floats, unit: str) -> Scale:
 
 
 def _varies(residual: ResidualForce, condition: str) -> bool:
-    found = regressor_of(condition, residual)
-    return found is not None and float(np.ptp(found[0])) > 0.0
+    return float(np.ptp(regressor_of(condition, residual).values)) > 0.0
 
 
 def _size(values: Floats) -> float:

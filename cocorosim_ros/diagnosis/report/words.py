@@ -8,6 +8,7 @@ from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS, units_of
+from cocorosim_ros.world.terms.law import is_law, subject_and_product
 
 VERDICTS = {
     "consistent": (
@@ -36,10 +37,6 @@ TIERS = {
 }
 CHANNELS = {"position": "position, horizontal"}
 
-READING_WORDS = {
-    "yaw": "the heading", "t": "time", "x": "place", "u": "speed ahead", "w": "speed of rising", "r": "rate of turning",
-}  # fmt: skip
-
 NOISES = {
     "random.force": "random force, horizontal",
     "random.heave_force": "random force, vertical",
@@ -57,15 +54,15 @@ CHECKS = {
 
 def effect_words(identifier: str) -> str:
     """An identifier of the catalogue, or of a law outside it, as words."""
-    if identifier.startswith("unknown:"):
-        equation, _, regressor = identifier.removeprefix("unknown:").partition("~")
-        return f"unknown law of {equation.replace('_', ' ')} in proportion to {regressor.replace('*', chr(0xB7))}"
+    if is_law(identifier):
+        equation, product = subject_and_product(identifier)
+        return f"unknown law of {equation.replace('_', ' ')} in proportion to {product.text.replace('*', chr(0xB7))}"
     return identifier.replace("_", " ")
 
 
 def check_words(identifier: str) -> str:
     """What to look at on the robot or in the tank."""
-    if identifier.startswith("unknown:"):
+    if is_law(identifier):
         return (
             "No entry of the catalogue has this law: look for what could act like it, and record again to see it twice."
         )

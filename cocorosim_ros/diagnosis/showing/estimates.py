@@ -96,6 +96,7 @@ def _found(fit: Fit, part: Accused, robots: tuple[str, ...], number: int, spread
         held_out_nats=part.held_out.total,
         settings=_settings(fit, part),
         simulated_as=entry.law if entry.law and (entry.law == EDDY or part.candidate.known) else "",
+        law=entry.form,
     )  # fmt: skip
 
 

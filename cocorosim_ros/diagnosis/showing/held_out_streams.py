@@ -9,7 +9,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
-from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, UNITS, deviation
+from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, deviation, unit_of_kind
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -45,7 +45,7 @@ def held_out_streams(
         floor = math.sqrt(np.mean([_noise(tracks[number], topic) for number in seen]))
         values = {name: math.sqrt(np.mean(squared)) for name, squared in means.items()}
         intervals = {name: _interval(np.array(squared)) for name, squared in means.items()}
-        table[topic] = HeldOut(**values, noise_floor=floor, unit=UNITS[kind], intervals=intervals)
+        table[topic] = HeldOut(**values, noise_floor=floor, unit=unit_of_kind(kind), intervals=intervals)
     return table
 
 

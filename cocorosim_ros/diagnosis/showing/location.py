@@ -13,9 +13,12 @@ from cocorosim_ros.diagnosis.findings import Located
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
+from cocorosim_ros.world.terms.equations import EQUATION
+from cocorosim_ros.world.terms.law import Law
 
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
 MOST = 6
@@ -42,15 +45,21 @@ def locate(
 
 def _named(part: Screened) -> tuple[str, str]:
     entry = part.candidate.entry
-    if entry.law is not None:
-        equation, _, regressor = entry.id.removeprefix("unknown:").replace("velocity~", "pose~").partition("~")
-        return ("surge" if equation.startswith("world") else equation), (
-            f"{regressor} ({equation})" if equation.startswith("world") else regressor
-        )
+    if entry.form is not None:
+        return _law_named(entry.form)
     strongest = int(np.abs(part.z).argmax()) % len(entry.amplitudes)
     return (
         "clock" if entry.id == "clock_skew" else entry.channel if entry.channel != "velocity" else "pose"
     ), entry.amplitudes[strongest].name
+
+
+def _law_named(law: Law) -> tuple[str, str]:
+    """Equation and regressor by the contract, which has no equations along the axes of the world and no velocities."""
+    if law.topic is not None:
+        return "pose" if law.topic == "velocity" else law.topic, law.product.text
+    if law.of.startswith("world"):
+        return "surge", f"{law.product.text} ({law.of})"
+    return law.of, law.product.text
 
 
 def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
@@ -58,19 +67,29 @@ def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
     equation, regressor = _named(part)
     time, gained = _gain_over_time(fit, part)
     first, last = _window(time, gained)
-    if entry.law in LAWS:
-        name = entry.id.removeprefix("unknown:").partition("~")[0]
+    if entry.form is not None and entry.law in LAWS:
+        name = entry.form.of
         scales = scene_of(fit.tracks, courses).scales
         force = scales[{"heave": "heave_force", "yaw": "yaw_force"}.get(name, "surge_force")]
-        size, unit = float(abs(part.q[0])) * LARGE_SHARE * force, "N m" if name == "yaw" else "N"
+        size, unit = float(abs(part.q[0])) * LARGE_SHARE * force, EQUATION[name].unit
     else:
         strongest = int(np.abs(part.z).argmax())
         amplitude = entry.amplitudes[strongest % len(entry.amplitudes)]
         size, unit = float(abs(part.q[strongest])) * part.candidate.large(amplitude), amplitude.unit
     words = _where(part, time, gained, courses)
     return Located(
-        part.candidate.robots, equation, regressor, words, (first, last), size, unit, float(np.abs(part.z).max())
-    )
+        part.candidate.robots, equation, regressor, words, (first, last), size, unit, float(np.abs(part.z).max()),
+        entry.form, _swing(fit, part),
+    )  # fmt: skip
+
+
+def _swing(fit: Fit, part: Screened) -> tuple[float, float]:
+    """Rate [rad/s] and phase [rad] with which a law of motion swings in time, if it does."""
+    place = part.candidate.entry.law
+    if place not in LAWS:
+        return 0.0, 0.0
+    row = part.candidate.write(fit.rows, part.values)[part.candidate.everybody[0]]
+    return float(row[COLUMN[f"{place}.omega"]]), float(row[COLUMN[f"{place}.phase"]])
 
 
 def _gain_over_time(fit: Fit, part: Screened) -> tuple[Floats, Floats]:

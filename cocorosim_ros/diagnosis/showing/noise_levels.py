@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, noise_covariance
 from cocorosim_ros.diagnosis.showing.estimates import Z95
+from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE_OF_KIND
+from cocorosim_ros.world.terms.readings import READING
 
 UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
     "random.smoothness": "1",
-    "reading.pose_xy": "m", "reading.pose_z": "m", "reading.pose_yaw": "rad", "reading.compass": "rad",
-    "reading.pressure": "Pa", "reading.gyro_z": "rad/s", "reading.accel": "m/s^2", "reading.velocity": "m/s",
+    **{f"reading.{name}": READING[kind].unit for name, kind in zip(READING_NOISE_OF_KIND, KIND_NAMES, strict=True)},
 }  # fmt: skip
 
 

@@ -26,6 +26,4 @@ def _of(track: Track, row: Floats, course: Smoothed) -> ResidualForce:
     across = np.sqrt((spread[:, 8] * cosine) ** 2 + (spread[:, 9] * sine) ** 2)
     aside = np.sqrt((spread[:, 9] * cosine) ** 2 + (spread[:, 8] * sine) ** 2)
     wide = np.column_stack([across, aside, spread[:, 10], spread[:, 11]])
-    thrust = track.thrust(row)
-    regressors = {"thrust": thrust[:, 0], "yaw_command": thrust[:, 3], "pump": track.pump_force(row)}
-    return ResidualForce(track.name, course.time, force, wide, mean[:, :4], mean[:, 4:8], regressors)
+    return ResidualForce(track.name, force, wide, track.course_along(course, row))

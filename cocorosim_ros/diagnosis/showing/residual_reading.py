@@ -12,16 +12,22 @@ from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
+from cocorosim_ros.diagnosis.tracks.reading_laws import factor_at
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.sensors import KINDS, SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.terms.law import Factor, Product
+from cocorosim_ros.world.terms.regressors import HEADING
 
 _RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded and sensor.recorded.drawn}
 KIND_OF_TOPIC = {topic: KIND_NAMES.index(recorded.drawn) for topic, recorded in _RECORDED.items()}
 """The number of each stream that is drawn."""
-UNITS = {code: KINDS[KIND_NAMES[code]].unit for code in KIND_OF_TOPIC.values()}
-STATE_COLUMNS = {"x": 0, "y": 1, "z": 2, "yaw": 3, "u": 4, "v": 5, "w": 6, "r": 7}
+
+
+def unit_of_kind(kind: int) -> str:
+    """The SI unit of a kind of reading."""
+    return KINDS[KIND_NAMES[kind]].unit
 
 
 def residual_readings(
@@ -31,9 +37,9 @@ def residual_readings(
     found = []
     for effect in effects:
         topic = effect.topic or (ERRORS[effect.id].sensor if effect.id in ERRORS else None)
-        if effect.correction is not None or topic not in KIND_OF_TOPIC:
+        if effect.correction is not None or topic not in KIND_OF_TOPIC or _of_another_reading(effect, topic):
             continue
-        regressor = _regressor(effect, topic)
+        product = _product(effect, topic)
         for number, track in enumerate(base.tracks):
             chosen = track.readings.kind == KIND_OF_TOPIC[topic]
             if track.name not in effect.robots or not chosen.any():
@@ -43,27 +49,35 @@ def residual_readings(
                 deviation(track, chosen, course[number], row) for course, row in zip(courses, rows, strict=True)
             )
             stamp = track.readings.stamp[chosen]
-            against = _along(regressor, stamp, courses[1][number])
-            unit = UNITS[KIND_OF_TOPIC[topic]]
-            found.append(ResidualReading(track.name, topic, unit, regressor, stamp, against, before, after))
+            against = _along(product, stamp, track, courses[1][number], rows[1])
+            unit = unit_of_kind(KIND_OF_TOPIC[topic])
+            found.append(
+                ResidualReading(track.name, topic, unit, product.text, stamp, against, before, after, product.unit)
+            )
     return tuple(found)
 
 
-def _regressor(effect: FoundEffect, topic: str) -> str:
+def _of_another_reading(effect: FoundEffect, topic: str) -> bool:
+    """Whether it is a law of a reading of the topic that is not drawn, such as an acceleration of the imu."""
+    return effect.law is not None and effect.law.of != KIND_NAMES[KIND_OF_TOPIC[topic]]
+
+
+def _product(effect: FoundEffect, topic: str) -> Product:
+    """What the deviation of a stream depends on under this effect."""
+    if effect.law is not None:
+        return effect.law.product
     if effect.id == "sensor_latency":
         # A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
-        return _RECORDED[topic].late_with
-    if effect.id in ERRORS:
-        return ERRORS[effect.id].against
-    first = effect.id.partition("~")[2].strip("|").partition("|")[0].partition("*")[0]
-    return first if first in STATE_COLUMNS else "t"
+        return Product(Factor(_RECORDED[topic].late_with))
+    return Product(Factor(ERRORS[effect.id].against if effect.id in ERRORS else "t"))
 
 
-def _along(regressor: str, stamp: Floats, course: Smoothed) -> Floats:
-    if regressor == "t":
-        return stamp
-    values = np.interp(stamp, course.time, course.mean[:, STATE_COLUMNS[regressor]])
-    return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if regressor == "yaw" else values
+def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row: Floats) -> Floats:
+    """The product (n,) at these moments, under the numbers of this row; angles between -pi and pi."""
+    seen = track.course_along(course, row)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values = factor_at(seen, stamp, product.first) * factor_at(seen, stamp, product.second)
+    return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if product.text == HEADING.name else values
 
 
 def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:

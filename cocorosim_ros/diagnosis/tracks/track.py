@@ -40,7 +40,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     WATER,
     active_effects,
 )
-from cocorosim_ros.diagnosis.tracks.reading_laws import Course, law_shift, without_laws
+from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
 from cocorosim_ros.diagnosis.tracks.timeline import Timing, TrackReadings, first_values, grid_begin, grid_step
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -49,6 +49,7 @@ from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
+from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, Body
@@ -209,13 +210,18 @@ class Track:
         """What laws of readings depend on, as the first model that asks for it saw the robot swim."""
         if self._course is None:
             plain = without_laws(row)
-            course = self.smoothed(plain)
-            plain[COLUMN["law_1.phase"]] += 1.0  # rates of actuators are reckoned for those who may ask, as this law
-            drive = self.drive(plain)
-            self._course = Course(
-                course.time, course.mean, self.thrust(plain), drive.force, drive.rate, self._pump, self.water
-            )
+            self._course = self.course_along(self.smoothed(plain), plain)
         return self._course
+
+    def course_along(self, smoothed: Smoothed, row: Floats) -> Course:
+        """What laws may depend on, where the robot swam so and its actuators have these numbers."""
+        row = row.copy()
+        row[COLUMN["law_1.phase"]] += 1.0  # rates of actuators are reckoned for those who may ask, as this law
+        drive, points = self.drive(row), len(smoothed.time)
+        return Course(
+            smoothed.time, smoothed.mean, self.thrust(row), drive.force, drive.rate, self._pump, self.water,
+            self.around[:points], self.own,
+        )  # fmt: skip
 
     def full(self, row: Floats) -> Pass:
         """The filter's pass: likelihood, innovations, gains."""

@@ -1,1 +1,1 @@
-"""Units as powers of their symbols."""
+"""Units: one table of all, and units as powers of their symbols."""

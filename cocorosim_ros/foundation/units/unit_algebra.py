@@ -6,6 +6,10 @@ import re
 
 Powers = dict[str, float]
 
+_POWER = re.compile(r"\^(-?[0-9.]+)")
+_SUPERSCRIPTS = str.maketrans(
+    "0123456789-.", "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b\u02d9"
+)
 _TOKEN = re.compile(r"\s*(?:(?P<symbol>[A-Za-z]+|1)|(?P<sign>[/()])|\^(?P<power>-?[0-9.]+))")
 
 
@@ -34,6 +38,17 @@ def unit_of(powers: Powers) -> str:
     return f"{' '.join(above) or '1'}/{' '.join(below)}"
 
 
+def with_superscripts(unit: str) -> str:
+    """The unit with its powers standing high: 'N m s^2' as N m s\u00b2."""
+    return _POWER.sub(lambda power: power[1].translate(_SUPERSCRIPTS), unit)
+
+
+def leading_symbol(unit: str) -> str:
+    """The symbol that a unit begins with, to which a prefix can be put; empty if it stands to a power or is none."""
+    symbol = re.match(r"[A-Za-z]+", unit)
+    return "" if symbol is None or _POWER.match(unit, symbol.end()) else symbol[0]
+
+
 def _product(unit: str, place: int) -> tuple[Powers, int]:
     """Powers of the product that begins there, and where it ends: at a closing bracket or the end."""
     powers: Powers = {}
@@ -50,7 +65,7 @@ def _product(unit: str, place: int) -> tuple[Powers, int]:
             place += 1
         else:
             inner = {match["symbol"]: 1.0} if match["symbol"] not in (None, "1") else {}
-        exponent = re.compile(r"\^(-?[0-9.]+)").match(unit, place)
+        exponent = _POWER.match(unit, place)
         place = exponent.end() if exponent else place
         powers = multiplied(powers, inner, sign * float(exponent[1] if exponent else 1.0))
     return powers, place

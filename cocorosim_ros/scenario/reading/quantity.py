@@ -1,6 +1,7 @@
 """Numbers with their units: text such as '0.5 s', or mappings {value, unit, source}, to SI and back.
 
-The table below is all there is: a unit that is not in it is refused. Each unit belongs to one dimension.
+The table of `foundation.units` is all there is: a unit that files may not have is refused. Each unit belongs to one
+dimension.
 """
 
 from __future__ import annotations
@@ -12,48 +13,13 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any, Literal
 
+from cocorosim_ros.foundation.units.units import units_in_files
 from cocorosim_ros.scenario.reading.entry import Entry, listed
 
 Sign = Literal["any", "not negative", "positive"]
 
-_RADIANS_PER_DEGREE = "0.01745329251994329576923690768"
-# The first unit of each row is SI. Factors are decimal text, so '440 cm^3' is the double nearest to 0.00044.
-UNITS: dict[str, dict[str, str]] = {
-    "length": {"m": "1", "cm": "0.01", "mm": "0.001"},
-    "time": {"s": "1", "ms": "0.001", "us": "1e-6", "ns": "1e-9", "min": "60", "h": "3600"},
-    "angle": {"rad": "1", "deg": _RADIANS_PER_DEGREE},
-    "mass": {"kg": "1", "g": "0.001"},
-    "force": {"N": "1", "mN": "0.001"},
-    "force rate": {"N/s": "1"},
-    "torque": {"N m": "1", "mN m": "0.001"},
-    "torque rate": {"N m/s": "1"},
-    "moment of inertia": {"kg m^2": "1"},
-    "quadratic drag": {"kg/m": "1"},
-    "quadratic yaw drag": {"N m s^2": "1"},
-    "linear drag": {"N s/m": "1"},
-    "linear yaw drag": {"N m s": "1"},
-    "stiffness": {"N/m": "1"},
-    "volume": {"m^3": "1", "cm^3": "1e-6"},
-    "density": {"kg/m^3": "1", "g/m^3": "0.001", "mg/m^3": "1e-6"},
-    "pressure": {"Pa": "1", "hPa": "100", "mbar": "100", "kPa": "1000", "dbar": "1e4", "bar": "1e5"},
-    "pressure rate": {"Pa/s": "1"},
-    "speed": {"m/s": "1", "cm/s": "0.01", "mm/s": "0.001"},
-    "acceleration": {"m/s^2": "1", "g0": "9.80665"},
-    "angular velocity": {"rad/s": "1", "deg/s": _RADIANS_PER_DEGREE},
-    "frequency": {"Hz": "1"},
-    "rate": {"1/s": "1"},
-    "clock rate": {"s/s": "1"},
-    "slowness": {"s/m": "1"},
-    "area rate": {"m^2/s": "1", "cm^2/s": "1e-4"},
-    "mass rate": {"kg/s": "1", "g/s": "0.001", "mg/s": "1e-6"},
-    "voltage": {"V": "1", "mV": "0.001"},
-    "inverse voltage": {"1/V": "1"},
-    "inverse angle": {"1/rad": "1"},
-    "inverse angular velocity": {"s/rad": "1"},
-    "inverse acceleration": {"s^2/m": "1"},
-    "illuminance": {"lx": "1", "klx": "1000"},
-    "pure number": {"1": "1", "%": "0.01"},
-}
+UNITS: dict[str, dict[str, str]] = units_in_files()
+"""By dimension: factors to SI as decimal text; the first unit is SI."""
 _DIMENSION_OF = {unit: dimension for dimension, units in UNITS.items() for unit in units}
 _NUMBER = r"[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|\.?(?:inf|nan|Inf|NaN))"
 _TEXT = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
@@ -78,6 +44,11 @@ def si_unit(dimension: str) -> str:
 def dimension_of(unit: str) -> str:
     """The dimension that a unit of UNITS belongs to."""
     return _DIMENSION_OF[unit]
+
+
+def has_dimension(unit: str) -> bool:
+    """Whether files may have the unit."""
+    return unit in _DIMENSION_OF
 
 
 def read_quantity(entry: Entry, dimension: str, sign: Sign = "any") -> float:

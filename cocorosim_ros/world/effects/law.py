@@ -1,9 +1,10 @@
 """A law that no catalogue has: force or moment on one equation = coefficient phi_1 phi_2 with powers of regressors.
 
-The form in which `unknown:<equation>~<regressor>` is simulated. The equation and the regressors are codes
-(terms.law_places); a power is |phi|^power, or sign(phi) |phi|^power where `signed` is one.
-Where a regressor is infinite (no neighbour anywhere) the law is nothing. A power below one is steep at zero, as dry
-friction is; below the amount `round_1` of its regressor it is rounded off, lest forces change their sign at every step.
+The form in which `unknown:<equation>~<regressor>` is simulated (terms.law turns text into these numbers and back). The
+equation and the regressors are codes (terms.equations, terms.regressors); a power is |phi|^power, or
+sign(phi) |phi|^power where `signed` is one. Where a regressor is infinite (no neighbour anywhere) the law is nothing. A
+power below one is steep at zero, as dry friction is; below the amount `round_1` of its regressor it is rounded off,
+lest forces change their sign at every step.
 """
 
 from __future__ import annotations
@@ -16,10 +17,11 @@ from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.effect import Effect, Parameter
+from cocorosim_ros.world.terms.equations import EQUATION_CODE
 from cocorosim_ros.world.terms.moment import Moment
-from cocorosim_ros.world.terms.regressors import fill_regressors
+from cocorosim_ros.world.terms.regressors import REGRESSOR_COUNT, fill_regressors
 
-WORLD_X, WORLD_Z = 4, 6  # surge, sway, heave, yaw, world_x, world_y, world_z are 0 to 6
+HEAVE, WORLD_X, WORLD_Z = EQUATION_CODE["heave"], EQUATION_CODE["world_x"], EQUATION_CODE["world_z"]
 
 
 @kernel
@@ -35,7 +37,7 @@ def _power(value: float, power: float, signed: float, rounding: float) -> float:
 @kernel
 def law(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add coefficient phi_1 phi_2 to its equation."""
-    values = stack_array(24)
+    values = stack_array(REGRESSOR_COUNT)
     fill_regressors(row, relative, moment, parameters[8] * moment.time + parameters[9], values)
     first = _power(values[int(parameters[2])], parameters[3], parameters[4], parameters[10])
     second = _power(values[int(parameters[5])], parameters[6], parameters[7], 0.0)
@@ -45,7 +47,7 @@ def law(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total
     if equation < WORLD_X:
         total[equation] += force
     elif equation == WORLD_Z:
-        total[2] += force
+        total[HEAVE] += force
     else:
         sine, cosine = sine_cosine(row[YAW])
         total[0] += force * (cosine if equation == WORLD_X else sine)
@@ -57,8 +59,8 @@ LAW = Effect(
     wrench=law,
     parameters=(
         Parameter("coefficient", "*", "in N or N m over the units of the regressors"),
-        Parameter("equation", "1", "code of the equation, in the order of physics.laws.EQUATIONS"),
-        Parameter("regressor_1", "1", "code of the first regressor, in the order of physics.regressors.REGRESSORS"),
+        Parameter("equation", "1", "code of the equation, in the order of terms.equations.EQUATIONS"),
+        Parameter("regressor_1", "1", "code of the first regressor, in the order of terms.regressors.REGRESSORS"),
         Parameter("power_1", "1", "power of its amount", 1.0),
         Parameter("signed_1", "1", "1 if the power keeps its sign, else 0", 1.0),
         Parameter("regressor_2", "1", "code of the second regressor"),

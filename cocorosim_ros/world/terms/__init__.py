@@ -1,1 +1,1 @@
-"""What effects and laws are made of: places where they act, regressors, the circumstances of one moment."""
+"""What effects and laws are made of: equations, readings and regressors, laws, the circumstances of one moment."""

@@ -17,14 +17,13 @@ from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, is_simulated
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS
 from cocorosim_ros.world.sensors.faults import Faults
-from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, READINGS_OF_LAWS, SENSOR_LAWS
-from cocorosim_ros.world.terms import law_places as laws
+from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, SENSOR_LAWS
+from cocorosim_ros.world.terms.equations import EQUATIONS
+from cocorosim_ros.world.terms.readings import READINGS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
 
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
-
-EQUATIONS = len(laws.EQUATIONS)
 
 
 def _of_recordings(name: str, parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
@@ -81,7 +80,7 @@ _NUMBERS: dict[str, Callable[[Platform], float]] = {
 
 def _check_code(place: str, name: str, value: float) -> None:
     """Refuse what is no code of a law's equation or regressor."""
-    counts = {"equation": EQUATIONS, "reading": len(READINGS_OF_LAWS)}
+    counts = {"equation": len(EQUATIONS), "reading": len(READINGS)}
     count = len(REGRESSORS) if name.startswith("regressor") else counts.get(name)
     if count is not None and value not in range(count):
         raise CocorosimError(f"{place} has '{value:g}'; write a whole number from 0 to {count - 1}.")

@@ -21,6 +21,8 @@ from cocorosim_ros.diagnosis.findings import (
     Rival,
     ScreenedEffect,
 )
+from cocorosim_ros.world.terms.course import Course
+from cocorosim_ros.world.terms.law import Law
 
 DURATION = 600.0  # s
 MUNK = -0.016  # N m per m^2/s^2: moment per u*v
@@ -49,10 +51,14 @@ def swimming(robot: str, seed: int, coefficient: float) -> ResidualForce:
     scale = np.array([2e-5, 2e-5, 4e-5, 8e-7])
     force = rng.normal(size=(len(time), 4)) * scale
     force[:, 3] += coefficient * u * v
-    named = {"thrust": u**2 * 1.7778, "yaw_command": r * abs(r) * 1.14e-4}
-    return ResidualForce(
-        robot, time, force, np.tile(scale, (len(time), 1)), place, np.stack([u, v, w, r], axis=1), named
-    )
+    still = np.zeros((len(time), 3))
+    thrust = np.stack([u**2 * 1.7778, 0 * u, 0 * u, r * abs(r) * 1.14e-4], axis=1)
+    wide = np.full(3, -5.0), np.array([5.0, 5.0, 0.0])
+    course = Course(
+        time, np.hstack([place, np.stack([u, v, w, r], axis=1)]), thrust, still, still, np.array([False, False, True]),
+        wide, np.zeros((1, 0, 5)), -1,
+    )  # fmt: skip
+    return ResidualForce(robot, force, np.tile(scale, (len(time), 1)), course)
 
 
 def free_run(robot: str, start: float) -> FreeRun:
@@ -115,8 +121,20 @@ def mismatch() -> Diagnosis:
         ),
         recalibrated=(DRAG,),
         mismatch=(
-            Located(LILY, "yaw", "u*v", "when turning, all over the tank", (12.0, 588.0), 22e-6, "N m", 47.3),
-            Located(LILY, "surge", "v*r", "when turning", (12.0, 588.0), 0.4e-3, "N", 6.2),
+            Located(
+                LILY,
+                "yaw",
+                "u*v",
+                "when turning, all over the tank",
+                (12.0, 588.0),
+                22e-6,
+                "N m",
+                47.3,
+                Law.parse("unknown:yaw~u*v"),
+            ),
+            Located(
+                LILY, "surge", "v*r", "when turning", (12.0, 588.0), 0.4e-3, "N", 6.2, Law.parse("unknown:surge~v*r")
+            ),
         ),
         effects=(ADDED_MASS,),
         not_shown=("thruster_deadband", "reverse_loss", "camera_scale"),

@@ -12,11 +12,11 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
-from cocorosim_ros.diagnosis.report.effect_keys import law_numbers
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
+from cocorosim_ros.world.terms.law import Law
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 Example = Callable[[str], Diagnosis]
@@ -185,7 +185,7 @@ def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
     """A law outside the catalogue."""
     numbers = {"coefficient": -3e-4, **numbers}
     estimates = {name: Estimate(value, 0.9 * value, 1.1 * value, unit) for name, value in numbers.items()}
-    return FoundEffect(identifier, "a law", "", ("lily_01",), "confirmed", estimates, 40.0)
+    return FoundEffect(identifier, "a law", "", ("lily_01",), "confirmed", estimates, 40.0, law=Law.parse(identifier))
 
 
 def test_laws_outside_the_catalogue_take_free_places(example: Example, tmp_path: Path) -> None:
@@ -228,30 +228,6 @@ def test_an_eddy_is_an_effect_of_its_own(example: Example, tmp_path: Path) -> No
     eddy = replace(law("unknown:world_x~y", "m^2/s", x=0.4, y=-0.3, core=0.6), simulated_as="eddy")
     model = written(tmp_path, replace(example("mismatch"), effects=(eddy,)), origin())
     assert model.effects == {"eddy": {"circulation": -3e-4, "x": 0.4, "y": -0.3, "core": 0.6}}
-
-
-@pytest.mark.parametrize(
-    ("product", "first", "second"),
-    [
-        ("u*v", ("u", 1.0, 1.0), ("v", 1.0, 1.0)),
-        ("|u|^0.5*u", ("u", 1.5, 1.0), ("1", 1.0, 1.0)),
-        ("|u|^-1*u", ("u", 0.0, 1.0), ("1", 1.0, 1.0)),
-        ("|u|", ("u", 1.0, 0.0), ("1", 1.0, 1.0)),
-        ("x*x", ("x", 2.0, 0.0), ("1", 1.0, 1.0)),
-        ("|u|*v", ("u", 1.0, 0.0), ("v", 1.0, 1.0)),
-        ("|x|^2*x", ("x", 3.0, 1.0), ("1", 1.0, 1.0)),
-        ("1", ("1", 1.0, 1.0), ("1", 1.0, 1.0)),
-    ],
-)
-def test_products_and_powers_become_codes(
-    product: str, first: tuple[str, float, float], second: tuple[str, float, float]
-) -> None:
-    """The power of the amount adds up, the sign counts where an odd number of signed factors is left."""
-    numbers = law_numbers(f"unknown:surge~{product}")
-    names = [regressor.name for regressor in REGRESSORS]
-    for place, (name, power, signed) in enumerate((first, second), 1):
-        assert names[int(numbers[f"regressor_{place}"])] == name
-        assert (numbers[f"power_{place}"], numbers[f"signed_{place}"]) == (power, signed)
 
 
 def test_what_refers_to_the_recording_knows_its_length(example: Example, tmp_path: Path) -> None:

@@ -5,48 +5,83 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.findings import ResidualForce
+from cocorosim_ros.diagnosis.findings import Located, ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import binned_means, mean_map
-from cocorosim_ros.diagnosis.report.regressors import law_of, regressor_of, residual_of
+from cocorosim_ros.diagnosis.report.regressors import followed_by, regressor_of, residual_of, said_law
+from cocorosim_ros.world.terms.course import Course
+from cocorosim_ros.world.terms.law import Law
+from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 
 def moment(yaw: float = 0.0) -> ResidualForce:
     """One moment with numbers that are easy to follow."""
-    return ResidualForce(
-        "lily_01", np.array([7.0]), np.array([[1.0, 2.0, 3.0, 4.0]]), np.full((1, 4), 0.1),
-        np.array([[0.5, -0.25, -1.0, yaw]]), np.array([[3.0, -4.0, 12.0, 0.5]]), {"thrust": np.array([0.01])},
+    state = np.array([[0.5, -0.25, -1.0, yaw, 3.0, -4.0, 12.0, 0.5]])
+    thrust, force = np.array([[0.01, 0.0, 0.0, 2e-4]]), np.array([[0.02, 0.03]])
+    course = Course(
+        np.array([7.0]), state, thrust, force, 10.0 * force, np.array([False, True]),
+        (np.full(3, -3.0), np.array([3.0, 3.0, 0.0])), np.array([[[0.5, -0.25, -1.0], [0.5, 0.75, -1.0]]]), 0,
     )  # fmt: skip
+    return ResidualForce("lily_01", np.array([[1.0, 2.0, 3.0, 4.0]]), np.full((1, 4), 0.1), course)
 
 
-@pytest.mark.parametrize(
-    ("name", "value", "unit"),
-    [
-        ("1", 1.0, "1"),
-        ("x", 0.5, "m"),
-        ("t", 7.0, "s"),
-        ("speed", 13.0, "m/s"),
-        ("u*v", -12.0, "m^2/s^2"),
-        ("|v|*v", -16.0, "m^2/s^2"),
-        ("|v|^0.5*v", -8.0, "m^1.5/s^1.5"),
-        ("|v|^-1*v", -1.0, "1"),
-        ("v*r", -2.0, "m/s^2"),
-        ("cos_yaw", 1.0, "1"),
-        ("thrust", 0.01, "N"),
-    ],
-)
-def test_regressors(name: str, value: float, unit: str) -> None:
+def located(equation: str, regressor: str, law: Law | None) -> Located:
+    """A finding that swings at 0.3 rad/s from 0.4 rad, if it does."""
+    return Located(("lily_01",), equation, regressor, "", (0.0, 9.0), 1.0, "N", 9.0, law, (0.3, 0.4))
+
+
+CASES = [
+    ("1", 7.0, "s"),  # a constant is drawn over time
+    ("x", 0.5, "m"),
+    ("y", -0.25, "m"),
+    ("z", -1.0, "m"),
+    ("t", 7.0, "s"),
+    ("u", 3.0, "m/s"),
+    ("v", -4.0, "m/s"),
+    ("w", 12.0, "m/s"),
+    ("r", 0.5, "rad/s"),
+    ("speed", 13.0, "m/s"),
+    ("u*v", -12.0, "m^2/s^2"),
+    ("|v|*v", -16.0, "m^2/s^2"),
+    ("|v|^0.5*v", -8.0, "m^1.5/s^1.5"),
+    ("|v|^-1*v", -1.0, "1"),
+    ("v*r", -2.0, "m/s^2"),
+    ("sin_yaw", 0.0, "1"),
+    ("cos_yaw", 1.0, "1"),
+    ("sin_t", np.sin(2.5), "1"),
+    ("cos_t", np.cos(2.5), "1"),
+    ("thrust", 0.01, "N"),
+    ("yaw_command", 2e-4, "N m"),
+    ("pump", 0.03, "N"),
+    ("pump_rate", 0.3, "N/s"),
+    ("neighbour_distance", 1.0, "m"),
+    ("wall_distance", 1.0, "m"),
+]
+
+
+@pytest.mark.parametrize(("name", "value", "unit"), CASES)
+def test_what_a_residual_is_drawn_over(name: str, value: float, unit: str) -> None:
     """Values by hand, units multiplied out."""
-    found = regressor_of(name, moment())
+    found = followed_by(located("surge", name, Law.parse(f"unknown:surge~{name}")), moment())
     assert found is not None
-    assert found[0][0] == pytest.approx(value)
-    assert found[1] == unit
+    assert found.values[0] == pytest.approx(value)
+    assert found.unit == unit
 
 
-def test_what_was_not_kept_has_no_value() -> None:
-    """A regressor that the residual does not hold, and words that are none."""
-    assert regressor_of("pump_rate", moment()) is None
-    assert regressor_of("sin", moment()) is None
+def test_every_regressor_is_drawn() -> None:
+    """The list above holds the whole table."""
+    assert set(REGRESSOR_CODE) <= {name for name, _, _ in CASES}
+
+
+def test_what_is_no_law_of_motion_is_not_drawn_over_anything() -> None:
+    """Streams have no residual force, parameters of effects no values."""
+    assert followed_by(located("compass", "sin", None), moment()) is None
+    assert followed_by(located("compass", "u", Law.parse("unknown:compass~u")), moment()) is None
     assert residual_of("compass", moment()) is None
+
+
+def test_the_heading_is_drawn_over() -> None:
+    """Though no law is in proportion to it."""
+    assert (regressor_of("yaw", moment(0.3)).values[0], regressor_of("yaw", moment()).unit) == (0.3, "rad")
 
 
 def test_world_axes() -> None:
@@ -55,8 +90,10 @@ def test_world_axes() -> None:
     assert [residual_of(name, turned)[0][0] for name in ("world_x", "world_y", "world_z", "yaw")] == pytest.approx(
         [-2.0, 1.0, 3.0, 4.0]
     )
-    assert law_of("surge", "x (world_x)") == ("world_x", "x")
-    assert law_of("yaw", "u*v") == ("yaw", "u*v")
+    assert said_law(located("surge", "x (world_x)", Law.parse("unknown:world_x~x"))) == ("world_x", "x")
+    assert said_law(located("yaw", "u*v", Law.parse("unknown:yaw~u*v"))) == ("yaw", "u*v")
+    assert said_law(located("pose", "u", Law.parse("unknown:velocity~u", "velocity_u"))) == ("pose", "u")
+    assert said_law(located("compass", "sin", None)) == ("compass", "sin")
 
 
 def test_means_in_classes_count_visits() -> None:

@@ -16,6 +16,8 @@ from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
 from cocorosim_ros.diagnosis.showing.noise_levels import UNITS
 from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.world.terms.law import Law
+from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 Example = Callable[[str], Diagnosis]
 SECTIONS = ["where", "what", "sure", "else", "fit", "numbers", "blind", "next", "remarks", "how"]
@@ -71,7 +73,12 @@ def page(diagnosis: Diagnosis) -> tuple[str, Page]:
 
 
 Pages = Callable[[str], tuple[str, Page]]
-LAWS = (("surge", "x (world_x)"), ("compass", "sin"), ("heave", "pump_rate"), ("surge", "1"))
+PLACES = (
+    ("surge", "x (world_x)", Law.parse("unknown:world_x~x")),
+    ("compass", "sin", None),
+    ("heave", "pump_rate", Law.parse("unknown:heave~pump_rate")),
+    ("surge", "1", Law.parse("unknown:surge~1")),
+)
 
 
 @pytest.fixture(scope="module")
@@ -155,11 +162,11 @@ def test_odd_findings_still_give_a_page(example: Example) -> None:
                         correction="the position is in millimetres")  # fmt: skip
     unknown = FoundEffect(
         "unknown:world_x~x", "a law", "F_x = c x", ("lily_01",), "suspected",
-        {"coefficient": Estimate(-3e-4, -4e-4, math.nan, "N/(m)")}, 12.0,
+        {"coefficient": Estimate(-3e-4, -4e-4, math.nan, "N/(m)")}, 12.0, law=PLACES[0][2],
     )  # fmt: skip
     places = tuple(
-        Located(("lily_01",), equation, regressor, "throughout", (0.0, math.nan), 1e-4, "N", math.nan)
-        for equation, regressor in LAWS
+        Located(("lily_01",), equation, regressor, "throughout", (0.0, math.nan), 1e-4, "N", math.nan, law)
+        for equation, regressor, law in PLACES
     )
     time = np.linspace(0.0, 600.0, 500)
     reading = ResidualReading("lily_01", "compass", "rad", "yaw", time, time % 6.0, np.sin(time), np.full(500, np.nan))
@@ -221,3 +228,40 @@ def test_stretches_are_of_as_many_robots_as_possible(example: Example) -> None:
     found = replace(example("mismatch"), free_runs=tuple(replace(run, robot=name) for name in robots))
     labels = re.findall(r"<text[^>]*>([^<]*, from 420 s)</text>", page(found)[0])
     assert labels == [f"{name}, from 420 s" for name in ("lily_01", "lily_02", "lily_03")]
+
+
+def with_findings(found: Diagnosis, *places: Located) -> Diagnosis:
+    """The diagnosis with other findings, and without any other pictures."""
+    return replace(found, mismatch=places, readings=(), free_runs=(), screened=(), all_recalibrated=())
+
+
+def located(equation: str, regressor: str, law: Law | None) -> Located:
+    """A finding of lily_01."""
+    return Located(("lily_01",), equation, regressor, "throughout", (0.0, 600.0), 1e-4, "N", 9.0, law, (0.1, 0.3))
+
+
+@pytest.mark.parametrize("name", REGRESSOR_CODE)
+def test_every_regressor_has_its_picture_or_its_sentence(example: Example, name: str) -> None:
+    """One of both for each entry of the table: nothing is left out silently."""
+    law = Law.parse(f"unknown:surge~{name}")
+    _, content = page(with_findings(example("mismatch"), located("surge", name, law)))
+    drawn = "The missing part of surge" in content.text
+    said = f"There is no picture of surge against {name.replace('_', ' ')}" in content.text
+    # The robot of the example is alone: it has no neighbours.
+    assert (drawn, said) == (name != "neighbour_distance", name == "neighbour_distance")
+
+
+def test_what_has_no_picture_has_a_sentence(example: Example) -> None:
+    """Streams without an effect, effects of streams without a picture, findings and readings beyond the first few."""
+    few = with_findings(example("mismatch"), located("compass", "sin", None))
+    assert "There is no picture of compass against sin: it is of readings" in page(few)[1].text
+    many = tuple(located("surge", name, Law.parse(f"unknown:surge~{name}")) for name in ("x", "y", "t", "v"))
+    assert "Drawn are the 3 clearest of 4 findings" in page(with_findings(few, *many))[1].text
+    late = FoundEffect("sensor_latency", "late", "", ("lily_01",), "confirmed", {}, 9.0, topic="velocity")
+    assert "There is no picture of /lily_01/velocity for sensor latency" in page(replace(few, effects=(late,)))[1].text
+    time = np.linspace(0.0, 600.0, 500)
+    reading = ResidualReading("lily_01", "compass", "rad", "yaw", time, time % 6.0, np.sin(time), 0 * time, "rad")
+    content = page(replace(few, readings=(reading,) * 5))[1]
+    assert "Not drawn, to be brief: what /lily_01/compass show" in content.text
+    assert "against the heading" in content.text
+    assert "There is no picture of compass against sin" not in content.text
