@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.state.state import SURGE, YAW, YAW_RATE, X
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.terms.law import Law
 
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]

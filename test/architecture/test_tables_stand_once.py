@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from cocorosim_ros.foundation.units.units import DIMENSIONS
-from cocorosim_ros.world.terms.readings import READING_CODE
+from cocorosim_ros.world.laws.readings import READING_CODE
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
 PACKAGE = Path(__file__).parents[2] / "cocorosim_ros"
@@ -79,7 +79,7 @@ def test_a_planted_table_is_found(text: str, lines: int) -> None:
 
 
 def test_the_text_of_a_law_is_spelled_in_one_place() -> None:
-    """What begins it stands in world/terms/law.py alone."""
+    """What begins it stands in world/laws/law.py alone."""
     for file in sorted(PACKAGE.rglob("*.py")):
         strings = {
             node.value

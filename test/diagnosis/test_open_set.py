@@ -14,9 +14,9 @@ from cocorosim_ros.diagnosis.filter.layout import COMPASS, KIND_NAMES, PRESSURE
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift
+from cocorosim_ros.world.laws.law import Law
+from cocorosim_ros.world.laws.readings import READING_CODE, READINGS
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.terms.law import Law
-from cocorosim_ros.world.terms.readings import READING_CODE, READINGS
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 SECONDS = 150.0

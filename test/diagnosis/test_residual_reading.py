@@ -14,8 +14,8 @@ from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
 from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.terms.law import Law
 
 TIME = np.linspace(0.0, 10.0, 101)
 # x, y, z, yaw, u, v, w, r at any moment: steady, so that delays are seen in x and yaw.

@@ -10,8 +10,8 @@ from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
 from cocorosim_ros.foundation.units.unit_algebra import powers_of
 from cocorosim_ros.foundation.units.units import DIMENSIONS, PREFIXES, Unit, prefixed, units_in_files, units_shown
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.terms.equations import EQUATIONS
-from cocorosim_ros.world.terms.readings import READINGS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 # What each symbol is in kg, m, s, rad, V, lx: by hand.

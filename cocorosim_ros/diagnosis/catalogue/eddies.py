@@ -7,7 +7,7 @@ motion that it has, and the first of them would be blamed for it.
 from __future__ import annotations
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
-from cocorosim_ros.world.terms.law import Factor, Law, Product
+from cocorosim_ros.world.laws.law import Factor, Law, Product
 
 EDDY = "eddy"
 """The simulator's effect, of which a model has one."""

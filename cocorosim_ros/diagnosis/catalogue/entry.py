@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.sensors.sensor_error import OfEveryStream, SensorError
 from cocorosim_ros.world.terms.effect import Description, Number
-from cocorosim_ros.world.terms.law import Law
 from cocorosim_ros.world.terms.search import Basis, Given, Grid, Limits, Scene, Search, Spacing, Standing, Strength
 
 __all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape", "entries_of_error", "entry_of"]

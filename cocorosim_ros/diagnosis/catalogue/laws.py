@@ -21,8 +21,8 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     typical_size,
 )
 from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
+from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.terms.equations import EQUATION
-from cocorosim_ros.world.terms.law import Factor, Law, Product
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 LARGE_SHARE = 0.1  # of the full force of an equation

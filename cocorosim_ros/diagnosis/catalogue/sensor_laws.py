@@ -16,8 +16,8 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
-from cocorosim_ros.world.terms.law import Factor, Law, Product
-from cocorosim_ros.world.terms.readings import READING, readings_of
+from cocorosim_ros.world.laws.law import Factor, Law, Product
+from cocorosim_ros.world.laws.readings import READING, readings_of
 
 
 def _plain(*names: str) -> tuple[Product, ...]:

@@ -6,9 +6,9 @@ import math
 
 from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.laws.law import is_law, subject_and_product
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS, units_of
-from cocorosim_ros.world.terms.law import is_law, subject_and_product
 
 VERDICTS = {
     "consistent": (

@@ -17,8 +17,8 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.equations import EQUATION
-from cocorosim_ros.world.terms.law import Law
 
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
 MOST = 6

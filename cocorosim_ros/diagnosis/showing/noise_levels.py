@@ -9,7 +9,7 @@ from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, noise_covariance
 from cocorosim_ros.diagnosis.showing.estimates import Z95
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE_OF_KIND
-from cocorosim_ros.world.terms.readings import READING
+from cocorosim_ros.world.laws.readings import READING
 
 UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",

@@ -15,9 +15,9 @@ from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
 from cocorosim_ros.diagnosis.tracks.reading_laws import factor_at
 from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.world.laws.law import Factor, Product
 from cocorosim_ros.world.sensors import KINDS, SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
-from cocorosim_ros.world.terms.law import Factor, Product
 from cocorosim_ros.world.terms.regressors import HEADING
 
 _RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded and sensor.recorded.drawn}

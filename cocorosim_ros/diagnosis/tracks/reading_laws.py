@@ -14,10 +14,10 @@ from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, READING_LAWS
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.laws.law import Factor
+from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors.law import LAW_OF_READING, SENSOR_LAWS
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.terms.law import Factor
-from cocorosim_ros.world.terms.readings import READINGS
 from cocorosim_ros.world.terms.regressors import REGRESSOR, REGRESSORS
 
 _PARTS = len(LAW_OF_READING)

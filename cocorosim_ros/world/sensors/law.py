@@ -1,7 +1,7 @@
 """SENSOR_LAWS: places for laws of readings that no catalogue has: reading less truth = coefficient phi_1 phi_2.
 
 The form in which `unknown:<topic>~<regressor>` stands in a platform file. The reading and the regressors are codes
-(terms.readings, terms.regressors); powers are as in effects.law, but `thrust` without its sign is what all
+(laws.readings, terms.regressors); powers are as in effects.law, but `thrust` without its sign is what all
 thrusters deliver, each by its own amount: what their motors draw. A diagnosis knows these laws; a simulation has none.
 """
 
@@ -13,7 +13,7 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS
 NO_REGRESSORS_OF_READINGS = tuple(regressor.name for regressor in REGRESSORS if not regressor.from_own_course)
 LAW_OF_READING = (
     Parameter("coefficient", "*", "in the unit of the reading over the units of the regressors"),
-    Parameter("reading", "1", "code of the reading, in the order of terms.readings.READINGS"),
+    Parameter("reading", "1", "code of the reading, in the order of laws.readings.READINGS"),
     Parameter("regressor_1", "1", "code of the first regressor, in the order of terms.regressors.REGRESSORS"),
     Parameter("power_1", "1", "power of its amount", 1.0),
     Parameter("signed_1", "1", "1 if the power keeps its sign, else 0", 1.0),

@@ -13,13 +13,13 @@ from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.platform import Platform, check_effects, check_sensors
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
+from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, is_simulated
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS
 from cocorosim_ros.world.sensors.faults import Faults
 from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, SENSOR_LAWS
 from cocorosim_ros.world.terms.equations import EQUATIONS
-from cocorosim_ros.world.terms.readings import READINGS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
 

@@ -21,8 +21,8 @@ from cocorosim_ros.diagnosis.findings import (
     Rival,
     ScreenedEffect,
 )
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.terms.law import Law
 
 DURATION = 600.0  # s
 MUNK = -0.016  # N m per m^2/s^2: moment per u*v

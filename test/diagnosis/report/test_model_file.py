@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
-from cocorosim_ros.world.terms.law import Law
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 Example = Callable[[str], Diagnosis]

@@ -8,8 +8,8 @@ import pytest
 from cocorosim_ros.diagnosis.findings import Located, ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import binned_means, mean_map
 from cocorosim_ros.diagnosis.report.regressors import followed_by, regressor_of, residual_of, said_law
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.terms.law import Law
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 

@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
 from cocorosim_ros.diagnosis.showing.noise_levels import UNITS
 from cocorosim_ros.scenario.parts.platform import load_platform
-from cocorosim_ros.world.terms.law import Law
+from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 Example = Callable[[str], Diagnosis]

@@ -15,8 +15,8 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.units.unit_algebra import Powers, multiplied, powers_of, unit_of
+from cocorosim_ros.world.laws.readings import READING, READING_CODE, readings_of
 from cocorosim_ros.world.terms.equations import EQUATION, EQUATION_CODE
-from cocorosim_ros.world.terms.readings import READING, READING_CODE, readings_of
 from cocorosim_ros.world.terms.regressors import REGRESSOR, REGRESSOR_CODE
 
 UNKNOWN = "unknown:"

@@ -11,9 +11,9 @@ from cocorosim_ros.diagnosis.catalogue.eddies import ALONG_X
 from cocorosim_ros.diagnosis.catalogue.laws import LAWS_OF, SWINGING
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.world.laws.law import Factor, Law, Product, subject_and_product
+from cocorosim_ros.world.laws.readings import READING, READING_CODE
 from cocorosim_ros.world.terms.equations import EQUATION_CODE
-from cocorosim_ros.world.terms.law import Factor, Law, Product, subject_and_product
-from cocorosim_ros.world.terms.readings import READING, READING_CODE
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE, REGRESSORS
 
 OPEN_SET = [

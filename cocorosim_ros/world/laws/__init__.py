@@ -1,0 +1,1 @@
+"""Laws outside the catalogue: forces and errors of readings in proportion to products of regressors."""
