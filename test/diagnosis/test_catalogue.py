@@ -60,11 +60,11 @@ def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
     scene = scene_of(short.tracks, smoothed_tracks(short))
     values = next(iter(found[0].settings(scene)))
     row, change = found[0].write(short.filled, values)[0], np.zeros(len(short.passes[0].innovation))
-    short.tracks[0].slope(row, short.passes[0], 1.0, change)
+    short.tracks[0].filter.slope(row, short.passes[0], 1.0, change)
     np.testing.assert_array_equal(change, 0.0)
     for part in entry.amplitudes:
         row[COLUMN[part.column]] = part.neutral + part.large
-    short.tracks[0].slope(row, short.passes[0], 1.0, change)
+    short.tracks[0].filter.slope(row, short.passes[0], 1.0, change)
     assert np.abs(change).max() > 1e-9
 
 

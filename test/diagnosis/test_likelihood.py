@@ -100,9 +100,9 @@ def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
     from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
 
     track = make_tracks(heaving)[0]
-    passed = track.full(numbers(track))
+    passed = track.filter.full(numbers(track))
     assert passed.believed.all()
-    assert passed.log_likelihood == pytest.approx(independent(heaving, track.start), abs=1e-6)
+    assert passed.log_likelihood == pytest.approx(independent(heaving, track.filter.start), abs=1e-6)
 
 
 def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
@@ -110,7 +110,7 @@ def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
     from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
 
     track = make_tracks(heaving)[0]
-    course = track.smoothed(numbers(track))
+    course = track.filter.smoothed(numbers(track))
     truth = -1.0 + 0.1 * np.sin(0.3 * course.time)
     assert np.sqrt(np.mean((course.mean[:, 2] - truth) ** 2)) < Z_NOISE / 3.0
     assert course.spread[150, 2] < course.spread[-1, 2] < Z_NOISE
@@ -133,7 +133,7 @@ def carried_off(heaving: Any) -> Any:
 def test_a_robot_that_was_lost_is_found_again(carried_off: Any) -> None:
     """Fifty standard deviations are not believed, but pull the model there; at the end it agrees with what is read."""
     track, row = carried_off
-    believed = track.full(row).believed
+    believed = track.filter.full(row).believed
     assert believed[:140].all() and not believed[150:155].any()
     assert believed[-50:].all()
 
@@ -141,8 +141,8 @@ def test_a_robot_that_was_lost_is_found_again(carried_off: Any) -> None:
 def test_what_is_not_believed_pulls_as_far_with_every_number(carried_off: Any) -> None:
     """A slope along no change is nothing, to the bit, after doubted readings too."""
     track, row = carried_off
-    slope = np.ones(len(track.readings.kind))
-    track.slope(row, track.full(row), 1.0, slope)
+    slope = np.ones(len(track.timeline.kind))
+    track.filter.slope(row, track.filter.full(row), 1.0, slope)
     np.testing.assert_array_equal(slope, 0.0)
 
 

@@ -100,14 +100,14 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
         # The phase of a swing is nought at first.
         values = list(candidate.settings(scene))[-1]
         reading = values.get("sensor_law_1.reading")
-        if reading is not None and not fit.tracks[0].sees(READINGS_OF_LAWS[int(reading)]):
+        if reading is not None and not fit.tracks[0].timeline.sees(READINGS_OF_LAWS[int(reading)]):
             continue
         row, change = candidate.write(fit.filled, values)[0], np.zeros(len(fit.passes[0].innovation))
-        fit.tracks[0].slope(row, fit.passes[0], 1.0, change)
+        fit.tracks[0].filter.slope(row, fit.passes[0], 1.0, change)
         np.testing.assert_array_equal(change, 0.0, candidate.entry.name)
         (amplitude,) = candidate.entry.amplitudes
         row[COLUMN[amplitude.column]] = -0.01 * amplitude.large  # a drag; a large push would run away
-        fit.tracks[0].slope(row, fit.passes[0], 1.0, change)
+        fit.tracks[0].filter.slope(row, fit.passes[0], 1.0, change)
         assert np.abs(change).max() > 1e-12, candidate.entry.name
         seen.add(candidate.entry.name)
     assert len(seen) > 150

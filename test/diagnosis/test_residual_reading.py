@@ -28,9 +28,10 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
     row = NEUTRAL.copy()
     for name, value in numbers.items():
         row[COLUMN[name.replace("__", ".")]] = value
-    readings = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
+    timeline = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
     log = SimpleNamespace(streams={"compass": SimpleNamespace(noise=np.array([0.02]))})
-    track = SimpleNamespace(name="lily_01", readings=readings, log=log, law_shift=lambda row: np.zeros(len(TIME)))
+    without_laws = SimpleNamespace(law_shift=lambda row: np.zeros(len(TIME)))
+    track = SimpleNamespace(name="lily_01", timeline=timeline, log=log, filter=without_laws)
     return SimpleNamespace(tracks=(track,), filled=row[None])
 
 

@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 
 
 def vehicle(*force: float) -> Any:
-    """What is asked of a track."""
+    """What is asked of a vehicle."""
     return SimpleNamespace(force_scale=np.array(force))
 
 

@@ -4,7 +4,27 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+
+
+class Grid(NamedTuple):
+    """The grid points of a filter, evenly spaced."""
+
+    begin: float  # s
+    step: float  # s
+    points: int
+
+    @property
+    def moments(self) -> Floats:
+        """(points,) [s]."""
+        return self.begin + self.step * np.arange(self.points, dtype=np.float64)
+
+    @property
+    def duration(self) -> float:
+        """From the first point to the last [s]."""
+        return self.step * (self.points - 1)
 
 
 class Readings(NamedTuple):

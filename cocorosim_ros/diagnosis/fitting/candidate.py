@@ -117,8 +117,8 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
     rows (tracks, columns): the base model, which may have some of them already.
     """
     numbers = tracks_by_robot(tracks)
-    scaling = sizes(tracks[0])
-    duration = max(track.readings.step * (track.readings.points - 1) for track in tracks)
+    scaling = sizes(tracks[0].vehicle)
+    duration = max(track.timeline.grid.duration for track in tracks)
     found = []
     for entry in entries:
         if entry.needs_neighbours and len(numbers) < 2:

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_centre, prior_precision, write_values
-from cocorosim_ros.diagnosis.tracks.track import Pass, Track
+from cocorosim_ros.diagnosis.tracks.passes import Pass
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -75,7 +76,7 @@ def make_fit(tracks: Sequence[Track], rows: Floats, laws: Sequence[Unknown], noi
 def evaluated(fit: Fit) -> Fit:
     """The fit with the passes at its q."""
     filled = fit.filled
-    passes = of_each_track(lambda number: fit.tracks[number].full(filled[number]), len(fit.tracks))
+    passes = of_each_track(lambda number: fit.tracks[number].filter.full(filled[number]), len(fit.tracks))
     return replace(fit, passes=tuple(passes))
 
 
@@ -93,7 +94,7 @@ def slopes(fit: Fit, laws: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
         found = np.zeros((len(laws), len(part.innovation)))
         for law, place, step, slope in zip(laws, q, steps, found, strict=True):
             if number in law.tracks:
-                fit.tracks[number].slope(nudged(filled[number], law, float(place) + step), part, step, slope)
+                fit.tracks[number].filter.slope(nudged(filled[number], law, float(place) + step), part, step, slope)
         return found.T
 
     return tuple(of_each_track(of_track, len(fit.tracks)))
@@ -101,7 +102,7 @@ def slopes(fit: Fit, laws: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
 
 def _shorter(change: Floats, track: Track) -> Floats:
     """Changes of angles by the shorter way."""
-    return np.where(track.is_angle, change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)), change)
+    return np.where(track.timeline.is_angle, change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)), change)
 
 
 @dataclass(frozen=True)
@@ -263,7 +264,7 @@ def _noise_of_track(track: Track, part: Pass, rows: Sequence[Floats | None]) -> 
     for column, row in enumerate(rows):
         if row is None:
             continue
-        other = track.full(row)
+        other = track.filter.full(row)
         believed = part.believed & other.believed
         change = _shorter(other.innovation - part.innovation, track)
         mean[column] = np.where(believed, change / NOISE_STEP, 0.0)

@@ -48,8 +48,8 @@ def _foretold(fit: Fit, moments: Collection[str]) -> Floats:
     matrix, known_score = known.matrix[np.ix_(loose, loose)], known.score[loose]
     found = []
     for track, part, slope in zip(fit.tracks, fit.passes, known.slopes, strict=True):
-        begin, length = track.readings.begin, track.readings.step * track.readings.points
-        block = np.minimum(((track.readings.stamp - begin) / length * BLOCKS).astype(np.int64), BLOCKS - 1)
+        begin, length = track.timeline.grid.begin, track.timeline.grid.step * track.timeline.grid.points
+        block = np.minimum(((track.timeline.stamp - begin) / length * BLOCKS).astype(np.int64), BLOCKS - 1)
         for number in range(BLOCKS):
             chosen = block == number
             innovation, variance, moved = part.innovation[chosen], part.variance[chosen], slope[chosen][:, loose]

@@ -19,15 +19,13 @@ from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import (
     COLUMN,
-    NEUTRAL,
-    PHYSICS,
     READING_COLUMNS,
     READING_NOISE,
     READING_NOISE_OF_KIND,
     WATER_NOISE,
 )
-from cocorosim_ros.diagnosis.tracks.surroundings import introduce
-from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.introduce import introduced
+from cocorosim_ros.diagnosis.tracks.track import Track, make_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import ARM, full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
@@ -80,9 +78,8 @@ def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
     """A track for every robot in every recording that has readings."""
     tracks = []
     for recording in evidence.recordings:
-        fellows = [Track(evidence.platform, recording, log, _span(log)) for log in recording.robots if _times(log)]
-        introduce(fellows)
-        tracks += fellows
+        alone = [make_track(evidence.platform, log, _span(log)) for log in recording.robots if _times(log)]
+        tracks += introduced(alone)
     return tuple(tracks)
 
 
@@ -98,12 +95,9 @@ def _span(log: RobotLog) -> tuple[float, float]:
 
 def base_rows(tracks: Sequence[Track]) -> Floats:
     """(tracks, columns) the platform's numbers, nothing out of the ordinary, noise as it is estimated at first."""
-    rows = np.tile(NEUTRAL, (len(tracks), 1))
+    rows = np.array([track.vehicle.row for track in tracks])
     for row, track in zip(rows, tracks, strict=True):
-        row[PHYSICS] = track.platform_row
-        for known, value in track.known.items():
-            row[COLUMN[known]] = value
-        full = full_forces(track)
+        full = full_forces(track.vehicle)
         row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * full.across)
         row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * full.random_heave)
         row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(full.yaw, ARM * full.across))
@@ -125,9 +119,9 @@ def base_laws(tracks: Sequence[Track]) -> list[Unknown]:
     """The numbers of each robot's platform that may move."""
     laws = []
     for numbers in tracks_by_robot(tracks).values():
-        ranges = tracks[numbers[0]].ranges
+        ranges = tracks[numbers[0]].vehicle.ranges
         for column in RECALIBRATED:
-            base = float(tracks[numbers[0]].platform_row[COLUMN[column]])
+            base = float(tracks[numbers[0]].vehicle.nominal[COLUMN[column]])
             # Moments are known relative to the inertia alone, as forces are to the mass: it stays unless it is unknown.
             if base > 0.0 and (column != "yaw_inertia" or column in ranges):
                 prior = _prior(column, ranges)
@@ -158,7 +152,7 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
     ]
     for numbers in robots:
         present = {
-            READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].readings.kind)
+            READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].timeline.kind)
         }
         for column in READING_NOISE:
             if column.partition(".")[2] not in present:
@@ -227,7 +221,7 @@ def _is_shut(fit: Fit, noise: Unknown) -> bool:
     """Whether many of the readings of which this is the noise are not believed."""
     kinds = np.flatnonzero(COLUMN[noise.column] == READING_COLUMNS)
     for number in noise.tracks:
-        chosen = np.isin(fit.tracks[number].readings.kind, kinds)
+        chosen = np.isin(fit.tracks[number].timeline.kind, kinds)
         if chosen.any() and np.mean(fit.passes[number].believed[chosen]) < 1.0 - SHUT:
             return True
     return False

@@ -10,12 +10,12 @@ from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.vehicle_model.vehicles import MASS
 
 FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
 IN_BODY = ("surge", "sway")
@@ -29,7 +29,7 @@ STEADY = 15.0  # s before and after a change that are compared
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
     """The most likely course of every track."""
     filled = fit.filled
-    return tuple(of_each_track(lambda number: fit.tracks[number].smoothed(filled[number]), len(fit.tracks)))
+    return tuple(of_each_track(lambda number: fit.tracks[number].filter.smoothed(filled[number]), len(fit.tracks)))
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
@@ -45,8 +45,8 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
         tuple(lower.tolist()),
         tuple(upper.tolist()),
         duration,
-        tracks[0].hull,
-        tracks[0].arm,
+        tracks[0].vehicle.hull,
+        tracks[0].vehicle.arm,
         periods,
         tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_COLUMNS["heave"]])),
         _scales(tracks[0], seen, duration),
@@ -56,7 +56,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
 
 def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
     """Whether the thrust is greater than the random force in the level plane, by root mean squares."""
-    thrust = np.concatenate([track.nominal_force() for track in tracks])
+    thrust = np.concatenate([track.actuation.nominal_force() for track in tracks])
     return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_COLUMNS["world_x"] : FORCE_COLUMNS["world_y"] + 1] ** 2))
 
 
@@ -97,15 +97,15 @@ def _changes(time: Floats, force: Floats) -> list[float]:
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
     """Root mean squares of the regressors, full forces by equation, the mass."""
     rms = np.sqrt(np.mean(seen**2, axis=0))
-    force = np.maximum(track.force_scale, 1e-9)
-    full = full_forces(track)
+    force = np.maximum(track.vehicle.force_scale, 1e-9)
+    full = full_forces(track.vehicle)
     return {
         **dict(zip(("x", "y", "z", "yaw", "u", "v", "w", "r"), np.maximum(rms[:8], 1e-6).tolist(), strict=True)),
         "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)),
         "thrust": 0.5 * float(max(force[0], force[1])), "yaw_command": 0.3 * float(force[3]),
         "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
         "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
-        "neighbour_distance": 1.0, "wall_distance": 0.5 if track.water[1][0] < FAR else 0.0,
+        "neighbour_distance": 1.0, "wall_distance": 0.5 if track.vehicle.surroundings.upper[0] < FAR else 0.0,
         "surge_force": full.across, "heave_force": full.random_heave, "yaw_force": full.yaw,
-        "mass": float(track.platform_row[MASS]),
+        "mass": track.vehicle.mass,
     }  # fmt: skip

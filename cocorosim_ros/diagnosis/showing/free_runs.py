@@ -17,7 +17,8 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, with_n
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, YAW_RATE, X, Y, Z
 
@@ -44,7 +45,7 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
     nominal_rows = base.rows
     best = final.filled
     windows: list[Window] = []
-    courses = [track.smoothed(row) for track, row in zip(base.tracks, best, strict=True)]
+    courses = [track.filter.smoothed(row) for track, row in zip(base.tracks, best, strict=True)]
     seconds = window_length(courses)
     for number, (track, course) in enumerate(zip(base.tracks, courses, strict=True)):
         rows = {"nominal": nominal_rows[number], **{name: fit.filled[number] for name, fit in fits.items()}}
@@ -70,14 +71,14 @@ def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
 
 
 def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
-    first = round(SEEN * track.readings.points)
-    length = min(round(seconds / track.readings.step), (track.readings.points - first - 1) // 2)
+    first = round(SEEN * track.timeline.grid.points)
+    length = min(round(seconds / track.timeline.grid.step), (track.timeline.grid.points - first - 1) // 2)
     if length < FEWEST_POINTS:
         return []
     found = []
-    for begin in range(first, track.readings.points - length, length):
+    for begin in range(first, track.timeline.grid.points - length, length):
         start = course.mean[begin, :8]
-        paths = {name: track.free_run(row, start, begin, length) for name, row in rows.items()}
+        paths = {name: track.filter.free_run(row, start, begin, length) for name, row in rows.items()}
         measured = course.mean[begin : begin + length, :8]
         squared = {name: _squared(path, measured) for name, path in paths.items()}
         squared["noise_floor"] = _floor(track, rows["augmented"], course, begin, length)
@@ -98,16 +99,16 @@ def _squared(path: Floats, measured: Floats) -> Floats:
 def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int) -> Floats:
     """(points, 3) expected squared errors of a model that is right, by one run with the smoothed random force added."""
     start = course.mean[begin, :8]
-    free = track.free_run(row, start, begin, length)
-    pushed = track.free_run(row, start, begin, length, course.mean[begin : begin + length, 8:])
+    free = track.filter.free_run(row, start, begin, length)
+    pushed = track.filter.free_run(row, start, begin, length, course.mean[begin : begin + length, 8:])
     return _squared(free, pushed)
 
 
 def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -> dict[str, HeldOut]:
     shown = {
-        "position": any(track.sees("pose_x") for track in tracks),
-        "heading": any(track.sees("pose_yaw", "compass") for track in tracks),
-        "depth": any(track.sees("pose_z", "pressure") for track in tracks),
+        "position": any(track.timeline.sees("pose_x") for track in tracks),
+        "heading": any(track.timeline.sees("pose_yaw", "compass") for track in tracks),
+        "depth": any(track.timeline.sees("pose_z", "pressure") for track in tracks),
     }
     rng = np.random.default_rng(0)  # which windows the bootstrap draws
     table = {}

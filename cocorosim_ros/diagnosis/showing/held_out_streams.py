@@ -10,7 +10,8 @@ import numpy as np
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, UNITS, deviation
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
 TOPICS = ("compass", "pressure", "imu")
@@ -31,7 +32,7 @@ def held_out_streams(
     table = {}
     for topic in TOPICS:
         kind = KIND_OF_TOPIC[topic]
-        seen = [number for number, track in enumerate(tracks) if np.any(track.readings.kind == kind)]
+        seen = [number for number, track in enumerate(tracks) if np.any(track.timeline.kind == kind)]
         means = {
             name: [
                 mean
@@ -51,15 +52,15 @@ def held_out_streams(
 
 def _noise(track: Track, topic: str) -> float:
     """Variance of a reading as the filter takes them, by the stream's differences alone."""
-    share = track.readings.share[track.readings.kind == KIND_OF_TOPIC[topic]]
+    share = track.timeline.share[track.timeline.kind == KIND_OF_TOPIC[topic]]
     return float(track.log.streams[topic].noise[0] ** 2 * share.mean())
 
 
 def _stretches(track: Track, course: Smoothed, row: Floats, wanted: tuple[int, float, float]) -> list[float]:
     """Mean squared deviation of every stretch after the part that was seen; wanted: kind, share seen, length [s]."""
     kind, share, length = wanted
-    chosen = track.readings.kind == kind
-    stamp = track.readings.stamp[chosen]
+    chosen = track.timeline.kind == kind
+    stamp = track.timeline.stamp[chosen]
     squared = deviation(track, chosen, course, row) ** 2
     begin = course.time[0] + share * (course.time[-1] - course.time[0])
     number = np.floor((stamp - begin) / length).astype(int)

@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.findings import Located
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.naming.residual import scene_of
-from cocorosim_ros.diagnosis.tracks.track import Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
 
@@ -82,7 +82,7 @@ def _gain_over_time(fit: Fit, part: Screened) -> tuple[Floats, Floats]:
     for number in part.candidate.everybody:
         passed, track = fit.passes[number], fit.tracks[number]
         shift = moved[number] @ part.q
-        times.append(track.readings.stamp)
+        times.append(track.timeline.stamp)
         nats.append(-(passed.innovation * shift + 0.5 * shift**2) / passed.variance)
     time, gained = np.concatenate(times), np.concatenate(nats)
     order = np.argsort(time, kind="stable")

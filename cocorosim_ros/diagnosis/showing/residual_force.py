@@ -8,7 +8,8 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -26,6 +27,7 @@ def _of(track: Track, row: Floats, course: Smoothed) -> ResidualForce:
     across = np.sqrt((spread[:, 8] * cosine) ** 2 + (spread[:, 9] * sine) ** 2)
     aside = np.sqrt((spread[:, 9] * cosine) ** 2 + (spread[:, 8] * sine) ** 2)
     wide = np.column_stack([across, aside, spread[:, 10], spread[:, 11]])
-    thrust = track.thrust(row)
-    regressors = {"thrust": thrust[:, 0], "yaw_command": thrust[:, 3], "pump": track.pump_force(row)}
+    drive = track.actuation.drive(row)
+    thrust, pump = track.actuation.thrust(drive), track.actuation.pump_force(drive)
+    regressors = {"thrust": thrust[:, 0], "yaw_command": thrust[:, 3], "pump": pump}
     return ResidualForce(track.name, course.time, force, wide, mean[:, :4], mean[:, 4:8], regressors)

@@ -10,7 +10,8 @@ from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSUR
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
@@ -37,14 +38,14 @@ def residual_readings(
             continue
         regressor = _regressor(effect, topic)
         for number, track in enumerate(base.tracks):
-            chosen = track.readings.kind == KIND_OF_TOPIC[topic]
+            chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
             if track.name not in effect.robots or not chosen.any():
                 continue
             rows = base.filled[number], final.filled[number]
             before, after = (
                 deviation(track, chosen, course[number], row) for course, row in zip(courses, rows, strict=True)
             )
-            stamp = track.readings.stamp[chosen]
+            stamp = track.timeline.stamp[chosen]
             against = _along(regressor, stamp, courses[1][number])
             unit = UNITS[KIND_OF_TOPIC[topic]]
             found.append(ResidualReading(track.name, topic, unit, regressor, stamp, against, before, after))
@@ -67,12 +68,12 @@ def _along(regressor: str, stamp: Floats, course: Smoothed) -> Floats:
 
 def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:
     """Readings less what sensors with these numbers show on this course."""
-    kind = int(track.readings.kind[chosen][0])
+    kind = int(track.timeline.kind[chosen][0])
     topic = next(name for name, each in KIND_OF_TOPIC.items() if each == kind)
-    stamp = track.readings.stamp[chosen]
+    stamp = track.timeline.stamp[chosen]
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
-    deviation = track.readings.value[chosen] - track.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
+    deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
     return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind == COMPASS else deviation
 
 
