@@ -148,10 +148,11 @@ def test_what_is_not_believed_pulls_as_far_with_every_number(carried_off: Any) -
 
 def test_a_number_at_its_bound_does_not_hold_the_others_back() -> None:
     """Of two that pull at each other, the one pressing against its bound is left out: the other goes all its way."""
-    from cocorosim_ros.diagnosis.fitting.fit import step_within
-    from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+    from cocorosim_ros.diagnosis.fitting.solving import step_within
+    from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
 
-    pair = [Unknown("drag", (0,), 1.0, bounds=(-1.0, 1.0)), Unknown("yaw_drag", (0,), 1.0)]
+    owners = [Owner(PLATFORM, ("lily_01",), name, unit) for name, unit in (("drag", "kg/m"), ("yaw_drag", "N m s^2"))]
+    pair = [Unknown(owners[0], "drag", (0,), 1.0, bounds=(-1.0, 1.0)), Unknown(owners[1], "yaw_drag", (0,), 1.0)]
     matrix, score = np.array([[2.0, 1.5], [1.5, 2.0]]), np.array([1.0, 1.0])
     np.testing.assert_allclose(step_within(matrix, score, pair, np.array([1.0, 0.0])), [0.0, 0.5])
     np.testing.assert_allclose(step_within(matrix, -score, pair, np.array([1.0, 0.0])), [-2.0 / 7.0, -2.0 / 7.0])

@@ -85,13 +85,13 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     from cocorosim_ros.diagnosis.catalogue.open_set import open_set
     from cocorosim_ros.diagnosis.fitting.candidate import expand
     from cocorosim_ros.diagnosis.fitting.fit import make_fit
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows, base_unknowns, make_tracks, noise_unknowns
     from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 20.0))
     rows = base_rows(tracks)
-    fit = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    fit = make_fit(tracks, rows, base_unknowns(tracks), noise_unknowns(tracks, rows))
     scene = scene_of(fit.tracks, smoothed_tracks(fit))
     found = expand(open_set(scene, [], fit.rows, water=True), fit.tracks, fit.rows)
     assert len(found) > 200

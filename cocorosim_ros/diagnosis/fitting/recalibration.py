@@ -13,12 +13,14 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
-from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit, settled, with_noise
+from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import (
     COLUMN,
+    NOISE_UNITS,
     READING_COLUMNS,
     READING_NOISE,
     READING_NOISE_OF_KIND,
@@ -29,6 +31,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track, make_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import ARM, full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
+from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 # Columns, by the name that the contract reports, and their unit.
 RECALIBRATED: dict[str, tuple[str, str]] = {
@@ -115,25 +118,27 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
     return rows
 
 
-def base_laws(tracks: Sequence[Track]) -> list[Unknown]:
+def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
     """The numbers of each robot's platform that may move."""
-    laws = []
-    for numbers in tracks_by_robot(tracks).values():
-        ranges = tracks[numbers[0]].vehicle.ranges
-        for column in RECALIBRATED:
-            base = float(tracks[numbers[0]].vehicle.nominal[COLUMN[column]])
+    found = []
+    for robot, numbers in tracks_by_robot(tracks).items():
+        vehicle = tracks[numbers[0]].vehicle
+        ranges = vehicle.ranges
+        for column, (name, unit) in RECALIBRATED.items():
+            base = float(vehicle.nominal[PARAMETER_COLUMNS[column]])
             # Moments are known relative to the inertia alone, as forces are to the mass: it stays unless it is unknown.
             if base > 0.0 and (column != "yaw_inertia" or column in ranges):
                 prior = _prior(column, ranges)
-                laws.append(Unknown(column, numbers, base, logarithmic=True, prior=prior, bounds=(-4.0, 4.0)))
-    return laws
+                owner = Owner(PLATFORM, (robot,), name, unit)
+                found.append(Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=(-4.0, 4.0)))
+    return found
 
 
 def _prior(column: str, ranges: Ranges) -> float:
     """Standard deviation of the logarithm: a quarter of the platform's range, where it gives one."""
     wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
-    found = [part for key, part in ranges.items() if key.endswith(wanted) and part.low > 0.0]
-    widths = [math.log(part.high / part.low) / 4.0 for part in found]
+    found = [each for key, each in ranges.items() if key.endswith(wanted) and each.low > 0.0]
+    widths = [math.log(each.high / each.low) / 4.0 for each in found]
     return max([PRIOR, *widths])
 
 
@@ -143,32 +148,47 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
     The same water moves a robot of another mass or inertia otherwise, and forces are known relative to these alone. A
     robot's own instruments are the same in every recording; how well a tracker sees it is not.
     """
-    robots = tuple(tracks_by_robot(tracks).values())
-    everybody = (tuple(range(len(tracks))),)
+    robots = tracks_by_robot(tracks)
+    everybody = {tuple(robots): tuple(range(len(tracks)))}
+    alone = {(robot,): numbers for robot, numbers in robots.items()}
     found = [
-        Unknown(name, alike, float(rows[alike[0], COLUMN[name]]), prior=prior, bounds=bounds)
-        for name, (prior, bounds) in WATER_PRIOR.items()
-        for alike in (everybody if name in SHARED_NOISE else robots)
+        Unknown(
+            _noise_owner(RANDOM_FORCE, names, column), column, alike, _at(rows, alike, column), prior=prior, bounds=ends
+        )
+        for column, (prior, ends) in WATER_PRIOR.items()
+        for names, alike in (everybody if column in SHARED_NOISE else alone).items()
     ]
-    for numbers in robots:
-        present = {
-            READING_NOISE_OF_KIND[kind] for number in numbers for kind in np.unique(tracks[number].timeline.kind)
-        }
-        for column in READING_NOISE:
-            if column.partition(".")[2] not in present:
-                continue
+    for robot, numbers in robots.items():
+        for column in _readings_of(tracks, numbers):
+            owner = _noise_owner(READING, (robot,), column)
             for alike in [(number,) for number in numbers] if column.startswith("reading.pose") else [numbers]:
-                base = float(rows[alike[0], COLUMN[column]])
+                base = _at(rows, alike, column)
                 least = max(-3.0, math.log(LEAST_READING_NOISE[column]) - base)
-                found.append(Unknown(column, alike, base, prior=0.7, bounds=(least, 5.0)))
+                found.append(Unknown(owner, column, alike, base, prior=0.7, bounds=(least, 5.0)))
     return found
+
+
+def _noise_owner(effect: str, robots: tuple[str, ...], column: str) -> Owner:
+    return Owner(effect, robots, column.partition(".")[2], NOISE_UNITS[column])
+
+
+def _at(rows: Floats, tracks: Sequence[int], column: str) -> float:
+    """What stands in a column of the first of these tracks."""
+    return float(rows[tracks[0], COLUMN[column]])
+
+
+def _readings_of(tracks: Sequence[Track], numbers: Sequence[int]) -> list[str]:
+    """Columns of the noise of those readings that these tracks have."""
+    kinds = np.unique(np.concatenate([tracks[number].timeline.kind for number in numbers]))
+    present = {f"reading.{READING_NOISE_OF_KIND[kind]}" for kind in kinds}
+    return [column for column in READING_NOISE if column in present]
 
 
 def first_fit(evidence: Evidence) -> Fit:
     """The model as the platform's file and the first guess of the noise have it."""
     tracks = make_tracks(evidence)
     rows = base_rows(tracks)
-    return make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    return make_fit(tracks, rows, base_unknowns(tracks), noise_unknowns(tracks, rows))
 
 
 def base_fit(evidence: Evidence) -> Fit:
@@ -191,13 +211,13 @@ def base_fit(evidence: Evidence) -> Fit:
 def _at_random(fit: Fit) -> Fit:
     """The fit with strong and quick random forces, and coarse readings: each is then heeded a little."""
     coarse = [COARSE if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
-    moves = np.array([AT_RANDOM.get(part.column, other) for part, other in zip(fit.noise, coarse, strict=True)])
+    moves = np.array([AT_RANDOM.get(unknown.column, other) for unknown, other in zip(fit.noise, coarse, strict=True)])
     return _with_moved_noise(fit, moves)
 
 
 def _without_inertial(fit: Fit) -> Fit:
     """The fit with inertial readings so coarse that they hardly count."""
-    return _with_moved_noise(fit, np.array([DOUBT if part.column in INERTIAL else 0.0 for part in fit.noise]))
+    return _with_moved_noise(fit, np.array([DOUBT if unknown.column in INERTIAL else 0.0 for unknown in fit.noise]))
 
 
 def _with_moved_noise(fit: Fit, moves: Floats) -> Fit:
@@ -229,5 +249,5 @@ def _is_shut(fit: Fit, noise: Unknown) -> bool:
 
 def nominal_fit(base: Fit) -> Fit:
     """The platform as its file has it, with the random forces that it then needs."""
-    start = evaluated(replace(base, q=np.zeros(len(base.laws))))
+    start = evaluated(replace(base, q=np.zeros(len(base.unknowns))))
     return with_noise(start, 3, WATER_NOISE)

@@ -37,14 +37,15 @@ def quiet_gain(base: Fit, more: Fit) -> float:
 def _is_loud(track: Track, row: Floats) -> Flags:
     """(m,) whether the force of the pumps has changed much in the time before each reading."""
     force = track.actuation.pump_force(track.actuation.drive(row))
-    width = max(1, round(MEMORY / track.timeline.grid.step))
+    grid = track.timeline.grid
+    width = max(1, round(MEMORY / grid.step))
     back = {"size": width, "origin": (width - 1) // 2, "mode": "nearest"}  # the window ends at each point
     change = maximum_filter1d(force, **back) - minimum_filter1d(force, **back)
     loud = change > LOUD * np.exp(row[COLUMN["random.heave_force"]])
-    point = np.rint((track.timeline.stamp - track.timeline.grid.begin) / track.timeline.grid.step).astype(np.int64)
+    point = np.rint((track.timeline.stamp - grid.begin) / grid.step).astype(np.int64)
     return np.asarray(loud[np.clip(point, 0, len(loud) - 1)])
 
 
-def _nats(part: Pass) -> Floats:
+def _nats(passed: Pass) -> Floats:
     """(m,) log-likelihood of each reading, up to a constant."""
-    return np.asarray(-0.5 * (part.innovation**2 / part.variance + np.log(part.variance)))
+    return np.asarray(-0.5 * (passed.innovation**2 / passed.variance + np.log(passed.variance)))

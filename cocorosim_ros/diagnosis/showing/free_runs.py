@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
-from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, with_noise
+from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
@@ -54,7 +55,7 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
         return {}, ()
     models = {"nominal": nominal_rows, **{name: fit.filled for name, fit in fits.items()}}
     streams = held_out_streams(base.tracks, courses, models, (SEEN, seconds))
-    return {**_table(windows, base.tracks, seconds), **streams}, tuple(part.run for part in windows)
+    return {**_table(windows, base.tracks, seconds), **streams}, tuple(window.run for window in windows)
 
 
 def window_length(courses: Sequence[Smoothed]) -> float:
@@ -71,12 +72,13 @@ def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
 
 
 def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
-    first = round(SEEN * track.timeline.grid.points)
-    length = min(round(seconds / track.timeline.grid.step), (track.timeline.grid.points - first - 1) // 2)
+    grid = track.timeline.grid
+    first = round(SEEN * grid.points)
+    length = min(round(seconds / grid.step), (grid.points - first - 1) // 2)
     if length < FEWEST_POINTS:
         return []
     found = []
-    for begin in range(first, track.timeline.grid.points - length, length):
+    for begin in range(first, grid.points - length, length):
         start = course.mean[begin, :8]
         paths = {name: track.filter.free_run(row, start, begin, length) for name, row in rows.items()}
         measured = course.mean[begin : begin + length, :8]
@@ -116,11 +118,11 @@ def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -
         if not shown[channel]:
             continue
         means = {
-            name: np.array([part.squared[name][:, index].mean() for part in windows])
+            name: np.array([window.squared[name][:, index].mean() for window in windows])
             for name in (*MODELS, "noise_floor")
         }
         draws = drawn(rng, len(windows))
         intervals = {name: interval_of_root(values, draws) for name, values in means.items()}
-        values = {name: float(np.sqrt(part.mean())) for name, part in means.items()}
+        values = {name: float(np.sqrt(mean.mean())) for name, mean in means.items()}
         table[channel] = HeldOut(**values, unit=unit, intervals=intervals, seconds=seconds)
     return table

@@ -12,6 +12,7 @@ from cocorosim_ros.diagnosis.catalogue.laws import LARGE_SHARE
 from cocorosim_ros.diagnosis.findings import Located
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
@@ -27,61 +28,63 @@ def locate(
     fit: Fit, screened: Sequence[Screened], laws: Sequence[Screened], courses: Sequence[Smoothed]
 ) -> tuple[Located, ...]:
     """What stands out, the clearest first: laws of force by the scan, sensors by the catalogue."""
-    sensed = [part for part in screened if part.candidate.entry.channel in SENSOR_CHANNELS]
-    standing = [part for part in (*laws, *sensed) if np.abs(part.z).max() >= CLEAR and part.nats > 0.0]
-    standing.sort(key=lambda part: -part.nats)
+    sensed = [each for each in screened if each.candidate.entry.channel in SENSOR_CHANNELS]
+    standing = [each for each in (*laws, *sensed) if np.abs(each.z).max() >= CLEAR and each.nats > 0.0]
+    standing.sort(key=lambda each: -each.nats)
     found: list[Located] = []
-    for part in standing:
-        equation, regressor = _named(part)
+    for each in standing:
+        equation, regressor = _named(each)
         if len(found) < MOST and not any(
             equation == other.equation and regressor == other.regressor for other in found
         ):
-            found.append(_located(fit, part, courses))
+            found.append(_located(fit, each, courses))
     return tuple(found)
 
 
-def _named(part: Screened) -> tuple[str, str]:
-    entry = part.candidate.entry
+def _strongest(screened: Screened) -> tuple[Unknown, float]:
+    """The amplitude that stands out most, and its q."""
+    number = int(np.abs(screened.z).argmax())
+    return screened.candidate.amplitudes()[number], float(abs(screened.q[number]))
+
+
+def _named(screened: Screened) -> tuple[str, str]:
+    """Equation and regressor."""
+    entry = screened.candidate.entry
     if entry.law is not None:
         equation, _, regressor = entry.id.removeprefix("unknown:").replace("velocity~", "pose~").partition("~")
         return ("surge" if equation.startswith("world") else equation), (
             f"{regressor} ({equation})" if equation.startswith("world") else regressor
         )
-    strongest = int(np.abs(part.z).argmax()) % len(entry.amplitudes)
-    return (
-        "clock" if entry.id == "clock_skew" else entry.channel if entry.channel != "velocity" else "pose"
-    ), entry.amplitudes[strongest].name
+    equation = "clock" if entry.id == "clock_skew" else entry.channel if entry.channel != "velocity" else "pose"
+    return equation, _strongest(screened)[0].owner.parameter
 
 
-def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
-    entry = part.candidate.entry
-    equation, regressor = _named(part)
-    time, gained = _gain_over_time(fit, part)
+def _located(fit: Fit, screened: Screened, courses: Sequence[Smoothed]) -> Located:
+    entry = screened.candidate.entry
+    equation, regressor = _named(screened)
+    time, gained = _gain_over_time(fit, screened)
     first, last = _window(time, gained)
     if entry.law in LAWS:
         name = entry.id.removeprefix("unknown:").partition("~")[0]
         scales = scene_of(fit.tracks, courses).scales
         force = scales[{"heave": "heave_force", "yaw": "yaw_force"}.get(name, "surge_force")]
-        size, unit = float(abs(part.q[0])) * LARGE_SHARE * force, "N m" if name == "yaw" else "N"
+        size, unit = float(abs(screened.q[0])) * LARGE_SHARE * force, "N m" if name == "yaw" else "N"
     else:
-        strongest = int(np.abs(part.z).argmax())
-        amplitude = entry.amplitudes[strongest % len(entry.amplitudes)]
-        size, unit = float(abs(part.q[strongest])) * part.candidate.large(amplitude), amplitude.unit
-    words = _where(part, time, gained, courses)
-    return Located(
-        part.candidate.robots, equation, regressor, words, (first, last), size, unit, float(np.abs(part.z).max())
-    )
+        unknown, q = _strongest(screened)
+        size, unit = q * unknown.scale, unknown.owner.unit
+    where, z = _where(screened, time, gained, courses), float(np.abs(screened.z).max())
+    return Located(screened.candidate.robots, equation, regressor, where, (first, last), size, unit, z)
 
 
-def _gain_over_time(fit: Fit, part: Screened) -> tuple[Floats, Floats]:
+def _gain_over_time(fit: Fit, screened: Screened) -> tuple[Floats, Floats]:
     """Moments [s] and the nats that the readings there gain by the law."""
-    rows = part.candidate.write(fit.rows, part.values)
-    unknowns = part.candidate.amplitudes()
+    rows = screened.candidate.write(fit.rows, screened.values)
+    unknowns = screened.candidate.amplitudes()
     moved = slopes(replace(fit, rows=rows), unknowns, np.zeros(len(unknowns)))
     times, nats = [], []
-    for number in part.candidate.everybody:
+    for number in screened.candidate.everybody:
         passed, track = fit.passes[number], fit.tracks[number]
-        shift = moved[number] @ part.q
+        shift = moved[number] @ screened.q
         times.append(track.timeline.stamp)
         nats.append(-(passed.innovation * shift + 0.5 * shift**2) / passed.variance)
     time, gained = np.concatenate(times), np.concatenate(nats)
@@ -99,9 +102,9 @@ def _window(time: Floats, gained: Floats) -> tuple[float, float]:
     return float(bins[first]), float(bins[min(last + 1, 30)])
 
 
-def _where(part: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
+def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
     """In words: in which regime the gain is at home more than time is."""
-    course = courses[part.candidate.everybody[0]]
+    course = courses[screened.candidate.everybody[0]]
     index = np.clip(np.searchsorted(course.time, time), 0, len(course.time) - 1)
     state = course.mean[index]
     regimes = {

@@ -20,6 +20,13 @@ READING_NOISE_OF_KIND = tuple(
     for name in KIND_NAMES
 )
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
+# Units of that of which the noise is the logarithm.
+NOISE_UNITS = {
+    "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
+    "random.smoothness": "1",
+    "reading.pose_xy": "m", "reading.pose_z": "m", "reading.pose_yaw": "rad", "reading.compass": "rad",
+    "reading.pressure": "Pa", "reading.gyro_z": "rad/s", "reading.accel": "m/s^2", "reading.velocity": "m/s",
+}  # fmt: skip
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
 READING_LAWS = {f"{place}.{part.name}": part.neutral for place, parts in SENSOR_LAWS.items() for part in parts}
