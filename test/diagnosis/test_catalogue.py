@@ -38,8 +38,9 @@ def test_an_entry_is_whole(entry: Any) -> None:
 @pytest.fixture(scope="module")
 def short(swim: Any) -> Any:
     """The fit of half a minute, at its start values."""
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
     from cocorosim_ros.diagnosis.fitting.fit import make_fit
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows, base_unknowns, make_tracks, noise_unknowns
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 30.0))

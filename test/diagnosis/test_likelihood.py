@@ -83,7 +83,7 @@ def independent(evidence: Any, start: Any) -> float:
 
 def numbers(track: Any) -> Any:
     """The base model's row with the noise of this test."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows
     from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
     row = base_rows([track])[0]
@@ -97,7 +97,7 @@ def numbers(track: Any) -> Any:
 
 def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
     """Where the motion is linear, the log-likelihood of 450 readings agrees to 1e-6."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 
     track = make_tracks(heaving)[0]
     passed = track.filter.full(numbers(track))
@@ -107,7 +107,7 @@ def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
 
 def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
     """Given all readings the depth is known three times better than one reading shows it, and says so."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 
     track = make_tracks(heaving)[0]
     course = track.filter.smoothed(numbers(track))
@@ -119,7 +119,7 @@ def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
 @pytest.fixture(scope="module")
 def carried_off(heaving: Any) -> Any:
     """The track and row of one who is 10 cm elsewhere from half time on, as if someone had carried it."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 
     (recording,) = heaving.recordings
     (log,) = recording.robots

@@ -83,10 +83,11 @@ def test_no_law_adds_nothing() -> None:
 def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     """Bit for bit the innovations of the model without it; with a coefficient others. No two have one name."""
     from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
     from cocorosim_ros.diagnosis.fitting.candidate import expand
     from cocorosim_ros.diagnosis.fitting.fit import make_fit
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows, base_unknowns, make_tracks, noise_unknowns
     from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 20.0))

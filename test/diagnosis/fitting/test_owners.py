@@ -137,7 +137,8 @@ def test_a_tiny_amplitude_is_seen_wherever_it_stands() -> None:
 
 def test_a_noise_names_its_robots_and_the_unit_under_the_logarithm(swim: Any) -> None:
     """Of one robot: the random forces, their time and smoothness, and one number for each kind of reading."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows, make_tracks, noise_unknowns
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows, noise_unknowns
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 20.0))

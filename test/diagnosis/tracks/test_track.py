@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 

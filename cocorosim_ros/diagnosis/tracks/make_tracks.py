@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR, OPEN_WATER
-from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.track import Track, make_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
 
@@ -64,3 +65,22 @@ def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
     own = track.timeline.grid.moments
     index = np.clip(np.searchsorted(own, moments, side="right") - 1, 0, len(own) - 1)
     return drive[index, 0], drive[index, 1]
+
+
+def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
+    """A track for every robot in every recording that has readings."""
+    tracks: list[Track] = []
+    for recording in evidence.recordings:
+        alone = [make_track(evidence.platform, log, _span(log)) for log in recording.robots if _times(log)]
+        tracks += introduced(alone)
+    return tuple(tracks)
+
+
+def _times(log: RobotLog) -> list[Floats]:
+    return [stream.time for stream in log.streams.values() if len(stream.time)]
+
+
+def _span(log: RobotLog) -> tuple[float, float]:
+    """From the first reading to the last [s]."""
+    times = _times(log)
+    return min(float(time[0]) for time in times), max(float(time[-1]) for time in times)
