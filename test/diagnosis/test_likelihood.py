@@ -56,8 +56,8 @@ def independent(evidence: Any, start: Any) -> float:
     transition[2:, 2:] = fade
     process, covariance = np.zeros((4, 4)), np.zeros((4, 4))
     process[2:, 2:] = FORCE_RMS**2 * (stationary - fade @ stationary @ fade.T)
-    mean = np.array([start[0][2], 0.0, 0.0, 0.0])
-    covariance[:2, :2] = np.diag([start[1][2] ** 2, start[1][6] ** 2])
+    mean = np.array([start.mean[2], 0.0, 0.0, 0.0])
+    covariance[:2, :2] = np.diag([start.spread[2] ** 2, start.spread[6] ** 2])
     covariance[2:, 2:] = FORCE_RMS**2 * stationary
     total = 0.0
     pose, pressure = log.streams["pose"], log.streams["pressure"]

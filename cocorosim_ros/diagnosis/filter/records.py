@@ -64,6 +64,36 @@ class History(NamedTuple):
     high_step: Floats
 
 
+class Start(NamedTuple):
+    """The state at grid point 0, columns of world.state.state."""
+
+    mean: Floats  # (8,)
+    spread: Floats  # (8,) standard deviation
+
+
+class PassNumbers(NamedTuple):
+    """The numbers of a model beside its physics, for a pass of the filter."""
+
+    sensor: Floats  # by SENSOR_COLUMNS
+    random_force: Floats  # by WATER_NOISE, no logarithms
+    reading_variance: Floats  # (KINDS,) of a single reading of each kind
+
+
+class SlopeNumbers(NamedTuple):
+    """The numbers of a model beside its physics, for a slope by one number."""
+
+    sensor: Floats  # by SENSOR_COLUMNS
+    random_force: Floats  # by WATER_NOISE, no logarithms
+    step: float  # by which the number is off
+
+
+class Stretch(NamedTuple):
+    """Some grid points behind each other."""
+
+    first: int
+    points: int
+
+
 class Belief(NamedTuple):
     """What the filter leaves for each reading, and for each grid point after its readings."""
 

@@ -6,6 +6,7 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +19,13 @@ from cocorosim_ros.diagnosis.tracks.vehicle_size import sizes
 from cocorosim_ros.foundation.arrays import Floats
 
 OVER = 0.1  # of a logarithm beyond the largest shape of a grid
+
+
+class Robots(NamedTuple):
+    """Some robots and the numbers of all their tracks."""
+
+    names: tuple[str, ...]
+    tracks: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -47,11 +55,11 @@ class Candidate:
         return frozenset(shape.column for shape in self.entry.shapes if shape.once)
 
     @property
-    def sharers(self) -> tuple[tuple[tuple[str, ...], tuple[int, ...]], ...]:
-        """Robots that share their amplitudes, and their tracks: all where these are of the water, else each alone."""
+    def sharers(self) -> tuple[Robots, ...]:
+        """Robots that share their amplitudes: all where these are of the water, else each alone."""
         if self.entry.water:
-            return ((self.robots, self.everybody),)
-        return tuple(((robot,), tracks) for robot, tracks in zip(self.robots, self.tracks, strict=True))
+            return (Robots(self.robots, self.everybody),)
+        return tuple(Robots((robot,), tracks) for robot, tracks in zip(self.robots, self.tracks, strict=True))
 
     def owns(self, unknown: Unknown) -> bool:
         """Whether an unknown is a number of this entry on these robots."""
@@ -68,19 +76,17 @@ class Candidate:
         neutral = tuple(amplitude.neutral for amplitude in self.entry.amplitudes)
         bases = self.known or (neutral,) * len(self.sharers)
         return [
-            self._amplitude(amplitude, robots, tracks, base)
-            for (robots, tracks), own in zip(self.sharers, bases, strict=True)
+            self._amplitude(amplitude, robots, base)
+            for robots, own in zip(self.sharers, bases, strict=True)
             for amplitude, base in zip(self.entry.amplitudes, own, strict=True)
         ]
 
-    def _amplitude(
-        self, amplitude: Amplitude, robots: tuple[str, ...], tracks: tuple[int, ...], base: float
-    ) -> Unknown:
-        large = self.large(amplitude)
+    def _amplitude(self, amplitude: Amplitude, robots: Robots, base: float) -> Unknown:
+        large, step = self.large(amplitude), amplitude.step
         shift = (amplitude.neutral - base) / large
         bounds = (amplitude.least + shift, amplitude.most + shift)
-        owner = self._owner(amplitude, robots)
-        return Unknown(owner, amplitude.column, tracks, base, large, prior=1.0, step=amplitude.step, bounds=bounds)
+        owner = self._owner(amplitude, robots.names)
+        return Unknown(owner, amplitude.column, robots.tracks, base, large, prior=1.0, step=step, bounds=bounds)
 
     def _owner(self, number: Amplitude | Shape, robots: tuple[str, ...]) -> Owner:
         return Owner(self.entry.id, robots, number.name, number.unit, self.entry.topic)

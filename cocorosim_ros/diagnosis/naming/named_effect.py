@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screened
+
+
+class NearRival(NamedTuple):
+    """A candidate that explains nearly as much as the one that was named."""
+
+    candidate: Candidate
+    behind: float  # nats
 
 
 @dataclass(frozen=True)
@@ -16,7 +24,7 @@ class NamedEffect:
 
     candidate: Candidate
     nats: float
-    rivals: tuple[tuple[Candidate, float], ...]  # and how many nats behind
+    rivals: tuple[NearRival, ...]
     held_out: HeldOutGain
 
 

@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import held_out_gain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
@@ -142,10 +142,14 @@ def _first_believed(
     return None
 
 
-def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[tuple[Candidate, float], ...]:
-    """Effects of the catalogue that explain nearly as much, and how many nats behind."""
-    behind = [(each.candidate, best.nats - each.nats) for each in refined if each is not best]
-    return tuple((other, max(0.0, nats)) for other, nats in behind if nats <= AMBIGUITY and other.entry.law is None)
+def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[NearRival, ...]:
+    """Effects of the catalogue that explain nearly as much as the best."""
+    others = [each for each in refined if each is not best and each.candidate.entry.law is None]
+    return tuple(
+        NearRival(other.candidate, max(0.0, best.nats - other.nats))
+        for other in others
+        if best.nats - other.nats <= AMBIGUITY
+    )
 
 
 def _regained(refined: Refined, before: Fit) -> float:

@@ -10,14 +10,16 @@ from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import STATE_SIZE, SURGE, SWAY, YAW, X, Z
 
-FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
+FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
+STATE_NAMES = ("x", "y", "z", "yaw", "u", "v", "w", "r")
 IN_BODY = ("surge", "sway")
 PEAKS = 3
 SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
@@ -34,7 +36,7 @@ def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
     """What the recordings span, and how the residual force swings."""
-    places = np.concatenate([course.mean[:, :3] for course in courses])
+    places = np.concatenate([course.mean[:, X : Z + 1] for course in courses])
     seen = np.concatenate([course.mean for course in courses])
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
     duration = max(float(course.time[-1]) for course in courses)
@@ -48,7 +50,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
         tracks[0].vehicle.hull,
         tracks[0].vehicle.arm,
         periods,
-        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_COLUMNS["heave"]])),
+        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_Z])),
         _scales(tracks[0], seen, duration),
         _driven(tracks, seen),
     )
@@ -57,13 +59,14 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
 def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
     """Whether the thrust is greater than the random force in the level plane, by root mean squares."""
     thrust = np.concatenate([track.actuation.nominal_force() for track in tracks])
-    return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_COLUMNS["world_x"] : FORCE_COLUMNS["world_y"] + 1] ** 2))
+    return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_X : FORCE_Y + 1] ** 2))
 
 
 def _in_body(mean: Floats) -> tuple[Floats, Floats]:
     """The force (points,) forwards and to the left [N]."""
-    sine, cosine = np.sin(mean[:, 3]), np.cos(mean[:, 3])
-    return mean[:, 8] * cosine + mean[:, 9] * sine, mean[:, 9] * cosine - mean[:, 8] * sine
+    sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
+    east, north = mean[:, FORCE_X], mean[:, FORCE_Y]
+    return east * cosine + north * sine, north * cosine - east * sine
 
 
 def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
@@ -97,13 +100,13 @@ def _changes(time: Floats, force: Floats) -> list[float]:
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
     """Root mean squares of the regressors, full forces by equation, the mass."""
     rms = np.sqrt(np.mean(seen**2, axis=0))
-    force = np.maximum(track.vehicle.force_scale, 1e-9)
+    forward, left, upward, turning = np.maximum(track.vehicle.force_scale, 1e-9).tolist()
     full = full_forces(track.vehicle)
     return {
-        **dict(zip(("x", "y", "z", "yaw", "u", "v", "w", "r"), np.maximum(rms[:8], 1e-6).tolist(), strict=True)),
-        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[4], rms[5]), 1e-6)),
-        "thrust": 0.5 * float(max(force[0], force[1])), "yaw_command": 0.3 * float(force[3]),
-        "pump": 0.2 * float(force[2]), "pump_rate": 0.2 * float(force[2]),
+        **dict(zip(STATE_NAMES, np.maximum(rms[:STATE_SIZE], 1e-6).tolist(), strict=True)),
+        "1": 1.0, "t": duration, "speed": float(max(np.hypot(rms[SURGE], rms[SWAY]), 1e-6)),
+        "thrust": 0.5 * max(forward, left), "yaw_command": 0.3 * turning,
+        "pump": 0.2 * upward, "pump_rate": 0.2 * upward,
         "sin_yaw": math.sqrt(0.5), "cos_yaw": math.sqrt(0.5), "sin_t": math.sqrt(0.5), "cos_t": math.sqrt(0.5),
         "neighbour_distance": 1.0, "wall_distance": 0.5 if track.vehicle.surroundings.upper[0] < FAR else 0.0,
         "surge_force": full.across, "heave_force": full.random_heave, "yaw_force": full.yaw,

@@ -82,9 +82,9 @@ def found_effects(fit: Fit, named: Sequence[NamedEffect]) -> tuple[FoundEffect, 
     """The named effects, strongest first; one for each robot where the numbers are the robot's own."""
     numbers = fitted(fit)
     found = [
-        _found(fit, effect, robots, [each for each in numbers if effect.candidate.owns(each.unknown)])
+        _found(fit, effect, robots.names, [each for each in numbers if effect.candidate.owns(each.unknown)])
         for effect in named
-        for robots, _ in effect.candidate.sharers
+        for robots in effect.candidate.sharers
     ]
     return tuple(sorted(found, key=lambda effect: -effect.nats))
 
@@ -94,9 +94,9 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
     entry = effect.candidate.entry
     mine = [each for each in numbers if set(robots) <= set(each.unknown.owner.robots)]
     rivals = tuple(
-        Rival(candidate.entry.id, round(behind, 2))
-        for candidate, behind in effect.rivals
-        if candidate.entry.id != entry.id
+        Rival(rival.candidate.entry.id, round(rival.behind, 2))
+        for rival in effect.rivals
+        if rival.candidate.entry.id != entry.id
     )
     sure = effect.nats >= CONFIRMED and effect.held_out.p < SURE and not rivals
     tier: Tier = "confirmed" if sure else "suspected"

@@ -16,12 +16,12 @@ from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
-from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
+from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.state import YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.world.state.state import STATE_SIZE, YAW, YAW_RATE, X, Y, Z
 
 SEEN = 0.6  # of each recording is fitted
 WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
@@ -54,7 +54,7 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
     if not windows:
         return {}, ()
     models = {"nominal": nominal_rows, **{name: fit.filled for name, fit in fits.items()}}
-    streams = held_out_streams(base.tracks, courses, models, (SEEN, seconds))
+    streams = held_out_streams(base.tracks, courses, models, HeldOutPart(SEEN, seconds))
     return {**_table(windows, base.tracks, seconds), **streams}, tuple(window.run for window in windows)
 
 
@@ -79,9 +79,9 @@ def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: f
         return []
     found = []
     for begin in range(first, grid.points - length, length):
-        start = course.mean[begin, :8]
+        start = course.mean[begin, :STATE_SIZE]
         paths = {name: track.filter.free_run(row, start, begin, length) for name, row in rows.items()}
-        measured = course.mean[begin : begin + length, :8]
+        measured = course.mean[begin : begin + length, :STATE_SIZE]
         squared = {name: _squared(path, measured) for name, path in paths.items()}
         squared["noise_floor"] = _floor(track, rows["augmented"], course, begin, length)
         time = course.time[begin : begin + length]
@@ -100,9 +100,9 @@ def _squared(path: Floats, measured: Floats) -> Floats:
 
 def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int) -> Floats:
     """(points, 3) expected squared errors of a model that is right, by one run with the smoothed random force added."""
-    start = course.mean[begin, :8]
+    start = course.mean[begin, :STATE_SIZE]
     free = track.filter.free_run(row, start, begin, length)
-    pushed = track.filter.free_run(row, start, begin, length, course.mean[begin : begin + length, 8:])
+    pushed = track.filter.free_run(row, start, begin, length, course.mean[begin : begin + length, STATE_SIZE:])
     return _squared(free, pushed)
 
 

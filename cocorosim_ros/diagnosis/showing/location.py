@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
+from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, X, Y, Z
 
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
 MOST = 6
@@ -108,17 +109,17 @@ def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[S
     index = np.clip(np.searchsorted(course.time, time), 0, len(course.time) - 1)
     state = course.mean[index]
     regimes = {
-        "mostly when turning": np.abs(state[:, 7]) > np.median(np.abs(course.mean[:, 7])),
-        "mostly when turning slowly or not": np.abs(state[:, 7]) <= np.median(np.abs(course.mean[:, 7])),
-        "mostly at speed": np.abs(state[:, 4]) > np.median(np.abs(course.mean[:, 4])),
-        "mostly when slow": np.abs(state[:, 4]) <= np.median(np.abs(course.mean[:, 4])),
-        "mostly when deep": state[:, 2] < np.median(course.mean[:, 2]),
-        "mostly when shallow": state[:, 2] >= np.median(course.mean[:, 2]),
-        "mostly when diving or rising": np.abs(state[:, 6]) > np.median(np.abs(course.mean[:, 6])),
-        "mostly in the eastern half": state[:, 0] > np.median(course.mean[:, 0]),
-        "mostly in the western half": state[:, 0] <= np.median(course.mean[:, 0]),
-        "mostly in the northern half": state[:, 1] > np.median(course.mean[:, 1]),
-        "mostly in the southern half": state[:, 1] <= np.median(course.mean[:, 1]),
+        "mostly when turning": np.abs(state[:, YAW_RATE]) > np.median(np.abs(course.mean[:, YAW_RATE])),
+        "mostly when turning slowly or not": np.abs(state[:, YAW_RATE]) <= np.median(np.abs(course.mean[:, YAW_RATE])),
+        "mostly at speed": np.abs(state[:, SURGE]) > np.median(np.abs(course.mean[:, SURGE])),
+        "mostly when slow": np.abs(state[:, SURGE]) <= np.median(np.abs(course.mean[:, SURGE])),
+        "mostly when deep": state[:, Z] < np.median(course.mean[:, Z]),
+        "mostly when shallow": state[:, Z] >= np.median(course.mean[:, Z]),
+        "mostly when diving or rising": np.abs(state[:, HEAVE]) > np.median(np.abs(course.mean[:, HEAVE])),
+        "mostly in the eastern half": state[:, X] > np.median(course.mean[:, X]),
+        "mostly in the western half": state[:, X] <= np.median(course.mean[:, X]),
+        "mostly in the northern half": state[:, Y] > np.median(course.mean[:, Y]),
+        "mostly in the southern half": state[:, Y] <= np.median(course.mean[:, Y]),
     }
     total = float(gained.sum())
     if total <= 0.0:

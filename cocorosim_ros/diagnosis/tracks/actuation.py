@@ -9,6 +9,8 @@ from cocorosim_ros.diagnosis.filter.commands import mean_forces
 from cocorosim_ros.diagnosis.filter.records import Drive, Grid
 from cocorosim_ros.diagnosis.tracks.columns import ACTUATING
 from cocorosim_ros.diagnosis.tracks.lately import Lately
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.reading_laws import Course
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
@@ -48,6 +50,13 @@ class Actuation:
     def pump_force(self, drive: Drive) -> Floats:
         """(points,) force of the pumps [N], up positive."""
         return np.asarray(drive.force[:, self.vehicle.is_pump].sum(axis=1))
+
+    def course_along(self, smoothed: Smoothed, row: Floats) -> Course:
+        """What laws may depend on, where the robot swam so and its actuators have these numbers."""
+        drive, vehicle = self.drive(row, with_rates=True), self.vehicle
+        water = (vehicle.surroundings.lower, vehicle.surroundings.upper)
+        thrust = self.thrust(drive)
+        return Course(smoothed.time, smoothed.mean, thrust, drive.force, drive.rate, vehicle.is_pump, water)
 
     def nominal_force(self) -> Floats:
         """(points, 2) forward and sideways force of the thrusters [N] under the platform's own numbers."""

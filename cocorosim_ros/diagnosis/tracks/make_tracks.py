@@ -71,7 +71,7 @@ def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
     """A track for every robot in every recording that has readings."""
     tracks: list[Track] = []
     for recording in evidence.recordings:
-        alone = [make_track(evidence.platform, log, _span(log)) for log in recording.robots if _times(log)]
+        alone = [make_track(evidence.platform, log, *_span(log)) for log in recording.robots if _times(log)]
         tracks += introduced(alone)
     return tuple(tracks)
 

@@ -8,16 +8,16 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, KINDS_OF_STREAM, POSE_X, POSE_Y, POSE_YAW, POSE_Z, PRESSURE
+from cocorosim_ros.diagnosis.filter.records import Start
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
-from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
 FIRST_SECONDS = 0.5  # s in which the start is looked for
 
 
-def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Floats:
-    """(2, 8) state at the first grid point and its standard deviation, columns of world.state.state."""
+def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
+    """State and standard deviation at the first grid point."""
     first = first_values(log, begin, FIRST_SECONDS)
     mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
     mean[X], mean[Y] = first.get(POSE_X, 0.0), first.get(POSE_Y, 0.0)
@@ -30,7 +30,7 @@ def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Floats:
     speed = max(0.05, math.sqrt(force / vehicle.mass) * 0.5)
     spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed
     spread[YAW_RATE] = max(0.3, math.sqrt(moment / vehicle.yaw_inertia))
-    return np.array([mean, spread])
+    return Start(mean, spread)
 
 
 def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:

@@ -46,11 +46,11 @@ class Track:
         return Track(self.log, vehicle, timeline, actuation, self.filter.over(timeline, actuation))
 
 
-def make_track(platform: Platform, log: RobotLog, span: tuple[float, float]) -> Track:
-    """One robot alone in open water; span: its first and last reading [s]."""
+def make_track(platform: Platform, log: RobotLog, begin: float, end: float) -> Track:
+    """One robot alone in open water; from its first reading to its last [s]."""
     vehicle = vehicle_model(platform.of_robot(log.name))
     force = vehicle.force_scale
     step = grid_step(float(np.linalg.norm(force[:3])) / vehicle.mass, force[3] / vehicle.yaw_inertia)
-    timeline = Timeline(log, step, grid_begin(log.command_time, step, span[0]), span[1])
+    timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)
-    return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, start_of(vehicle, log, span[0])))
+    return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, start_of(vehicle, log, begin)))

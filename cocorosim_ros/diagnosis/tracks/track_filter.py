@@ -11,7 +11,16 @@ from cocorosim_ros.diagnosis.filter.covariance import GATE
 from cocorosim_ros.diagnosis.filter.filter import filter_pass, slope_pass
 from cocorosim_ros.diagnosis.filter.layout import HORIZONTAL, VERTICAL
 from cocorosim_ros.diagnosis.filter.motion import run_free
-from cocorosim_ros.diagnosis.filter.records import Belief, History, Past, Readings
+from cocorosim_ros.diagnosis.filter.records import (
+    Belief,
+    History,
+    PassNumbers,
+    Past,
+    Readings,
+    SlopeNumbers,
+    Start,
+    Stretch,
+)
 from cocorosim_ros.diagnosis.filter.smoother import smooth
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.columns import READING_COLUMNS, SENSORS, WATER
@@ -32,12 +41,11 @@ def _blank_history(points: int) -> History:
 class TrackFilter:
     """The extended Kalman filter of filter.filter, given the readings of a timeline and the forces of an actuation.
 
-    start (2, 8): state at the first grid point and its standard deviation. course: along which laws of readings are
-    taken; None: the one that the first row with such laws leads to.
+    course: along which laws of readings are taken; None: the one that the first row with such laws leads to.
     """
 
     def __init__(
-        self, timeline: Timeline, actuation: Actuation, start: Floats, course: Course | None = None
+        self, timeline: Timeline, actuation: Actuation, start: Start, course: Course | None = None
     ) -> None:  # fmt: skip
         self.timeline, self.actuation, self.start = timeline, actuation, start
         self._course = course
@@ -69,7 +77,7 @@ class TrackFilter:
         """
         grid = self.timeline.grid
         drive, body = self.actuation.drive(row), self.actuation.vehicle.body(row)
-        path: Floats = run_free(drive, start, body, (grid.begin, grid.step), (first, points, push))
+        path: Floats = run_free(drive, start, body, grid, Stretch(first, points), push)
         return path
 
     def slope(self, row: Floats, past: Pass, step: float, slope: Floats) -> None:
@@ -77,15 +85,15 @@ class TrackFilter:
 
         0 where the past pass did not believe the reading.
         """
-        numbers = (row[SENSORS], np.exp(row[WATER]), step)
+        numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), step)
         kept = Past(past.innovation, past.gain, past.believed)
         body = self.actuation.vehicle.body(row)
-        slope_pass(self.readings(row), self.actuation.drive(row), self.start[0], body, numbers, kept, slope)
+        slope_pass(self.readings(row), self.actuation.drive(row), self.start.mean, body, numbers, kept, slope)
 
     def _believe(self, row: Floats, kept: History) -> Belief:
         count = len(self.timeline.kind)
         belief = Belief(np.empty(count), np.empty(count), np.zeros((count, HORIZONTAL)), kept)
-        numbers = (row[SENSORS], np.exp(row[WATER]), np.exp(2.0 * row[READING_COLUMNS]))
+        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(2.0 * row[READING_COLUMNS]))
         body = self.actuation.vehicle.body(row)
         filter_pass(self.readings(row), self.actuation.drive(row), self.start, body, numbers, belief)
         return belief
@@ -109,21 +117,8 @@ class TrackFilter:
 
         def course() -> Course:
             if self._course is None:
-                self._course = self._seen(without_laws(row))
+                plain = without_laws(row)
+                self._course = self.actuation.course_along(self.smoothed(plain), plain)
             return self._course
 
         return course
-
-    def _seen(self, row: Floats) -> Course:
-        course, vehicle = self.smoothed(row), self.actuation.vehicle
-        drive = self.actuation.drive(row, with_rates=True)
-        around = vehicle.surroundings
-        return Course(
-            course.time,
-            course.mean,
-            self.actuation.thrust(drive),
-            drive.force,
-            drive.rate,
-            vehicle.is_pump,
-            (around.lower, around.upper),
-        )
