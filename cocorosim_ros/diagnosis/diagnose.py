@@ -11,10 +11,14 @@ from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, in_words
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
-from cocorosim_ros.diagnosis.fitting.recalibration import RECALIBRATED, base_fit, nominal_fit
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
-from cocorosim_ros.diagnosis.naming.naming import THRESHOLD, Naming, name_effects, without_weakest
+from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.naming.naming import name_effects
+from cocorosim_ros.diagnosis.naming.needed_evidence import THRESHOLD
+from cocorosim_ros.diagnosis.naming.pruning import without_weakest
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
@@ -51,13 +55,13 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     progress("running free on what the fit did not see", 0.8)
     naming, table, runs = _that_helps(naming)
     progress("writing down", 0.95)
-    effects = (*mixed_up(intake), *found_effects(naming.fit, naming.accused))
+    effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named))
     every, moved = recalibrated(naming.fit)
     moved = moved or (_strongest(every) if _shifted(base) else ())
-    unseen = tuple(name for name in not_shown(naming.screened) if name not in {part.id for part in effects})
+    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     verdict = _verdict(effects, moved, unseen)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
-    tried = {part.candidate.entry.id for part in naming.screened}
+    tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in unseen if name in tried])
     final_courses = smoothed_tracks(naming.fit)
     return Diagnosis(
@@ -83,9 +87,9 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
 
 
 def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
-    """What is left of the accusations when those are taken back that make free runs on unseen data worse."""
+    """What is left of the named effects when those are taken back that make free runs on unseen data worse."""
     table, runs = held_out_free_runs(naming.base, naming.fit)
-    while naming.accused and any(_is_worse(row) for row in table.values()):
+    while naming.named and any(_is_worse(row) for row in table.values()):
         naming = without_weakest(naming)
         table, runs = held_out_free_runs(naming.base, naming.fit)
     return naming, table, runs
@@ -127,7 +131,7 @@ def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unse
 def _shifted(base: Fit) -> bool:
     """Whether the platform's own numbers do not fit, all of them taken together."""
     gain = base.objective - nominal_fit(base).objective
-    return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.laws)))
+    return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.unknowns)))
 
 
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:

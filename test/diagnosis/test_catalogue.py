@@ -40,13 +40,14 @@ def test_an_entry_is_whole(entry: Any) -> None:
 @pytest.fixture(scope="module")
 def short(swim: Any) -> Any:
     """The fit of half a minute, at its start values."""
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
     from cocorosim_ros.diagnosis.fitting.fit import make_fit
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 30.0))
     rows = base_rows(tracks)
-    return make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    return make_fit(tracks, rows, base_unknowns(tracks), noise_unknowns(tracks, rows))
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
@@ -62,11 +63,11 @@ def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
     scene = scene_of(short.tracks, smoothed_tracks(short))
     values = next(iter(found[0].settings(scene)))
     row, change = found[0].write(short.filled, values)[0], np.zeros(len(short.passes[0].innovation))
-    short.tracks[0].slope(row, short.passes[0], 1.0, change)
+    short.tracks[0].filter.slope(row, short.passes[0], 1.0, change)
     np.testing.assert_array_equal(change, 0.0)
     for part in entry.amplitudes:
         row[COLUMN[part.column]] = part.neutral + part.large
-    short.tracks[0].slope(row, short.passes[0], 1.0, change)
+    short.tracks[0].filter.slope(row, short.passes[0], 1.0, change)
     assert np.abs(change).max() > 1e-9
 
 
@@ -89,12 +90,12 @@ def test_what_a_pump_tells_of_is_weighed_by_how_far_it_was_moved() -> None:
 def test_a_skew_counts_by_what_it_makes_of_the_recording() -> None:
     """Of 15 s less than a tick, what is a quarter of a second in ten minutes."""
     from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-    from cocorosim_ros.diagnosis.naming.naming import _is_negligible
+    from cocorosim_ros.diagnosis.naming.needed_evidence import is_negligible
 
     skew = next(entry for entry in ENTRIES if entry.id == "clock_skew" and entry.topic == "imu")
     (amplitude,) = skew.amplitudes
     short, long = (Candidate(skew, ("a",), ((0,),), duration=seconds) for seconds in (15.0, 600.0))
     for value in (-4e-4, 4e-4):
-        assert _is_negligible(short, amplitude, value) and not _is_negligible(long, amplitude, value)
-    assert not _is_negligible(short, amplitude, 2e-3)
-    assert _is_negligible(long, amplitude, 3e-5)
+        assert is_negligible(short, amplitude, value) and not is_negligible(long, amplitude, value)
+    assert not is_negligible(short, amplitude, 2e-3)
+    assert is_negligible(long, amplitude, 3e-5)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.showing.free_runs import window_length
-from cocorosim_ros.diagnosis.tracks.track import Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.world.state.state import YAW_RATE
 
 

@@ -56,8 +56,8 @@ def independent(evidence: Any, start: Any) -> float:
     transition[2:, 2:] = fade
     process, covariance = np.zeros((4, 4)), np.zeros((4, 4))
     process[2:, 2:] = FORCE_RMS**2 * (stationary - fade @ stationary @ fade.T)
-    mean = np.array([start[0][2], 0.0, 0.0, 0.0])
-    covariance[:2, :2] = np.diag([start[1][2] ** 2, start[1][6] ** 2])
+    mean = np.array([start.mean[2], 0.0, 0.0, 0.0])
+    covariance[:2, :2] = np.diag([start.spread[2] ** 2, start.spread[6] ** 2])
     covariance[2:, 2:] = FORCE_RMS**2 * stationary
     total = 0.0
     pose, pressure = log.streams["pose"], log.streams["pressure"]
@@ -83,7 +83,7 @@ def independent(evidence: Any, start: Any) -> float:
 
 def numbers(track: Any) -> Any:
     """The base model's row with the noise of this test."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_rows
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows
     from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
     row = base_rows([track])[0]
@@ -97,20 +97,20 @@ def numbers(track: Any) -> Any:
 
 def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
     """Where the motion is linear, the log-likelihood of 450 readings agrees to 1e-6."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 
     track = make_tracks(heaving)[0]
-    passed = track.full(numbers(track))
+    passed = track.filter.full(numbers(track))
     assert passed.believed.all()
-    assert passed.log_likelihood == pytest.approx(independent(heaving, track.start), abs=1e-6)
+    assert passed.log_likelihood == pytest.approx(independent(heaving, track.filter.start), abs=1e-6)
 
 
 def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
     """Given all readings the depth is known three times better than one reading shows it, and says so."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 
     track = make_tracks(heaving)[0]
-    course = track.smoothed(numbers(track))
+    course = track.filter.smoothed(numbers(track))
     truth = -1.0 + 0.1 * np.sin(0.3 * course.time)
     assert np.sqrt(np.mean((course.mean[:, 2] - truth) ** 2)) < Z_NOISE / 3.0
     assert course.spread[150, 2] < course.spread[-1, 2] < Z_NOISE
@@ -119,7 +119,7 @@ def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:
 @pytest.fixture(scope="module")
 def carried_off(heaving: Any) -> Any:
     """The track and row of one who is 10 cm elsewhere from half time on, as if someone had carried it."""
-    from cocorosim_ros.diagnosis.fitting.recalibration import make_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 
     (recording,) = heaving.recordings
     (log,) = recording.robots
@@ -133,7 +133,7 @@ def carried_off(heaving: Any) -> Any:
 def test_a_robot_that_was_lost_is_found_again(carried_off: Any) -> None:
     """Fifty standard deviations are not believed, but pull the model there; at the end it agrees with what is read."""
     track, row = carried_off
-    believed = track.full(row).believed
+    believed = track.filter.full(row).believed
     assert believed[:140].all() and not believed[150:155].any()
     assert believed[-50:].all()
 
@@ -141,17 +141,18 @@ def test_a_robot_that_was_lost_is_found_again(carried_off: Any) -> None:
 def test_what_is_not_believed_pulls_as_far_with_every_number(carried_off: Any) -> None:
     """A slope along no change is nothing, to the bit, after doubted readings too."""
     track, row = carried_off
-    slope = np.ones(len(track.readings.kind))
-    track.slope(row, track.full(row), 1.0, slope)
+    slope = np.ones(len(track.timeline.kind))
+    track.filter.slope(row, track.filter.full(row), 1.0, slope)
     np.testing.assert_array_equal(slope, 0.0)
 
 
 def test_a_number_at_its_bound_does_not_hold_the_others_back() -> None:
     """Of two that pull at each other, the one pressing against its bound is left out: the other goes all its way."""
-    from cocorosim_ros.diagnosis.fitting.fit import step_within
-    from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+    from cocorosim_ros.diagnosis.fitting.solving import step_within
+    from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
 
-    pair = [Unknown("drag", (0,), 1.0, bounds=(-1.0, 1.0)), Unknown("yaw_drag", (0,), 1.0)]
+    owners = [Owner(PLATFORM, ("lily_01",), name, unit) for name, unit in (("drag", "kg/m"), ("yaw_drag", "N m s^2"))]
+    pair = [Unknown(owners[0], "drag", (0,), 1.0, bounds=(-1.0, 1.0)), Unknown(owners[1], "yaw_drag", (0,), 1.0)]
     matrix, score = np.array([[2.0, 1.5], [1.5, 2.0]]), np.array([1.0, 1.0])
     np.testing.assert_allclose(step_within(matrix, score, pair, np.array([1.0, 0.0])), [0.0, 0.5])
     np.testing.assert_allclose(step_within(matrix, -score, pair, np.array([1.0, 0.0])), [-2.0 / 7.0, -2.0 / 7.0])

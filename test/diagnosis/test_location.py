@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.showing.location import _where
-from cocorosim_ros.diagnosis.tracks.track import Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 
 TIME = 0.1 * np.arange(200)
 

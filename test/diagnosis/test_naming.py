@@ -105,7 +105,7 @@ def test_a_sensor_is_not_blamed_for_another_one(swim: Any) -> None:
     log = replace(log, streams={**log.streams, **changed})
     base = base_fit(replace(evidence, recordings=(replace(recording, robots=(log,)),)))
     naming = name_effects(base, lambda words, share: None)
-    assert [part.candidate.entry.id for part in naming.accused] == ["camera_scale"]
+    assert [effect.candidate.entry.id for effect in naming.named] == ["camera_scale"]
 
 
 def test_what_does_not_look_like_an_effect_is_no_rest_of_it(swim: Any) -> None:

@@ -87,15 +87,16 @@ def test_no_law_adds_nothing() -> None:
 def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     """Bit for bit the innovations of the model without it; with a coefficient others. No two have one name."""
     from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+    from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
     from cocorosim_ros.diagnosis.fitting.candidate import expand
     from cocorosim_ros.diagnosis.fitting.fit import make_fit
-    from cocorosim_ros.diagnosis.fitting.recalibration import base_laws, base_rows, make_tracks, noise_unknowns
     from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     tracks = make_tracks(swim(load_platform("lily"), 20.0))
     rows = base_rows(tracks)
-    fit = make_fit(tracks, rows, base_laws(tracks), noise_unknowns(tracks, rows))
+    fit = make_fit(tracks, rows, base_unknowns(tracks), noise_unknowns(tracks, rows))
     scene = scene_of(fit.tracks, smoothed_tracks(fit))
     found = expand(open_set(scene, [], fit.rows, water=True), fit.tracks, fit.rows)
     assert len(found) > 200
@@ -104,14 +105,14 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
         # The phase of a swing is nought at first.
         values = list(candidate.settings(scene))[-1]
         reading = values.get("sensor_law_1.reading")
-        if reading is not None and not fit.tracks[0].sees(READINGS[int(reading)].name):
+        if reading is not None and not fit.tracks[0].timeline.sees(READINGS[int(reading)].name):
             continue
         row, change = candidate.write(fit.filled, values)[0], np.zeros(len(fit.passes[0].innovation))
-        fit.tracks[0].slope(row, fit.passes[0], 1.0, change)
+        fit.tracks[0].filter.slope(row, fit.passes[0], 1.0, change)
         np.testing.assert_array_equal(change, 0.0, candidate.entry.name)
         (amplitude,) = candidate.entry.amplitudes
         row[COLUMN[amplitude.column]] = -0.01 * amplitude.large  # a drag; a large push would run away
-        fit.tracks[0].slope(row, fit.passes[0], 1.0, change)
+        fit.tracks[0].filter.slope(row, fit.passes[0], 1.0, change)
         assert np.abs(change).max() > 1e-12, candidate.entry.name
         seen.add(candidate.entry.name)
     assert len(seen) > 150

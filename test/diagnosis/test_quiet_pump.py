@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, POSE_Z
+from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
@@ -25,8 +26,10 @@ def fits(force: Any, nats: Any, kind: int = POSE_Z, before: float = RANDOM_FORCE
     rows = np.tile(NEUTRAL, (2, 1, 1))
     rows[:, 0, COLUMN["random.heave_force"]] = math.log(before), math.log(RANDOM_FORCE)
     stamps = STEP * np.arange(len(force))
-    readings = SimpleNamespace(kind=np.full(len(force), kind), stamp=stamps, begin=0.0, step=STEP)
-    track = SimpleNamespace(readings=readings, pump_force=lambda row: force)
+    grid = Grid(0.0, STEP, len(force))
+    timeline = SimpleNamespace(kind=np.full(len(force), kind), stamp=stamps, grid=grid)
+    actuation = SimpleNamespace(drive=lambda row: force, pump_force=lambda drive: drive)
+    track = SimpleNamespace(timeline=timeline, actuation=actuation)
     one = SimpleNamespace(innovation=np.sqrt(2.0 * nats), variance=np.ones(len(force)))
     other = SimpleNamespace(innovation=np.zeros(len(force)), variance=np.ones(len(force)))
     return (

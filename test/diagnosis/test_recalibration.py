@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.fitting import recalibration
-from cocorosim_ros.diagnosis.fitting.fit import settled
+from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
 

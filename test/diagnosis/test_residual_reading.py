@@ -11,7 +11,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
 from cocorosim_ros.diagnosis.findings import FoundEffect
-from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
+from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.world.laws.law import Law
@@ -39,11 +39,11 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
     row = NEUTRAL.copy()
     for name, value in numbers.items():
         row[COLUMN[name.replace("__", ".")]] = value
-    readings = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
+    timeline = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
     log = SimpleNamespace(streams={"compass": SimpleNamespace(noise=np.array([0.02]))})
-    track = SimpleNamespace(
-        name="lily_01", readings=readings, log=log, law_shift=lambda row: np.zeros(len(TIME)), course_along=swum
-    )
+    without_laws = SimpleNamespace(law_shift=lambda row: np.zeros(len(TIME)))
+    swimming = SimpleNamespace(course_along=swum)
+    track = SimpleNamespace(name="lily_01", timeline=timeline, log=log, filter=without_laws, actuation=swimming)
     return SimpleNamespace(tracks=(track,), filled=row[None])
 
 
@@ -89,7 +89,7 @@ def test_held_out_errors_of_a_stream() -> None:
     values = 0.1 * TIME + np.where(TIME < 5.9, 0.9, 0.05)
     plain, better = fit(COMPASS, values), fit(COMPASS, values, compass_distortion__offset=0.05)
     models = {"nominal": plain.filled, "recalibrated": plain.filled, "augmented": better.filled}
-    table = held_out_streams(plain.tracks, [COURSE], models, (0.6, 2.0))
+    table = held_out_streams(plain.tracks, [COURSE], models, HeldOutPart(0.6, 2.0))
     assert list(table) == ["compass"]
     row = table["compass"]
     assert (row.nominal, row.recalibrated, row.noise_floor) == pytest.approx((0.05, 0.05, 0.01))

@@ -35,7 +35,8 @@ def test_a_number_that_holds_the_nominal_has_not_moved() -> None:
 
 def test_random_forces_that_are_not_there_are_fitted_away(swim: Any) -> None:
     """The most likely noise is found again from a state in which each plain step makes it worse."""
-    from cocorosim_ros.diagnosis.fitting.fit import evaluated, with_noise
+    from cocorosim_ros.diagnosis.fitting.climbing import with_noise
+    from cocorosim_ros.diagnosis.fitting.fit import evaluated
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
     from cocorosim_ros.scenario.parts.platform import load_platform
 

@@ -19,7 +19,7 @@ from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 
 def vehicle(*force: float) -> Any:
-    """What is asked of a track."""
+    """What is asked of a vehicle."""
     return SimpleNamespace(force_scale=np.array(force))
 
 

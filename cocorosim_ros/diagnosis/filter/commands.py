@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from cocorosim_ros.world.motion.actuation import actuate
@@ -12,15 +13,12 @@ from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
 @allocating_kernel
-def mean_forces(
-    command_time: Floats, command: Floats, body: Body, grid: tuple[float, float, int]
-) -> tuple[Floats, Floats]:
+def mean_forces(command_time: Floats, command: Floats, body: Body, grid: Grid) -> tuple[Floats, Floats]:
     """(points, A) force [N] by actuator, averaged from each grid point to the next, and its rate of change [N/s].
 
-    command_time (m,) [s], ascending, command (m, A); before the first command everything is off. grid: first point [s],
-    step [s], points.
+    command_time (m,) [s], ascending, command (m, A); before the first command everything is off.
     """
-    begin, step, points = grid
+    begin, step, points = grid.begin, grid.step, grid.points
     actuators = command.shape[1]
     force, rate = np.zeros((points, actuators)), np.zeros((points, actuators))
     memory, mean, off = np.zeros(MEMORY_SIZE * actuators), np.zeros(actuators), np.zeros(actuators)

@@ -30,6 +30,10 @@ from cocorosim_ros.diagnosis.filter.covariance import (
 from cocorosim_ros.diagnosis.filter.layout import CORRELATION, FORCE_XY, FORCE_Z, MOMENT_YAW, SMOOTHNESS
 from cocorosim_ros.diagnosis.filter.motion import (
     FORCE,
+    FORCE_X,
+    FORCE_Y,
+    MOMENT,
+    Clock,
     Motion,
     advance,
     make_motion,
@@ -37,6 +41,7 @@ from cocorosim_ros.diagnosis.filter.motion import (
     responses,
     write_slopes,
 )
+from cocorosim_ros.diagnosis.filter.motion import FORCE_Z as FORCE_UP
 from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
 from cocorosim_ros.diagnosis.filter.reading import (
     deviation,
@@ -46,7 +51,16 @@ from cocorosim_ros.diagnosis.filter.reading import (
     sensitivity,
     sensitivity_upright,
 )
-from cocorosim_ros.diagnosis.filter.records import Belief, Drive, History, Past, Readings
+from cocorosim_ros.diagnosis.filter.records import (
+    Belief,
+    Drive,
+    History,
+    PassNumbers,
+    Past,
+    Readings,
+    SlopeNumbers,
+    Start,
+)
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
@@ -88,6 +102,14 @@ class Spread(NamedTuple):
     response: Floats  # (4,) acceleration by unit of force
 
 
+class NewVariance(NamedTuple):
+    """Variance of a random force and its gust, for a force with an rms of 1."""
+
+    force: float
+    both: float  # covariance
+    gust: float
+
+
 @allocating_kernel
 def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
     """As the standard deviation of the state (8,) and the random force (WATER_NOISE) have it."""
@@ -107,24 +129,23 @@ def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
         np.zeros(VERTICAL * VERTICAL),
         np.zeros(4),
     )
-    _add_force(parts, noise, (1.0, fade.common, 1.0))
+    _add_force(parts, noise, NewVariance(1.0, fade.common, 1.0))
     return parts
 
 
 @kernel
-def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: tuple[float, float, float]) -> None:
+def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: NewVariance) -> None:
     """Let variance into the force that stands at `at` of a matrix (size, size), and into its gust, `apart` further."""
-    force, both, gust = new
     other = at + apart
-    matrix[at * size + at] += rms * rms * force
-    matrix[at * size + other] += rms * rms * both
-    matrix[other * size + at] += rms * rms * both
-    matrix[other * size + other] += rms * rms * gust
+    matrix[at * size + at] += rms * rms * new.force
+    matrix[at * size + other] += rms * rms * new.both
+    matrix[other * size + at] += rms * rms * new.both
+    matrix[other * size + other] += rms * rms * new.gust
 
 
 @kernel
-def _add_force(parts: Spread, noise: Floats, new: tuple[float, float, float]) -> None:
-    """Let variance into the random forces; new: of force, of both and of gust, for an rms of 1."""
+def _add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
+    """Let variance into the random forces."""
     _add_pair(parts.wide, HFX, HORIZONTAL, 3, noise[FORCE_XY], new)
     _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[FORCE_XY], new)
     _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[MOMENT_YAW], new)
@@ -144,7 +165,7 @@ def _correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: fl
     if is_upright(kind):
         row[Z] += gain[VZ] * innovation
         row[HEAVE] += gain[VW] * innovation
-        body.parameters[FORCE + 2] += gain[VFZ] * innovation
+        body.parameters[FORCE_UP] += gain[VFZ] * innovation
         gust[2] += gain[VGZ] * innovation
         return
     row[X] += gain[HX] * innovation
@@ -153,9 +174,9 @@ def _correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: fl
     row[SURGE] += gain[HU] * innovation
     row[SWAY] += gain[HV] * innovation
     row[YAW_RATE] += gain[HR] * innovation
-    body.parameters[FORCE] += gain[HFX] * innovation
-    body.parameters[FORCE + 1] += gain[HFY] * innovation
-    body.parameters[FORCE + 3] += gain[HN] * innovation
+    body.parameters[FORCE_X] += gain[HFX] * innovation
+    body.parameters[FORCE_Y] += gain[HFY] * innovation
+    body.parameters[MOMENT] += gain[HN] * innovation
     gust[0] += gain[HGX] * innovation
     gust[1] += gain[HGY] * innovation
     gust[3] += gain[HGN] * innovation
@@ -199,14 +220,12 @@ def _keep_mean(motion: Motion, body: Body, mean: Floats) -> None:
 
 
 @kernel
-def _move(
-    motion: Motion, parts: Spread, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body
-) -> None:
+def _move(motion: Motion, parts: Spread, clock: Clock, drive: Drive, point: int, body: Body) -> None:
     """Carry mean and covariance from the grid point before to `point`, without what the random force adds."""
-    time, step, fade = clock
+    step, fade = clock.step, clock.fade
     if point > 0:
         put_drive(motion.row, drive, point - 1, point - 1, body)
-        write_slopes(motion, time - step, body, parts.response, parts.wide_slope, parts.high_slope)
+        write_slopes(motion, clock.time - step, body, parts.response, parts.wide_slope, parts.high_slope)
         transition(parts.wide_slope, step, fade, parts.wide_step, parts.back)
         transition_upright(parts.high_slope, step, fade, parts.high_step)
         spread(parts.wide, parts.wide_step, parts.back)
@@ -216,18 +235,18 @@ def _move(
 
 @outlined_kernel
 def _filter(
-    readings: Readings, drive: Drive, motion: Motion, parts: Spread, body: Body, numbers: tuple[Floats, Floats, Floats],
+    readings: Readings, drive: Drive, motion: Motion, parts: Spread, body: Body, numbers: PassNumbers,
     belief: Belief,
 ) -> None:  # fmt: skip
-    sensor, noise, reading_variance = numbers
+    sensor, noise, reading_variance = numbers.sensor, numbers.random_force, numbers.reading_variance
     row, seen, gain, water = motion.row, stack_array(12), stack_array(12), stack_array(4)
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
-    grown = fade.new_force, fade.new_common, fade.new_gust
+    grown = NewVariance(fade.new_force, fade.new_common, fade.new_gust)
     keep = belief.history.after.shape[0] > 0
     responses(motion, readings.begin, body, parts.response)
     for point in range(readings.first.shape[0] - 1):
         time = readings.begin + point * readings.step
-        _move(motion, parts, (time, readings.step, fade), drive, point, body)
+        _move(motion, parts, Clock(time, readings.step, fade), drive, point, body)
         if point > 0:
             _add_force(parts, noise, grown)
         if keep:
@@ -258,28 +277,25 @@ def _filter(
 
 @allocating_kernel
 def filter_pass(
-    readings: Readings, drive: Drive, start: Floats, body: Body, numbers: tuple[Floats, Floats, Floats], belief: Belief
+    readings: Readings, drive: Drive, start: Start, body: Body, numbers: PassNumbers, belief: Belief
 ) -> None:
-    """The whole filter over a recording.
-
-    start (2, 8): state at grid point 0 and its standard deviation. numbers: the sensors' (SENSOR_COLUMNS), the random
-    force's (WATER_NOISE) and the variance of a single reading of each kind (KINDS,). Results are in `belief`.
-    """
-    fade = fading(readings.step, numbers[1][CORRELATION], numbers[1][SMOOTHNESS])
-    parts = _make_spread(start[1], numbers[1], fade)
-    _filter(readings, drive, make_motion(start[0], body), parts, body, numbers, belief)
+    """The whole filter over a recording; results are in `belief`."""
+    noise = numbers.random_force
+    fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
+    parts = _make_spread(start.spread, noise, fade)
+    _filter(readings, drive, make_motion(start.mean, body), parts, body, numbers, belief)
 
 
 @outlined_kernel
 def _slope(
-    readings: Readings, drive: Drive, motion: Motion, body: Body, numbers: tuple[Floats, Fading, float], past: Past,
-    slope: Floats,
+    readings: Readings, drive: Drive, motion: Motion, body: Body, numbers: SlopeNumbers, past: Past, slope: Floats,
 ) -> None:  # fmt: skip
-    sensor, fade, step = numbers
+    sensor, noise, step = numbers.sensor, numbers.random_force, numbers.step
+    fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
     row, water = motion.row, stack_array(4)
     for point in range(readings.first.shape[0] - 1):
         time = readings.begin + point * readings.step
-        advance(motion, (time, readings.step, fade), drive, point, body)
+        advance(motion, Clock(time, readings.step, fade), drive, point, body)
         for index in range(readings.first[point], readings.first[point + 1]):
             kind, origin = readings.kind[index], readings.origin[index]
             if is_of_water(kind):
@@ -300,15 +316,13 @@ def slope_pass(
     drive: Drive,
     start: Floats,
     body: Body,
-    numbers: tuple[Floats, Floats, float],
+    numbers: SlopeNumbers,
     past: Past,
     slope: Floats,
 ) -> None:
     """The filter with the gains of another pass, its mean alone, at a fraction of the cost.
 
-    numbers: the sensors', the random force's (WATER_NOISE), and by how much the numbers of this pass differ from those
-    of the past one. Writes (m,) the change of the innovations over that: what a number explains. 0 where not believed.
+    start (8,). Writes (m,) the change of the innovations over the step by which a number of this pass differs from that
+    of the past one: what the number explains. 0 where not believed.
     """
-    sensor, noise, step = numbers
-    fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
-    _slope(readings, drive, make_motion(start, body), body, (sensor, fade, step), past, slope)
+    _slope(readings, drive, make_motion(start, body), body, numbers, past, slope)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.filter.random_force import Fading
-from cocorosim_ros.diagnosis.filter.records import Drive
+from cocorosim_ros.diagnosis.filter.records import Drive, Grid, Stretch
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
@@ -18,11 +18,20 @@ from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE
 from cocorosim_ros.world.terms.blocks import HFX, HFY, HN, HORIZONTAL, HR, HU, HV, HX, HY, HYAW, VERTICAL, VFZ, VW, VZ
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, PATCH_FORCE_COLUMNS, Body
 
-FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behind each other
+FORCE_X, FORCE_Y, FORCE_Z, MOMENT = PATCH_FORCE_COLUMNS  # world x, y, z [N] and yaw [N m], behind each other
+FORCE = FORCE_X  # the first of the four
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
 AT_POINT = 2  # stages of a step before the rates at its end
 HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that are given
+
+
+class Clock(NamedTuple):
+    """A step of the grid."""
+
+    time: float  # of its end [s]
+    step: float  # its length [s]
+    fade: Fading  # what becomes of random forces over it
 
 
 class Motion(NamedTuple):
@@ -80,12 +89,12 @@ def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
 
 
 @kernel
-def advance(motion: Motion, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body) -> None:
+def advance(motion: Motion, clock: Clock, drive: Drive, point: int, body: Body) -> None:
     """Carry the row from the grid point before to `point`, by one midpoint step over which what acts holds.
 
-    clock: time [s] of `point`, step [s] and what becomes of random forces over it. From point 0 on, nothing moves.
+    clock: of the step that ends at `point`. From point 0 on, nothing moves.
     """
-    time, length, fade = clock
+    time, length, fade = clock.time, clock.step, clock.fade
     row, trial, rate, leap, faded = motion.row, motion.trial, motion.rate, motion.leap, stack_array(4)
     if point > 0:
         put_drive(row, drive, point - 1, point - 1, body)
@@ -116,8 +125,8 @@ def responses(motion: Motion, time: float, body: Body, response: Floats) -> None
     cosine, sine = NUDGE * math.cos(row[YAW]), NUDGE * math.sin(row[YAW])
     for nudged in range(2):
         if nudged == 1:
-            body.parameters[FORCE], body.parameters[FORCE + 1] = cosine - sine, sine + cosine
-            body.parameters[FORCE + 2], body.parameters[FORCE + 3] = NUDGE, NUDGE
+            body.parameters[FORCE_X], body.parameters[FORCE_Y] = cosine - sine, sine + cosine
+            body.parameters[FORCE_Z], body.parameters[MOMENT] = NUDGE, NUDGE
         state_rate(row, time, body, rate)
         for axis in range(4):
             response[axis] = (rate[SURGE + axis] - response[axis]) / (NUDGE if nudged == 1 else 1.0)
@@ -167,22 +176,18 @@ def write_slopes(motion: Motion, time: float, body: Body, response: Floats, acro
 
 
 @allocating_kernel
-def run_free(
-    drive: Drive, start: Floats, body: Body, clock: tuple[float, float], span: tuple[int, int, Floats]
-) -> Floats:
-    """(points, 8) the course of the model alone from `start` (8,).
+def run_free(drive: Drive, start: Floats, body: Body, grid: Grid, stretch: Stretch, push: Floats) -> Floats:
+    """(points, 8) the course of the model alone over a stretch of the grid, from `start` (8,).
 
-    clock: time of grid point 0 and step [s]; span: first grid point, how many, and the random force that acts
-    (points, 4), world x, y, z [N] and moment [N m], empty for none.
+    push (points, 4): the random force that acts, world x, y, z [N] and moment [N m]; empty for none.
     """
-    begin, step = clock
-    first, points, push = span
+    first, step = stretch.first, grid.step
     motion = make_motion(start, body)
-    path = np.empty((points, STATE_SIZE))
-    for point in range(points):
+    path = np.empty((stretch.points, STATE_SIZE))
+    for point in range(stretch.points):
         if point > 0:
             if push.shape[0] > 0:
                 body.parameters[FORCE : FORCE + 4] = push[point - 1]
-            advance(motion, (begin + (first + point) * step, step, HELD), drive, first + point, body)
+            advance(motion, Clock(grid.begin + (first + point) * step, step, HELD), drive, first + point, body)
         path[point] = motion.row[:STATE_SIZE]
     return path

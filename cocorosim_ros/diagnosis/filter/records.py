@@ -4,7 +4,27 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+
+
+class Grid(NamedTuple):
+    """The grid points of a filter, evenly spaced."""
+
+    begin: float  # s
+    step: float  # s
+    points: int
+
+    @property
+    def moments(self) -> Floats:
+        """(points,) [s]."""
+        return self.begin + self.step * np.arange(self.points, dtype=np.float64)
+
+    @property
+    def duration(self) -> float:
+        """From the first point to the last [s]."""
+        return self.step * (self.points - 1)
 
 
 class Readings(NamedTuple):
@@ -42,6 +62,36 @@ class History(NamedTuple):
     high_before: Floats  # (points, VERTICAL, VERTICAL) the same of the vertical block
     high_after: Floats
     high_step: Floats
+
+
+class Start(NamedTuple):
+    """The state at grid point 0, columns of world.state.state."""
+
+    mean: Floats  # (8,)
+    spread: Floats  # (8,) standard deviation
+
+
+class PassNumbers(NamedTuple):
+    """The numbers of a model beside its physics, for a pass of the filter."""
+
+    sensor: Floats  # by SENSOR_COLUMNS
+    random_force: Floats  # by WATER_NOISE, no logarithms
+    reading_variance: Floats  # (KINDS,) of a single reading of each kind
+
+
+class SlopeNumbers(NamedTuple):
+    """The numbers of a model beside its physics, for a slope by one number."""
+
+    sensor: Floats  # by SENSOR_COLUMNS
+    random_force: Floats  # by WATER_NOISE, no logarithms
+    step: float  # by which the number is off
+
+
+class Stretch(NamedTuple):
+    """Some grid points behind each other."""
+
+    first: int
+    points: int
 
 
 class Belief(NamedTuple):

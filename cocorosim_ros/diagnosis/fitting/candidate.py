@@ -6,11 +6,12 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -18,6 +19,13 @@ from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
 
 OVER = 0.1  # of a logarithm beyond the largest shape of a grid
+
+
+class Robots(NamedTuple):
+    """Some robots and the numbers of all their tracks."""
+
+    names: tuple[str, ...]
+    tracks: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -29,7 +37,7 @@ class Candidate:
     tracks: tuple[tuple[int, ...], ...]  # by robot
     sizes: Mapping[str, float] = field(default_factory=lambda: LILY_SIZES)  # of the vehicle beside a Lily, by unit
     duration: float = math.inf  # of the longest recording [s]
-    known: tuple[tuple[float, ...], ...] = ()  # by owner: amplitudes that the base has already; shapes then stay
+    known: tuple[tuple[float, ...], ...] = ()  # by sharer: amplitudes that the base has already; shapes then stay
 
     @property
     def key(self) -> tuple[str, str | None, tuple[str, ...]]:
@@ -42,37 +50,64 @@ class Candidate:
         return tuple(itertools.chain.from_iterable(self.tracks))
 
     @property
-    def moments(self) -> frozenset[str]:
+    def onset_columns(self) -> frozenset[str]:
         """Columns that say when something happens once."""
-        return frozenset(part.column for part in self.entry.shapes if part.once)
+        return frozenset(shape.column for shape in self.entry.shapes if shape.once)
+
+    @property
+    def sharers(self) -> tuple[Robots, ...]:
+        """Robots that share their amplitudes: all where these are of the water, else each alone."""
+        if self.entry.water:
+            return (Robots(self.robots, self.everybody),)
+        return tuple(Robots((robot,), tracks) for robot, tracks in zip(self.robots, self.tracks, strict=True))
+
+    def owns(self, unknown: Unknown) -> bool:
+        """Whether an unknown is a number of this entry on these robots."""
+        owner = unknown.owner
+        same = (owner.effect, owner.topic) == (self.entry.id, self.entry.topic)
+        return same and set(owner.robots) <= set(self.robots)
+
+    def places_among(self, unknowns: Sequence[Unknown]) -> list[int]:
+        """Which of the unknowns, by number, are this candidate's."""
+        return [number for number, unknown in enumerate(unknowns) if self.owns(unknown)]
 
     def amplitudes(self) -> list[Unknown]:
-        """The amplitudes as unknowns: shared where they are of the water, else one for each robot."""
-        owners = (self.everybody,) if self.entry.water else self.tracks
-        bases = self.known or (tuple(part.neutral for part in self.entry.amplitudes),) * len(owners)
+        """The amplitudes as unknowns, one of each for those that share it."""
+        neutral = tuple(amplitude.neutral for amplitude in self.entry.amplitudes)
+        bases = self.known or (neutral,) * len(self.sharers)
         return [
-            _amplitude(part, tracks, base, self.large(part))
-            for tracks, own in zip(owners, bases, strict=True)
-            for part, base in zip(self.entry.amplitudes, own, strict=True)
+            self._amplitude(amplitude, robots, base)
+            for robots, own in zip(self.sharers, bases, strict=True)
+            for amplitude, base in zip(self.entry.amplitudes, own, strict=True)
         ]
+
+    def _amplitude(self, amplitude: Amplitude, robots: Robots, base: float) -> Unknown:
+        large, step = self.large(amplitude), amplitude.step
+        shift = (amplitude.neutral - base) / large
+        bounds = (amplitude.least + shift, amplitude.most + shift)
+        owner = self._owner(amplitude, robots.names)
+        return Unknown(owner, amplitude.column, robots.tracks, base, large, prior=1.0, step=step, bounds=bounds)
+
+    def _owner(self, number: Amplitude | Shape, robots: tuple[str, ...]) -> Owner:
+        return Owner(self.entry.id, robots, number.name, number.unit, self.entry.topic)
 
     def searched(self) -> list[Floats]:
         """Amplitudes, in q, at which a fit of it may begin as well: all robots' at the same of the entry's values."""
-        (part, *others), owners = self.entry.amplitudes, 1 if self.entry.water else len(self.tracks)
-        return [] if others or self.known else [np.full(owners, value) for value in part.searched]
+        (amplitude, *others), sharers = self.entry.amplitudes, len(self.sharers)
+        return [] if others or self.known else [np.full(sharers, value) for value in amplitude.searched]
 
-    def large(self, part: Amplitude) -> float:
+    def large(self, amplitude: Amplitude) -> float:
         """What is large of an amplitude for this vehicle; that of a law is so already."""
-        return part.large if self.entry.law is not None else part.large * self.sizes[part.unit]
+        return amplitude.large if self.entry.law is not None else amplitude.large * self.sizes[amplitude.unit]
 
     def shape_unknowns(self, values: dict[str, float], scene: Scene) -> list[Unknown]:
         """The shapes that are not fixed, around these values, shared by all robots."""
         if self.known:
             return []
         return [
-            _shape(part, self.everybody, values[part.column], part.grid(scene))
-            for part in self.entry.shapes
-            if not part.fixed
+            _shape(shape, self._owner(shape, self.robots), self.everybody, values[shape.column], shape.grid(scene))
+            for shape in self.entry.shapes
+            if not shape.fixed
         ]
 
     def settings(self, scene: Scene) -> Iterator[dict[str, float]]:
@@ -81,8 +116,8 @@ class Candidate:
             yield {}
             return
         given = {column: value(scene) for column, value in self.entry.fixed.items()}
-        for point in itertools.product(*(part.grid(scene) for part in self.entry.shapes)):
-            yield given | {part.column: value for part, value in zip(self.entry.shapes, point, strict=True)}
+        for point in itertools.product(*(shape.grid(scene) for shape in self.entry.shapes)):
+            yield given | {shape.column: value for shape, value in zip(self.entry.shapes, point, strict=True)}
 
     def write(self, rows: Floats, values: dict[str, float]) -> Floats:
         """(tracks, columns) a copy of the rows with these values on the candidate's tracks."""
@@ -92,23 +127,19 @@ class Candidate:
         return filled
 
 
-def _amplitude(part: Amplitude, tracks: tuple[int, ...], base: float, large: float) -> Unknown:
-    shift = (part.neutral - base) / large
-    bounds = (part.least + shift, part.most + shift)
-    return Unknown(part.column, tracks, base, large, prior=1.0, step=part.step, bounds=bounds)
-
-
-def _shape(part: Shape, tracks: tuple[int, ...], value: float, grid: list[float]) -> Unknown:
+def _shape(shape: Shape, owner: Owner, tracks: tuple[int, ...], value: float, grid: list[float]) -> Unknown:
     """Around one point of its grid; it does not leave the grid by more than half a spacing."""
     ends = (min(grid), max(grid))
-    if part.logarithmic:
+    if shape.logarithmic:
         spacing = math.log(ends[1] / ends[0]) / (len(grid) - 1) if len(grid) > 1 else 0.5
         reach = (math.log(ends[0] / value) - spacing, math.log(ends[1] / value) + OVER)
-        return Unknown(part.column, tracks, value, 1.0, True, prior=3.0 * spacing, step=0.1 * spacing, bounds=reach)
+        return Unknown(
+            owner, shape.column, tracks, value, 1.0, True, prior=3.0 * spacing, step=0.1 * spacing, bounds=reach
+        )
     spacing = (ends[1] - ends[0]) / (len(grid) - 1) if len(grid) > 1 else 1.0
     reach = ((ends[0] - value) / spacing - 0.5, (ends[1] - value) / spacing + 0.5)
-    bounds = (-math.inf, math.inf) if part.periodic else reach
-    return Unknown(part.column, tracks, value, spacing, prior=3.0, step=0.1, bounds=bounds)
+    bounds = (-math.inf, math.inf) if shape.periodic else reach
+    return Unknown(owner, shape.column, tracks, value, spacing, prior=3.0, step=0.1, bounds=bounds)
 
 
 def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> list[Candidate]:
@@ -117,8 +148,8 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
     rows (tracks, columns): the base model, which may have some of them already.
     """
     numbers = tracks_by_robot(tracks)
-    scaling = sizes(tracks[0])
-    duration = max(track.readings.step * (track.readings.points - 1) for track in tracks)
+    scaling = sizes(tracks[0].vehicle)
+    duration = max(track.timeline.grid.duration for track in tracks)
     found = []
     for entry in entries:
         if entry.needs_neighbours and len(numbers) < 2:
@@ -126,20 +157,18 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
         concerned = tuple(name for name in numbers if _has_topic(entry, [tracks[index] for index in numbers[name]]))
         if not concerned:
             continue
-        groups = [concerned] if entry.water or len(concerned) == 1 else [concerned, *((name,) for name in concerned)]
-        for group in groups:
-            places = tuple(numbers[name] for name in group)
-            owners = places[:1] if entry.water else places
-            found.append(
-                Candidate(entry, group, places, scaling, duration, _known(entry, rows[[own[0] for own in owners]]))
-            )
+        alone = [(name,) for name in concerned] if len(concerned) > 1 and not entry.water else []
+        for robots in [concerned, *alone]:
+            places = tuple(numbers[name] for name in robots)
+            first = [own[0] for own in (places[:1] if entry.water else places)]
+            found.append(Candidate(entry, robots, places, scaling, duration, _known(entry, rows[first])))
     return found
 
 
 def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
     """The amplitudes of an entry in the base model's rows, one of each owner, if any is not neutral."""
-    values = rows[:, [COLUMN[part.column] for part in entry.amplitudes]]
-    there = (values != [part.neutral for part in entry.amplitudes]).any()
+    values = rows[:, [COLUMN[amplitude.column] for amplitude in entry.amplitudes]]
+    there = (values != [amplitude.neutral for amplitude in entry.amplitudes]).any()
     return tuple(tuple(own) for own in values.tolist()) if there else ()
 
 

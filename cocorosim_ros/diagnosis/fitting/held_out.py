@@ -2,7 +2,8 @@
 
 The recordings are cut into blocks. The estimate without a block follows from the fit by one Newton step with the
 block's share of score and information taken out; the likelihood of the block there, with and without the addition,
-differs by what the addition foretold. The moment of what happens once is no other stretch's to tell: it stays.
+differs by what the addition foretold. When something happens once no other stretch
+can tell: that number stays.
 Source: leave-future-out and block validation for dependent data, Roberts et al., Ecography 40 (2017) 913; one-step
 leave-out after Pregibon, Annals of Statistics 9 (1981) 705.
 """
@@ -15,7 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import wilcoxon
 
-from cocorosim_ros.diagnosis.fitting.fit import Fit, information, solve
+from cocorosim_ros.diagnosis.fitting.fit import Fit, information
+from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.foundation.arrays import Floats
 
 BLOCKS = 10  # of each recording
@@ -34,25 +36,28 @@ class HeldOutGain:
         return float(self.nats.sum())
 
 
-def held_out_gain(base: Fit, more: Fit, moments: Collection[str] = ()) -> HeldOutGain:
-    """What `more` foretells better than `base`, both fitted to the same tracks; moments: columns that stay."""
-    nats = _foretold(more, moments) - _foretold(base, moments)
+def held_out_gain(base: Fit, more: Fit, kept: Collection[str] = ()) -> HeldOutGain:
+    """What `more` foretells better than `base`, both fitted to the same tracks; kept: columns that stay."""
+    nats = _foretold(more, kept) - _foretold(base, kept)
     p = 1.0 if np.allclose(nats, 0.0) else float(wilcoxon(nats, alternative="greater").pvalue)
     return HeldOutGain(nats, p)
 
 
-def _foretold(fit: Fit, moments: Collection[str]) -> Floats:
+def _foretold(fit: Fit, kept: Collection[str]) -> Floats:
     """(blocks,) log-likelihood of each block under the fit to all others."""
     known = information(fit)
-    loose = np.array([law.column not in moments for law in fit.laws], dtype=bool)
+    loose = np.array([unknown.column not in kept for unknown in fit.unknowns], dtype=bool)
     matrix, known_score = known.matrix[np.ix_(loose, loose)], known.score[loose]
     found = []
-    for track, part, slope in zip(fit.tracks, fit.passes, known.slopes, strict=True):
-        begin, length = track.readings.begin, track.readings.step * track.readings.points
-        block = np.minimum(((track.readings.stamp - begin) / length * BLOCKS).astype(np.int64), BLOCKS - 1)
+    for track, passed, slope in zip(fit.tracks, fit.passes, known.slopes, strict=True):
+        grid = track.timeline.grid
+        block = np.minimum(
+            ((track.timeline.stamp - grid.begin) / (grid.step * grid.points) * BLOCKS).astype(np.int64), BLOCKS - 1
+        )
         for number in range(BLOCKS):
             chosen = block == number
-            innovation, variance, moved = part.innovation[chosen], part.variance[chosen], slope[chosen][:, loose]
+            innovation, variance = passed.innovation[chosen], passed.variance[chosen]
+            moved = slope[chosen][:, loose]
             if loose.any():
                 weighted = moved / variance[:, None]
                 score = known_score + weighted.T @ innovation

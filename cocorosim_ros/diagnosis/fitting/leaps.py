@@ -12,7 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.fitting.fit import Fit, clipped, evaluated, settled
+from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
+from cocorosim_ros.diagnosis.fitting.solving import clipped
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.foundation.arrays import Flags
 
@@ -25,7 +27,7 @@ def leapt(fit: Fit, rounds: int) -> Fit:
     """The fit settled (at most so many rounds) after every turn of leaps, until none is worth it."""
     for _ in range(MOST_TURNS):
         best = fit
-        for moved in _groups(fit):
+        for moved in _moving_together(fit):
             best = _best_leap(best, moved)
         if best is fit:
             break
@@ -33,7 +35,7 @@ def leapt(fit: Fit, rounds: int) -> Fit:
     return fit
 
 
-def _groups(fit: Fit) -> Iterator[Flags]:
+def _moving_together(fit: Fit) -> Iterator[Flags]:
     """Which noise leaps together: all of a column, all random forces, all readings, each alone."""
     columns = np.array([unknown.column for unknown in fit.noise])
     for column in dict.fromkeys(columns):

@@ -1,6 +1,6 @@
 """Rao's score test of every candidate, orthogonal to recalibration: what each could explain, and what could be seen.
 
-The derivative of the innovations by an amplitude, gains held, is projected off those by the laws already in the model;
+The derivative of the innovations by an amplitude, gains held, is projected off those by the unknowns of the model;
 what is left of it, weighted by the variance of the innovations, is its information; its correlation with the
 innovations is its score. Evidence in nats is the logarithm of the Bayes factor with a normal prior of one `large`
 around nothing: gain / (information + 1) less half the logarithm of the determinant of (information + 1).
@@ -18,7 +18,8 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes, solve
+from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes
+from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -74,9 +75,9 @@ class _Tested:
         self._candidate, self._unknowns = candidate, list(unknowns)
         self.settings = list(candidate.settings(screen.scene))
         directions = _Directions(screen, candidate, unknowns)
-        parts = [directions.parts(values) for values in self.settings]
+        sums = [directions.sum_at(values) for values in self.settings]
         products = _Products(screen, directions.slopes)
-        self._found = [products.mixed(weighted) for weighted in parts]
+        self._found = [products.mixed(weighted) for weighted in sums]
 
     def covers(self, other: Candidate) -> bool:
         """Whether the other one is the same for robots that are among these."""
@@ -97,22 +98,22 @@ def _impossible(candidate: Candidate, amplitudes: int) -> Screened:
 
 
 class _Products:
-    """Information and score of directions, orthogonal to the laws of the model: of those pairs that are asked for."""
+    """Information and score of directions, orthogonal to the unknowns of the model: of pairs that are asked for."""
 
     def __init__(self, screen: Screen, directions: Sequence[tuple[Floats, ...]]) -> None:
         self._fit, self._known, self._directions = screen.fit, screen.known, directions
-        self._cross = [self._with_laws(moved) for moved in directions]
+        self._cross = [self._with_unknowns(moved) for moved in directions]
         self._absorbed = [solve(screen.known.matrix, cross) for cross in self._cross]
         self._found: dict[tuple[int, int], Floats] = {}
 
-    def mixed(self, parts: Sequence[tuple[int, float]]) -> tuple[Floats, Floats]:
+    def mixed(self, weighted: Sequence[tuple[int, float]]) -> tuple[Floats, Floats]:
         """Information (n, n) and score (n,) of a weighted sum of directions."""
-        own = sum(one * other * self._pair(i, j) for i, one in parts for j, other in parts)
-        score = sum(weight * self._score(number) for number, weight in parts)
+        own = sum(one * other * self._pair(i, j) for i, one in weighted for j, other in weighted)
+        score = sum(weight * self._score(number) for number, weight in weighted)
         return 0.5 * np.asarray(own + np.transpose(own)), np.asarray(score)
 
     def _score(self, number: int) -> Floats:
-        innovations = tuple(part.innovation[:, None] for part in self._fit.passes)
+        innovations = tuple(passed.innovation[:, None] for passed in self._fit.passes)
         return -self._sum(self._directions[number], innovations)[:, 0] - self._absorbed[number].T @ self._known.score
 
     def _pair(self, i: int, j: int) -> Floats:
@@ -121,18 +122,18 @@ class _Products:
             self._found[i, j], self._found[j, i] = own, own.T
         return self._found[i, j]
 
-    def _with_laws(self, moved: tuple[Floats, ...]) -> Floats:
-        """(laws, n) the information that a direction shares with the laws of the model."""
+    def _with_unknowns(self, moved: tuple[Floats, ...]) -> Floats:
+        """(unknowns, n) the information that a direction shares with the unknowns of the model."""
         shared = np.zeros((len(self._known.matrix), moved[0].shape[1]))
-        for own, other, part in zip(self._known.own, moved, self._fit.passes, strict=True):
-            shared[own.laws] += weighted_products(own.slopes, other, part.variance)
+        for own, other, passed in zip(self._known.own, moved, self._fit.passes, strict=True):
+            shared[own.unknowns] += weighted_products(own.slopes, other, passed.variance)
         return shared
 
     def _sum(self, left: tuple[Floats, ...], right: tuple[Floats, ...]) -> Floats:
         """Over all readings of all tracks, by the variance of the innovations."""
         total = np.zeros((left[0].shape[1], right[0].shape[1]))
-        for one, other, part in zip(left, right, self._fit.passes, strict=True):
-            total += weighted_products(one, other, part.variance)
+        for one, other, passed in zip(left, right, self._fit.passes, strict=True):
+            total += weighted_products(one, other, passed.variance)
         return total
 
 
@@ -144,7 +145,7 @@ class _Directions:
         self._found: dict[tuple[tuple[str, float], ...], int] = {}
         self.slopes: list[tuple[Floats, ...]] = []
 
-    def parts(self, values: dict[str, float]) -> list[tuple[int, float]]:
+    def sum_at(self, values: dict[str, float]) -> list[tuple[int, float]]:
         """Which slopes make up that at these shapes, and their weights."""
         basis = self._candidate.entry.basis
         wanted = basis(values) if basis is not None and values else [(values, 1.0)]

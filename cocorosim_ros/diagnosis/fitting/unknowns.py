@@ -11,6 +11,20 @@ import numpy as np
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 
+PLATFORM, RANDOM_FORCE, READING = "platform", "random", "reading"
+"""Effects of numbers that every model has: the platform's own, the water's random force, the noise of readings."""
+
+
+@dataclass(frozen=True)
+class Owner:
+    """The effect that an unknown belongs to, the robots on which it acts, and its name and unit in the contract."""
+
+    effect: str  # identifier of the catalogue, or PLATFORM, RANDOM_FORCE, READING
+    robots: tuple[str, ...]
+    parameter: str
+    unit: str  # of the number; for noise, whose logarithm is fitted, of that of which it is the logarithm
+    topic: str | None = None  # of an effect that may be of one stream or another
+
 
 @dataclass(frozen=True)
 class Unknown:
@@ -19,6 +33,7 @@ class Unknown:
     `prior` is the standard deviation of q around 0 (around `centre`); `step` of q for slopes; q stays in `bounds`.
     """
 
+    owner: Owner
     column: str
     tracks: tuple[int, ...]
     base: float
@@ -40,6 +55,10 @@ class Unknown:
     def clipped(self, q: float) -> float:
         """q within its bounds."""
         return min(max(q, self.bounds[0]), self.bounds[1])
+
+    def inward_step(self, q: float) -> float:
+        """The step of q for slopes, backwards where a step forwards would leave the bounds."""
+        return self.step if self.clipped(q + self.step) == q + self.step else -self.step
 
 
 def write_values(rows: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:

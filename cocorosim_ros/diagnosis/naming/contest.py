@@ -9,7 +9,8 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, information, with_noise
+from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.fitting.starts import best_start
 from cocorosim_ros.diagnosis.fitting.unknowns import prior_precision
@@ -25,31 +26,27 @@ class Refined:
 
     candidate: Candidate
     fit: Fit
-    first: int  # of its unknowns among the fit's laws
-    count: int
     nats: float
 
 
 @dataclass(frozen=True)
 class Begun:
-    """A candidate in a fit of all laws; `gain`: nats of its objective over the fit without it."""
+    """A candidate in a fit of all unknowns; `gain`: nats of its objective over the fit without it."""
 
     candidate: Candidate
     fit: Fit
-    first: int  # of its unknowns among the fit's laws
-    count: int
     gain: float
 
 
 def log_evidence(fit: Fit) -> float:
     """Laplace's approximation of the logarithm of the evidence, up to what all models of the same noise share.
 
-    Each law's q has the prior of its Unknown; a flat one would make evidence meaningless, so none is flat.
+    Each q has the prior of its Unknown; a flat one would make evidence meaningless, so none is flat.
     """
-    if not fit.laws:
+    if not fit.unknowns:
         return fit.objective
     matrix = information(fit).matrix
-    precision = prior_precision(fit.laws)
+    precision = prior_precision(fit.unknowns)
     if not (np.isfinite(matrix).all() and math.isfinite(fit.objective)):
         return -math.inf
     with np.errstate(all="ignore"):  # a model that runs away is no evidence, whatever its determinant
@@ -65,18 +62,18 @@ def _readings_of(candidate: Candidate) -> tuple[str, ...]:
 
 
 def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
-    """The candidate let loose together with all laws, from where the screening saw it; noise stays as it is."""
+    """The candidate let loose together with all unknowns, from where the screening saw it; noise stays as it is."""
     candidate = screened.candidate
     rows = candidate.write(fit.rows, screened.values)
     new = [*candidate.amplitudes(), *candidate.shape_unknowns(screened.values, scene)]
     shapes = len(new) - len(screened.q)
-    whole = replace(fit, rows=rows, laws=(*fit.laws, *new))
+    whole = replace(fit, rows=rows, unknowns=(*fit.unknowns, *new))
 
     def at(amplitudes: Floats) -> Fit:
         return evaluated(replace(whole, q=np.concatenate([fit.q, amplitudes, np.zeros(shapes)])))
 
     trial = improved(best_start(at, screened.q, candidate), 3)
-    return Begun(candidate, trial, len(fit.laws), len(new), trial.objective - fit.objective)
+    return Begun(candidate, trial, trial.objective - fit.objective)
 
 
 def refine(begun: Begun, base_evidence: float) -> Refined:
@@ -84,4 +81,4 @@ def refine(begun: Begun, base_evidence: float) -> Refined:
     trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
     if trial.objective - begun.fit.objective + begun.gain > CLEAR:
         trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)
-    return Refined(begun.candidate, trial, begun.first, begun.count, log_evidence(trial) - base_evidence)
+    return Refined(begun.candidate, trial, log_evidence(trial) - base_evidence)

@@ -10,7 +10,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
-from cocorosim_ros.diagnosis.naming.naming import THRESHOLD
+from cocorosim_ros.diagnosis.naming.needed_evidence import THRESHOLD
 
 MEDIUM = 0.5  # of large
 BLIND = 0.45  # share of the catalogue that is not shown, from which on a silent recording cannot tell
@@ -19,35 +19,33 @@ BLIND = 0.45  # share of the catalogue that is not shown, from which on a silent
 def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]:
     """Every entry with its evidence and the smallest values that would be seen; the best of its topics and robots."""
     best: dict[str, Screened] = {}
-    for part in screened:
-        known = best.get(part.candidate.entry.id)
-        if known is None or part.nats > known.nats:
-            best[part.candidate.entry.id] = part
+    for each in screened:
+        known = best.get(each.candidate.entry.id)
+        if known is None or each.nats > known.nats:
+            best[each.candidate.entry.id] = each
     return tuple(
-        ScreenedEffect(name, part.nats, _smallest(part))
-        for name, part in sorted(best.items(), key=lambda entry: -entry[1].nats)
+        ScreenedEffect(name, each.nats, _smallest(each))
+        for name, each in sorted(best.items(), key=lambda entry: -entry[1].nats)
     )
 
 
-def _smallest(part: Screened) -> dict[str, float]:
-    """By parameter: the value that yields the threshold, its information taken alone."""
-    found = {}
-    for index, amplitude in enumerate(part.candidate.entry.amplitudes):
-        known = float(part.information[index, index])
-        found[amplitude.name] = (
-            part.candidate.large(amplitude) * math.sqrt(2.0 * THRESHOLD / known) if known > 0.0 else math.inf
-        )
+def _smallest(screened: Screened) -> dict[str, float]:
+    """By parameter: the value that yields the threshold, its information taken alone; of the first robot."""
+    found: dict[str, float] = {}
+    for unknown, known in zip(screened.candidate.amplitudes(), np.diag(screened.information).tolist(), strict=True):
+        value = unknown.scale * math.sqrt(2.0 * THRESHOLD / known) if known > 0.0 else math.inf
+        found.setdefault(unknown.owner.parameter, value)
     return found
 
 
-def expected_nats(part: Screened, size: float) -> float:
+def expected_nats(screened: Screened, size: float) -> float:
     """What the entry would yield at `size` of large, in all of its amplitudes at once."""
-    return 0.5 * size**2 * float(np.trace(part.information))
+    return 0.5 * size**2 * float(np.trace(screened.information))
 
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
     """Identifiers of effects that even at medium size would not be seen."""
-    seen = {part.candidate.entry.id for part in screened if expected_nats(part, MEDIUM) >= THRESHOLD}
+    seen = {each.candidate.entry.id for each in screened if expected_nats(each, MEDIUM) >= THRESHOLD}
     return tuple(name for name in IDS if name not in seen and name != "frame_mixup")
 
 

@@ -9,15 +9,17 @@ from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import YAW, X, Z
 from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
-from cocorosim_ros.world.vehicle_model.vehicles import MASS
 
-FORCE_COLUMNS = {"world_x": 8, "world_y": 9, "heave": 10, "yaw": 11}
+FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
+STATE_NAMES = ("x", "y", "z", "yaw", "u", "v", "w", "r")
 IN_BODY = ("surge", "sway")
 PEAKS = 3
 SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
@@ -29,12 +31,12 @@ STEADY = 15.0  # s before and after a change that are compared
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
     """The most likely course of every track."""
     filled = fit.filled
-    return tuple(of_each_track(lambda number: fit.tracks[number].smoothed(filled[number]), len(fit.tracks)))
+    return tuple(of_each_track(lambda number: fit.tracks[number].filter.smoothed(filled[number]), len(fit.tracks)))
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
     """What the recordings span, and how the residual force swings."""
-    places = np.concatenate([course.mean[:, :3] for course in courses])
+    places = np.concatenate([course.mean[:, X : Z + 1] for course in courses])
     seen = np.concatenate([course.mean for course in courses])
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
     duration = max(float(course.time[-1]) for course in courses)
@@ -45,10 +47,10 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
         tuple(lower.tolist()),
         tuple(upper.tolist()),
         duration,
-        tracks[0].hull,
-        tracks[0].arm,
+        tracks[0].vehicle.hull,
+        tracks[0].vehicle.arm,
         periods,
-        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_COLUMNS["heave"]])),
+        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_Z])),
         _scales(tracks[0], seen, duration),
         _driven(tracks, seen),
     )
@@ -56,14 +58,15 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
 
 def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
     """Whether the thrust is greater than the random force in the level plane, by root mean squares."""
-    thrust = np.concatenate([track.nominal_force() for track in tracks])
-    return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_COLUMNS["world_x"] : FORCE_COLUMNS["world_y"] + 1] ** 2))
+    thrust = np.concatenate([track.actuation.nominal_force() for track in tracks])
+    return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_X : FORCE_Y + 1] ** 2))
 
 
 def _in_body(mean: Floats) -> tuple[Floats, Floats]:
     """The force (points,) forwards and to the left [N]."""
-    sine, cosine = np.sin(mean[:, 3]), np.cos(mean[:, 3])
-    return mean[:, 8] * cosine + mean[:, 9] * sine, mean[:, 9] * cosine - mean[:, 8] * sine
+    sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
+    east, north = mean[:, FORCE_X], mean[:, FORCE_Y]
+    return east * cosine + north * sine, north * cosine - east * sine
 
 
 def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
@@ -96,12 +99,16 @@ def _changes(time: Floats, force: Floats) -> list[float]:
 
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
     """Typical sizes of the regressors, full forces by equation, the mass."""
+    vehicle = track.vehicle
     extent = Extent(
-        np.sqrt(np.mean(seen**2, axis=0)), duration, np.maximum(track.force_scale, 1e-9), track.water[1][0] < FAR
+        np.sqrt(np.mean(seen**2, axis=0)),
+        duration,
+        np.maximum(vehicle.force_scale, 1e-9),
+        bool(vehicle.surroundings.upper[0] < FAR),
     )
-    full = full_forces(track)
+    full = full_forces(vehicle)
     return {
         **{regressor.name: regressor.typical(extent) for regressor in REGRESSORS},
         "surge_force": full.across, "heave_force": full.random_heave, "yaw_force": full.yaw,
-        "mass": float(track.platform_row[MASS]),
+        "mass": track.vehicle.mass,
     }  # fmt: skip

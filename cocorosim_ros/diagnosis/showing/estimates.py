@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.stats import norm
@@ -10,11 +11,10 @@ from scipy.stats import norm
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
-from cocorosim_ros.diagnosis.fitting.recalibration import RECALIBRATED
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
-from cocorosim_ros.diagnosis.naming.naming import THRESHOLD, Accused
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.naming.needed_evidence import THRESHOLD
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-from cocorosim_ros.foundation.arrays import Floats
 
 Z95 = float(norm.ppf(0.975))
 SURE = 0.05  # chance of a clear number among all recalibrated ones where nothing has moved
@@ -26,11 +26,31 @@ Where no water pushes, readings alone would tell numbers better than the filter 
 """
 
 
-def _spreads(fit: Fit) -> Floats:
-    """(laws,) standard deviation of each q."""
-    values = np.array([law.value(float(q)) for law, q in zip(fit.laws, fit.q, strict=True)])
-    slopes = np.array([law.slope(float(q)) for law, q in zip(fit.laws, fit.q, strict=True)])
-    return np.asarray(np.hypot(np.sqrt(np.diag(covariance(fit))), NUMERICAL * np.abs(values / slopes)))
+@dataclass(frozen=True)
+class Fitted:
+    """One unknown with its q and the standard deviation of that."""
+
+    unknown: Unknown
+    q: float
+    spread: float
+
+    @property
+    def estimate(self) -> Estimate:
+        """Its value and 95 % interval."""
+        return estimate(self.unknown, self.q, self.spread, self.unknown.owner.unit)
+
+    @property
+    def chance(self) -> float:
+        """The probability of a q at least as far from nothing, if the number has not moved."""
+        return 2.0 * float(norm.sf(abs(self.q) / max(self.spread, 1e-300)))
+
+
+def fitted(fit: Fit) -> tuple[Fitted, ...]:
+    """All unknowns of a fit but its noise."""
+    values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
+    slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
+    spread = np.hypot(np.sqrt(np.diag(covariance(fit))), NUMERICAL * np.abs(values / slopes))
+    return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist()))
 
 
 def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
@@ -41,67 +61,58 @@ def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
 
 def recalibrated(fit: Fit) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:
     """All numbers of the platforms, and those that have clearly moved (Holm's procedure over all of them)."""
-    spread = _spreads(fit)
-    every, chances = [], []
-    for index, law in enumerate(fit.laws):
-        if law.column not in RECALIBRATED:
-            continue
-        name, unit = RECALIBRATED[law.column]
-        robots = tuple(dict.fromkeys(fit.tracks[number].name for number in law.tracks))
-        every.append(
-            Recalibrated(name, law.value(0.0), estimate(law, float(fit.q[index]), float(spread[index]), unit), robots)
+    own = [number for number in fitted(fit) if number.unknown.owner.effect == PLATFORM]
+    every = tuple(
+        Recalibrated(
+            number.unknown.owner.parameter, number.unknown.value(0.0), number.estimate, number.unknown.owner.robots
         )
-        chances.append(2.0 * float(norm.sf(abs(fit.q[index]) / max(float(spread[index]), 1e-300))))
+        for number in own
+    )
+    chances = [number.chance for number in own]
     order = np.argsort(chances)
     moved = set()
     for rank, index in enumerate(order):
         if chances[index] > SURE / (len(order) - rank):
             break
         moved.add(int(index))
-    return tuple(every), tuple(part for index, part in enumerate(every) if index in moved)
+    return every, tuple(each for index, each in enumerate(every) if index in moved)
 
 
-def found_effects(fit: Fit, accused: Sequence[Accused]) -> tuple[FoundEffect, ...]:
-    """The accusations, strongest first; one for each robot where the numbers are the robot's own."""
-    spread = _spreads(fit)
-    found = []
-    for part in accused:
-        groups = [part.candidate.robots] if part.candidate.entry.water else [(name,) for name in part.candidate.robots]
-        for number, robots in enumerate(groups):
-            found.append(_found(fit, part, robots, number, spread))
+def found_effects(fit: Fit, named: Sequence[NamedEffect]) -> tuple[FoundEffect, ...]:
+    """The named effects, strongest first; one for each robot where the numbers are the robot's own."""
+    numbers = fitted(fit)
+    found = [
+        _found(fit, effect, robots.names, [each for each in numbers if effect.candidate.owns(each.unknown)])
+        for effect in named
+        for robots in effect.candidate.sharers
+    ]
     return tuple(sorted(found, key=lambda effect: -effect.nats))
 
 
-def _found(fit: Fit, part: Accused, robots: tuple[str, ...], number: int, spread: Floats) -> FoundEffect:
-    entry = part.candidate.entry
-    per = len(entry.amplitudes)
-    shapes = part.first + part.count - sum(not shape.fixed for shape in entry.shapes)
-    parameters = {}
-    for offset, amplitude in enumerate(entry.amplitudes):
-        index = part.first + number * per + offset
-        parameters[amplitude.name] = estimate(
-            fit.laws[index], float(fit.q[index]), float(spread[index]), amplitude.unit
-        )
-    for offset, shape in enumerate(shape for shape in entry.shapes if not shape.fixed):
-        index = shapes + offset
-        parameters[shape.name] = estimate(fit.laws[index], float(fit.q[index]), float(spread[index]), shape.unit)
+def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequence[Fitted]) -> FoundEffect:
+    """One effect on robots that share its amplitudes; numbers: all of its unknowns, those of other robots too."""
+    entry = effect.candidate.entry
+    mine = [each for each in numbers if set(robots) <= set(each.unknown.owner.robots)]
     rivals = tuple(
-        Rival(candidate.entry.id, round(behind, 2))
-        for candidate, behind in part.rivals
-        if candidate.entry.id != entry.id
+        Rival(rival.candidate.entry.id, round(rival.behind, 2))
+        for rival in effect.rivals
+        if rival.candidate.entry.id != entry.id
     )
-    tier: Tier = "confirmed" if part.nats >= CONFIRMED and part.held_out.p < SURE and not rivals else "suspected"
+    sure = effect.nats >= CONFIRMED and effect.held_out.p < SURE and not rivals
+    tier: Tier = "confirmed" if sure else "suspected"
     return FoundEffect(
-        entry.id, entry.name, entry.equation, robots, tier, parameters, part.nats, rivals, entry.topic,
-        held_out_nats=part.held_out.total,
-        settings=_settings(fit, part),
-        simulated_as=entry.law if entry.law and (entry.law == EDDY or part.candidate.known) else "",
+        entry.id, entry.name, entry.equation, robots, tier,
+        {each.unknown.owner.parameter: each.estimate for each in mine}, effect.nats, rivals, entry.topic,
+        held_out_nats=effect.held_out.total,
+        settings=_settings(fit, effect),
+        simulated_as=entry.law if entry.law and (entry.law == EDDY or effect.candidate.known) else "",
         law=entry.form,
     )  # fmt: skip
 
 
-def _settings(fit: Fit, part: Accused) -> dict[str, float]:
+def _settings(fit: Fit, effect: NamedEffect) -> dict[str, float]:
     """What was given or found on a grid alone, by the names of the simulator's effect."""
-    columns = [*part.candidate.entry.fixed, *(shape.column for shape in part.candidate.entry.shapes if shape.fixed)]
-    row = fit.rows[part.candidate.everybody[0]]
+    entry = effect.candidate.entry
+    columns = [*entry.fixed, *(shape.column for shape in entry.shapes if shape.fixed)]
+    row = fit.rows[effect.candidate.everybody[0]]
     return {column.partition(".")[2]: float(row[COLUMN[column]]) for column in columns}

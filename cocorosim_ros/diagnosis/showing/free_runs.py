@@ -13,13 +13,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
-from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, with_noise
+from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
-from cocorosim_ros.diagnosis.showing.held_out_streams import held_out_streams
+from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.state import YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.world.state.state import STATE_SIZE, YAW, YAW_RATE, X, Y, Z
 
 SEEN = 0.6  # of each recording is fitted
 WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
@@ -44,7 +46,7 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
     nominal_rows = base.rows
     best = final.filled
     windows: list[Window] = []
-    courses = [track.smoothed(row) for track, row in zip(base.tracks, best, strict=True)]
+    courses = [track.filter.smoothed(row) for track, row in zip(base.tracks, best, strict=True)]
     seconds = window_length(courses)
     for number, (track, course) in enumerate(zip(base.tracks, courses, strict=True)):
         rows = {"nominal": nominal_rows[number], **{name: fit.filled[number] for name, fit in fits.items()}}
@@ -52,8 +54,8 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
     if not windows:
         return {}, ()
     models = {"nominal": nominal_rows, **{name: fit.filled for name, fit in fits.items()}}
-    streams = held_out_streams(base.tracks, courses, models, (SEEN, seconds))
-    return {**_table(windows, base.tracks, seconds), **streams}, tuple(part.run for part in windows)
+    streams = held_out_streams(base.tracks, courses, models, HeldOutPart(SEEN, seconds))
+    return {**_table(windows, base.tracks, seconds), **streams}, tuple(window.run for window in windows)
 
 
 def window_length(courses: Sequence[Smoothed]) -> float:
@@ -70,15 +72,16 @@ def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
 
 
 def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
-    first = round(SEEN * track.readings.points)
-    length = min(round(seconds / track.readings.step), (track.readings.points - first - 1) // 2)
+    grid = track.timeline.grid
+    first = round(SEEN * grid.points)
+    length = min(round(seconds / grid.step), (grid.points - first - 1) // 2)
     if length < FEWEST_POINTS:
         return []
     found = []
-    for begin in range(first, track.readings.points - length, length):
-        start = course.mean[begin, :8]
-        paths = {name: track.free_run(row, start, begin, length) for name, row in rows.items()}
-        measured = course.mean[begin : begin + length, :8]
+    for begin in range(first, grid.points - length, length):
+        start = course.mean[begin, :STATE_SIZE]
+        paths = {name: track.filter.free_run(row, start, begin, length) for name, row in rows.items()}
+        measured = course.mean[begin : begin + length, :STATE_SIZE]
         squared = {name: _squared(path, measured) for name, path in paths.items()}
         squared["noise_floor"] = _floor(track, rows["augmented"], course, begin, length)
         time = course.time[begin : begin + length]
@@ -97,17 +100,17 @@ def _squared(path: Floats, measured: Floats) -> Floats:
 
 def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int) -> Floats:
     """(points, 3) expected squared errors of a model that is right, by one run with the smoothed random force added."""
-    start = course.mean[begin, :8]
-    free = track.free_run(row, start, begin, length)
-    pushed = track.free_run(row, start, begin, length, course.mean[begin : begin + length, 8:])
+    start = course.mean[begin, :STATE_SIZE]
+    free = track.filter.free_run(row, start, begin, length)
+    pushed = track.filter.free_run(row, start, begin, length, course.mean[begin : begin + length, STATE_SIZE:])
     return _squared(free, pushed)
 
 
 def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -> dict[str, HeldOut]:
     shown = {
-        "position": any(track.sees("pose_x") for track in tracks),
-        "heading": any(track.sees("pose_yaw", "compass") for track in tracks),
-        "depth": any(track.sees("pose_z", "pressure") for track in tracks),
+        "position": any(track.timeline.sees("pose_x") for track in tracks),
+        "heading": any(track.timeline.sees("pose_yaw", "compass") for track in tracks),
+        "depth": any(track.timeline.sees("pose_z", "pressure") for track in tracks),
     }
     rng = np.random.default_rng(0)  # which windows the bootstrap draws
     table = {}
@@ -115,11 +118,11 @@ def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -
         if not shown[channel]:
             continue
         means = {
-            name: np.array([part.squared[name][:, index].mean() for part in windows])
+            name: np.array([window.squared[name][:, index].mean() for window in windows])
             for name in (*MODELS, "noise_floor")
         }
         draws = drawn(rng, len(windows))
         intervals = {name: interval_of_root(values, draws) for name, values in means.items()}
-        values = {name: float(np.sqrt(part.mean())) for name, part in means.items()}
+        values = {name: float(np.sqrt(mean.mean())) for name, mean in means.items()}
         table[channel] = HeldOut(**values, unit=unit, intervals=intervals, seconds=seconds)
     return table

@@ -4,39 +4,47 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, deviation, unit_of_kind
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
 TOPICS = ("compass", "pressure", "imu")
 """Streams that are no channel of the free runs."""
 
 
+class HeldOutPart(NamedTuple):
+    """What of each recording is held out."""
+
+    seen: float  # share of it that the fits saw
+    stretch: float  # length [s] of stretches that intervals take for independent
+
+
 def held_out_streams(
     tracks: Sequence[Track],
     courses: Sequence[Smoothed],
     models: Mapping[str, Floats],
-    part: tuple[float, float],
+    part: HeldOutPart,
 ) -> dict[str, HeldOut]:
     """Root mean square of reading less expectation on the most likely course, by topic.
 
-    models: rows (tracks, columns) of 'nominal', 'recalibrated' and 'augmented'. part: the share of each recording that
-    the fits saw, and the length of the stretches [s] that the intervals take for independent.
+    models: rows (tracks, columns) of 'nominal', 'recalibrated' and 'augmented'.
     """
     table = {}
     for topic in TOPICS:
         kind = KIND_OF_TOPIC[topic]
-        seen = [number for number, track in enumerate(tracks) if np.any(track.readings.kind == kind)]
+        seen = [number for number, track in enumerate(tracks) if np.any(track.timeline.kind == kind)]
         means = {
             name: [
                 mean
                 for number in seen
-                for mean in _stretches(tracks[number], courses[number], rows[number], (kind, *part))
+                for mean in _stretches(tracks[number], courses[number], rows[number], topic, part)
             ]
             for name, rows in models.items()
         }
@@ -51,18 +59,17 @@ def held_out_streams(
 
 def _noise(track: Track, topic: str) -> float:
     """Variance of a reading as the filter takes them, by the stream's differences alone."""
-    share = track.readings.share[track.readings.kind == KIND_OF_TOPIC[topic]]
+    share = track.timeline.share[track.timeline.kind == KIND_OF_TOPIC[topic]]
     return float(track.log.streams[topic].noise[0] ** 2 * share.mean())
 
 
-def _stretches(track: Track, course: Smoothed, row: Floats, wanted: tuple[int, float, float]) -> list[float]:
-    """Mean squared deviation of every stretch after the part that was seen; wanted: kind, share seen, length [s]."""
-    kind, share, length = wanted
-    chosen = track.readings.kind == kind
-    stamp = track.readings.stamp[chosen]
+def _stretches(track: Track, course: Smoothed, row: Floats, topic: str, part: HeldOutPart) -> list[float]:
+    """Mean squared deviation of every stretch after the part that was seen."""
+    chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
+    stamp = track.timeline.stamp[chosen]
     squared = deviation(track, chosen, course, row) ** 2
-    begin = course.time[0] + share * (course.time[-1] - course.time[0])
-    number = np.floor((stamp - begin) / length).astype(int)
+    begin = course.time[0] + part.seen * (course.time[-1] - course.time[0])
+    number = np.floor((stamp - begin) / part.stretch).astype(int)
     return [float(squared[number == each].mean()) for each in np.unique(number[number >= 0])]
 
 

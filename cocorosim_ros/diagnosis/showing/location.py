@@ -12,12 +12,14 @@ from cocorosim_ros.diagnosis.catalogue.laws import LARGE_SHARE
 from cocorosim_ros.diagnosis.findings import Located
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-from cocorosim_ros.diagnosis.tracks.track import Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.laws.law import Law
+from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.equations import EQUATION
 
 CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
@@ -30,27 +32,32 @@ def locate(
     fit: Fit, screened: Sequence[Screened], laws: Sequence[Screened], courses: Sequence[Smoothed]
 ) -> tuple[Located, ...]:
     """What stands out, the clearest first: laws of force by the scan, sensors by the catalogue."""
-    sensed = [part for part in screened if part.candidate.entry.channel in SENSOR_CHANNELS]
-    standing = [part for part in (*laws, *sensed) if np.abs(part.z).max() >= CLEAR and part.nats > 0.0]
-    standing.sort(key=lambda part: -part.nats)
+    sensed = [each for each in screened if each.candidate.entry.channel in SENSOR_CHANNELS]
+    standing = [each for each in (*laws, *sensed) if np.abs(each.z).max() >= CLEAR and each.nats > 0.0]
+    standing.sort(key=lambda each: -each.nats)
     found: list[Located] = []
-    for part in standing:
-        equation, regressor = _named(part)
+    for each in standing:
+        equation, regressor = _named(each)
         if len(found) < MOST and not any(
             equation == other.equation and regressor == other.regressor for other in found
         ):
-            found.append(_located(fit, part, courses))
+            found.append(_located(fit, each, courses))
     return tuple(found)
 
 
-def _named(part: Screened) -> tuple[str, str]:
-    entry = part.candidate.entry
+def _strongest(screened: Screened) -> tuple[Unknown, float]:
+    """The amplitude that stands out most, and its q."""
+    number = int(np.abs(screened.z).argmax())
+    return screened.candidate.amplitudes()[number], float(abs(screened.q[number]))
+
+
+def _named(screened: Screened) -> tuple[str, str]:
+    """Equation and regressor."""
+    entry = screened.candidate.entry
     if entry.form is not None:
         return _law_named(entry.form)
-    strongest = int(np.abs(part.z).argmax()) % len(entry.amplitudes)
-    return (
-        "clock" if entry.id == "clock_skew" else entry.channel if entry.channel != "velocity" else "pose"
-    ), entry.amplitudes[strongest].name
+    equation = "clock" if entry.id == "clock_skew" else entry.channel if entry.channel != "velocity" else "pose"
+    return equation, _strongest(screened)[0].owner.parameter
 
 
 def _law_named(law: Law) -> tuple[str, str]:
@@ -62,46 +69,45 @@ def _law_named(law: Law) -> tuple[str, str]:
     return law.of, law.product.text
 
 
-def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
-    entry = part.candidate.entry
-    equation, regressor = _named(part)
-    time, gained = _gain_over_time(fit, part)
+def _located(fit: Fit, screened: Screened, courses: Sequence[Smoothed]) -> Located:
+    entry = screened.candidate.entry
+    equation, regressor = _named(screened)
+    time, gained = _gain_over_time(fit, screened)
     first, last = _window(time, gained)
     if entry.form is not None and entry.law in LAWS:
         name = entry.form.of
         scales = scene_of(fit.tracks, courses).scales
         force = scales[{"heave": "heave_force", "yaw": "yaw_force"}.get(name, "surge_force")]
-        size, unit = float(abs(part.q[0])) * LARGE_SHARE * force, EQUATION[name].unit
+        size, unit = float(abs(screened.q[0])) * LARGE_SHARE * force, EQUATION[name].unit
     else:
-        strongest = int(np.abs(part.z).argmax())
-        amplitude = entry.amplitudes[strongest % len(entry.amplitudes)]
-        size, unit = float(abs(part.q[strongest])) * part.candidate.large(amplitude), amplitude.unit
-    words = _where(part, time, gained, courses)
+        unknown, q = _strongest(screened)
+        size, unit = q * unknown.scale, unknown.owner.unit
+    where, z = _where(screened, time, gained, courses), float(np.abs(screened.z).max())
     return Located(
-        part.candidate.robots, equation, regressor, words, (first, last), size, unit, float(np.abs(part.z).max()),
-        entry.form, _swing(fit, part),
+        screened.candidate.robots, equation, regressor, where, (first, last), size, unit, z,
+        entry.form, _swing(fit, screened),
     )  # fmt: skip
 
 
-def _swing(fit: Fit, part: Screened) -> tuple[float, float]:
+def _swing(fit: Fit, screened: Screened) -> tuple[float, float]:
     """Rate [rad/s] and phase [rad] with which a law of motion swings in time, if it does."""
-    place = part.candidate.entry.law
+    place = screened.candidate.entry.law
     if place not in LAWS:
         return 0.0, 0.0
-    row = part.candidate.write(fit.rows, part.values)[part.candidate.everybody[0]]
+    row = screened.candidate.write(fit.rows, screened.values)[screened.candidate.everybody[0]]
     return float(row[COLUMN[f"{place}.omega"]]), float(row[COLUMN[f"{place}.phase"]])
 
 
-def _gain_over_time(fit: Fit, part: Screened) -> tuple[Floats, Floats]:
+def _gain_over_time(fit: Fit, screened: Screened) -> tuple[Floats, Floats]:
     """Moments [s] and the nats that the readings there gain by the law."""
-    rows = part.candidate.write(fit.rows, part.values)
-    unknowns = part.candidate.amplitudes()
+    rows = screened.candidate.write(fit.rows, screened.values)
+    unknowns = screened.candidate.amplitudes()
     moved = slopes(replace(fit, rows=rows), unknowns, np.zeros(len(unknowns)))
     times, nats = [], []
-    for number in part.candidate.everybody:
+    for number in screened.candidate.everybody:
         passed, track = fit.passes[number], fit.tracks[number]
-        shift = moved[number] @ part.q
-        times.append(track.readings.stamp)
+        shift = moved[number] @ screened.q
+        times.append(track.timeline.stamp)
         nats.append(-(passed.innovation * shift + 0.5 * shift**2) / passed.variance)
     time, gained = np.concatenate(times), np.concatenate(nats)
     order = np.argsort(time, kind="stable")
@@ -118,23 +124,23 @@ def _window(time: Floats, gained: Floats) -> tuple[float, float]:
     return float(bins[first]), float(bins[min(last + 1, 30)])
 
 
-def _where(part: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
+def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
     """In words: in which regime the gain is at home more than time is."""
-    course = courses[part.candidate.everybody[0]]
+    course = courses[screened.candidate.everybody[0]]
     index = np.clip(np.searchsorted(course.time, time), 0, len(course.time) - 1)
     state = course.mean[index]
     regimes = {
-        "mostly when turning": np.abs(state[:, 7]) > np.median(np.abs(course.mean[:, 7])),
-        "mostly when turning slowly or not": np.abs(state[:, 7]) <= np.median(np.abs(course.mean[:, 7])),
-        "mostly at speed": np.abs(state[:, 4]) > np.median(np.abs(course.mean[:, 4])),
-        "mostly when slow": np.abs(state[:, 4]) <= np.median(np.abs(course.mean[:, 4])),
-        "mostly when deep": state[:, 2] < np.median(course.mean[:, 2]),
-        "mostly when shallow": state[:, 2] >= np.median(course.mean[:, 2]),
-        "mostly when diving or rising": np.abs(state[:, 6]) > np.median(np.abs(course.mean[:, 6])),
-        "mostly in the eastern half": state[:, 0] > np.median(course.mean[:, 0]),
-        "mostly in the western half": state[:, 0] <= np.median(course.mean[:, 0]),
-        "mostly in the northern half": state[:, 1] > np.median(course.mean[:, 1]),
-        "mostly in the southern half": state[:, 1] <= np.median(course.mean[:, 1]),
+        "mostly when turning": np.abs(state[:, YAW_RATE]) > np.median(np.abs(course.mean[:, YAW_RATE])),
+        "mostly when turning slowly or not": np.abs(state[:, YAW_RATE]) <= np.median(np.abs(course.mean[:, YAW_RATE])),
+        "mostly at speed": np.abs(state[:, SURGE]) > np.median(np.abs(course.mean[:, SURGE])),
+        "mostly when slow": np.abs(state[:, SURGE]) <= np.median(np.abs(course.mean[:, SURGE])),
+        "mostly when deep": state[:, Z] < np.median(course.mean[:, Z]),
+        "mostly when shallow": state[:, Z] >= np.median(course.mean[:, Z]),
+        "mostly when diving or rising": np.abs(state[:, HEAVE]) > np.median(np.abs(course.mean[:, HEAVE])),
+        "mostly in the eastern half": state[:, X] > np.median(course.mean[:, X]),
+        "mostly in the western half": state[:, X] <= np.median(course.mean[:, X]),
+        "mostly in the northern half": state[:, Y] > np.median(course.mean[:, Y]),
+        "mostly in the southern half": state[:, Y] <= np.median(course.mean[:, Y]),
     }
     total = float(gained.sum())
     if total <= 0.0:

@@ -8,8 +8,10 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import YAW
 
 
 def residual_forces(fit: Fit, courses: Sequence[Smoothed]) -> tuple[ResidualForce, ...]:
@@ -19,11 +21,11 @@ def residual_forces(fit: Fit, courses: Sequence[Smoothed]) -> tuple[ResidualForc
 
 def _of(track: Track, row: Floats, course: Smoothed) -> ResidualForce:
     mean, spread = course.mean, course.spread
-    sine, cosine = np.sin(mean[:, 3]), np.cos(mean[:, 3])
-    force = np.column_stack(
-        [mean[:, 8] * cosine + mean[:, 9] * sine, mean[:, 9] * cosine - mean[:, 8] * sine, mean[:, 10], mean[:, 11]]
-    )
-    across = np.sqrt((spread[:, 8] * cosine) ** 2 + (spread[:, 9] * sine) ** 2)
-    aside = np.sqrt((spread[:, 9] * cosine) ** 2 + (spread[:, 8] * sine) ** 2)
-    wide = np.column_stack([across, aside, spread[:, 10], spread[:, 11]])
-    return ResidualForce(track.name, force, wide, track.course_along(course, row))
+    sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
+    east, north = mean[:, FORCE_X], mean[:, FORCE_Y]
+    forward, left = east * cosine + north * sine, north * cosine - east * sine
+    force = np.column_stack([forward, left, mean[:, FORCE_Z], mean[:, YAW_MOMENT]])
+    across = np.sqrt((spread[:, FORCE_X] * cosine) ** 2 + (spread[:, FORCE_Y] * sine) ** 2)
+    aside = np.sqrt((spread[:, FORCE_Y] * cosine) ** 2 + (spread[:, FORCE_X] * sine) ** 2)
+    wide = np.column_stack([across, aside, spread[:, FORCE_Z], spread[:, YAW_MOMENT]])
+    return ResidualForce(track.name, force, wide, track.actuation.course_along(course, row))

@@ -12,8 +12,9 @@ from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import factor_at
-from cocorosim_ros.diagnosis.tracks.track import Smoothed, Track
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.laws.law import Factor, Product
 from cocorosim_ros.world.sensors import KINDS, SENSORS
@@ -41,14 +42,14 @@ def residual_readings(
             continue
         product = _product(effect, topic)
         for number, track in enumerate(base.tracks):
-            chosen = track.readings.kind == KIND_OF_TOPIC[topic]
+            chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
             if track.name not in effect.robots or not chosen.any():
                 continue
             rows = base.filled[number], final.filled[number]
             before, after = (
                 deviation(track, chosen, course[number], row) for course, row in zip(courses, rows, strict=True)
             )
-            stamp = track.readings.stamp[chosen]
+            stamp = track.timeline.stamp[chosen]
             against = _along(product, stamp, track, courses[1][number], rows[1])
             unit = unit_of_kind(KIND_OF_TOPIC[topic])
             found.append(
@@ -74,7 +75,7 @@ def _product(effect: FoundEffect, topic: str) -> Product:
 
 def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row: Floats) -> Floats:
     """The product (n,) at these moments, under the numbers of this row; angles between -pi and pi."""
-    seen = track.course_along(course, row)
+    seen = track.actuation.course_along(course, row)
     with np.errstate(divide="ignore", invalid="ignore"):
         values = factor_at(seen, stamp, product.first) * factor_at(seen, stamp, product.second)
     return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if product.text == HEADING.name else values
@@ -82,12 +83,12 @@ def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row:
 
 def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:
     """Readings less what sensors with these numbers show on this course."""
-    kind = int(track.readings.kind[chosen][0])
+    kind = int(track.timeline.kind[chosen][0])
     topic = next(name for name, each in KIND_OF_TOPIC.items() if each == kind)
-    stamp = track.readings.stamp[chosen]
+    stamp = track.timeline.stamp[chosen]
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
-    deviation = track.readings.value[chosen] - track.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
+    deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
     return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind in ANGLES else deviation
 
 

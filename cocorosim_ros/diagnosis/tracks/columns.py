@@ -9,6 +9,7 @@ from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import NEUTRAL as NEUTRAL_SENSORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
+from cocorosim_ros.world.vehicle_model.columns import numbered, stretch_of
 from cocorosim_ros.world.vehicle_model.hooks import bits
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAMETER_COLUMNS, neutral_row
 
@@ -17,21 +18,28 @@ WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.co
 # Readings that are equally good share one number: log of the standard deviation of a single reading.
 READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values())
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
+# Units of that of which the noise is the logarithm.
+NOISE_UNITS = {
+    "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
+    "random.smoothness": "1",
+    **{f"reading.{name}": kind.unit for name, kind in zip(READING_NOISE_OF_KIND, KINDS.values(), strict=True)},
+}  # fmt: skip
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
 READING_LAWS = {f"{place}.{part.name}": part.neutral for place, parts in SENSOR_LAWS.items() for part in parts}
 
-NAMES: tuple[str, ...] = (
-    *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS
-)  # fmt: skip
-COLUMN: dict[str, int] = {name: column for column, name in enumerate(NAMES)}
-PHYSICS = slice(0, len(PARAMETER_COLUMNS))
-SENSORS = slice(COLUMN[SENSOR_COLUMNS[0]], COLUMN[SENSOR_COLUMNS[-1]] + 1)
-WATER = slice(COLUMN[WATER_NOISE[0]], COLUMN[WATER_NOISE[-1]] + 1)
+COLUMN: dict[str, int] = numbered(
+    [*PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS]
+)
+"""Column of every number of a model; the physics come first, so that their columns are the simulator's."""
+NAMES: tuple[str, ...] = tuple(COLUMN)
+PHYSICS = stretch_of(COLUMN, list(PARAMETER_COLUMNS))
+SENSORS = stretch_of(COLUMN, SENSOR_COLUMNS)
+WATER = stretch_of(COLUMN, WATER_NOISE)
 READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_OF_KIND])
 ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
 BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
-TIMING = slice(COLUMN[LATENCY[0]], COLUMN[SKEW[-1]] + 1)
+TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, GAINS))
 NEUTRAL = np.zeros(len(NAMES))  # what each number is where nothing is out of the ordinary
 NEUTRAL[PHYSICS] = neutral_row()

@@ -2,41 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
-from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.records import Readings
-from cocorosim_ros.foundation.arrays import Floats
-
-LONGEST_STEP = 0.1  # s
-YAW_ERROR, PLACE_ERROR = 0.005, 0.001  # rad, m: what a step under full acceleration may miss by
-
-
-def grid_step(acceleration: float, yaw_acceleration: float) -> float:
-    """Step [s] of the filter for a vehicle with these greatest accelerations [m/s^2, rad/s^2], a multiple of 10 ms."""
-    step = LONGEST_STEP
-    if acceleration > 0.0:
-        step = min(step, math.sqrt(8.0 * PLACE_ERROR / acceleration))
-    if yaw_acceleration > 0.0:
-        step = min(step, math.sqrt(8.0 * YAW_ERROR / yaw_acceleration))
-    return max(0.01, math.floor(step * 100.0 + 1e-9) / 100.0)
-
-
-def grid_begin(command_time: Floats, step: float, begin: float) -> float:
-    """Where a grid of this step begins, at most a step before `begin` [s], so that commands change at grid points.
-
-    Between grid points the filter knows only the mean of what acts.
-    """
-    if len(command_time) == 0:
-        return begin
-    turns = np.exp(2j * np.pi * (command_time - begin) / step)
-    phase = float(np.angle(turns.mean()) / (2.0 * np.pi)) % 1.0
-    return begin - (1.0 - phase) * step if phase > 0.0 else begin
+from cocorosim_ros.diagnosis.tracks.averaging import Taken, around_point, averaged_stream, joined
+from cocorosim_ros.diagnosis.tracks.columns import TIMING
+from cocorosim_ros.diagnosis.tracks.grid import grid_until
+from cocorosim_ros.diagnosis.tracks.lately import Lately
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
 
 @dataclass(frozen=True)
@@ -48,58 +27,76 @@ class Timing:
 
 
 RIGHT = Timing()
+REMEMBERED = 6  # readings on the grid, for timings that are asked for again
 
 
-class TrackReadings:
+def timing_of(row: Floats) -> Timing:
+    """What a row of numbers says of the stamps."""
+    latency, skew = row[TIMING].reshape(2, len(KINDS_OF_STREAM)).tolist()
+    return Timing(dict(zip(KINDS_OF_STREAM, latency, strict=True)), dict(zip(KINDS_OF_STREAM, skew, strict=True)))
+
+
+class Timeline:
     """All readings of one robot in one recording, averaged where several fall between two grid points.
 
-    They stand in the order in which the filter takes them if all stamps are right.
+    They stand in the order in which the filter takes them if all stamps are right; each is (m,):
+    kind, stream: codes of filter.layout and numbers in `stream_names`; stamp [s]; value; share: variance over that of a
+    single reading; reach [s]: the readings of an average lie evenly within it.
     """
 
     def __init__(self, log: RobotLog, step: float, begin: float, end: float) -> None:
-        self.step, self.begin = step, begin
-        self.points = max(2, math.floor((end - begin) / step + 1e-9) + 1)
-        kinds, stamps, values, shares, streams, reaches = [], [], [], [], [], []
+        self.grid = grid_until(begin, step, end)
         self.stream_names = [name for name in KINDS_OF_STREAM if name in log.streams]
+        self._log = log
+        self._lately: Lately[Readings] = Lately(REMEMBERED)
+        taken = []
         for number, name in enumerate(self.stream_names):
-            averaged = _averaged(log.streams[name], step, begin)
+            averaged = averaged_stream(log.streams[name], step, begin)
+            inside = (averaged.stamp >= begin) & (averaged.stamp <= end)
             for column, kind in enumerate(KINDS_OF_STREAM[name]):
-                stamp, value, share, reach = averaged
-                shown = np.isfinite(value[:, column]) & (stamp >= begin) & (stamp <= end)
-                count = int(np.count_nonzero(shown))
-                kinds.append(np.full(count, kind, dtype=np.int64))
-                streams.append(np.full(count, number, dtype=np.int64))
-                stamps.append(stamp[shown])
-                values.append(value[shown, column])
-                shares.append(share[shown, column])
-                reaches.append(reach[shown])
-        self.kind = np.concatenate(kinds) if kinds else np.zeros(0, dtype=np.int64)
-        self.stream = np.concatenate(streams) if streams else np.zeros(0, dtype=np.int64)
-        self.stamp = np.concatenate(stamps) if stamps else np.zeros(0)
-        self.value = np.concatenate(values) if values else np.zeros(0)
-        self.share = np.concatenate(shares) if shares else np.zeros(0)
-        self.reach = np.concatenate(reaches) if reaches else np.zeros(0)
-        order = self.timeline().origin
-        self.kind, self.stream, self.stamp = self.kind[order], self.stream[order], self.stamp[order]
-        self.value, self.share, self.reach = self.value[order], self.share[order], self.reach[order]
+                taken.append(averaged.of_kind(column, kind, number, inside))
+        self._put(joined(taken))
+        self._put(self._taken.ordered(self.readings().origin))
 
-    def timeline(self, timing: Timing = RIGHT) -> Readings:
+    def _put(self, taken: Taken) -> None:
+        self._taken = taken
+        self.kind, self.stream, self.stamp, self.value, self.share, self.reach = taken
+
+    @cached_property
+    def is_angle(self) -> Flags:
+        """(m,) whether a reading is an angle."""
+        return np.isin(self.kind, ANGLES)
+
+    def sees(self, *names: str) -> bool:
+        """Whether there are readings of one of these kinds."""
+        return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
+
+    def until(self, share: float) -> Timeline:
+        """The first part, up to `share` of the duration, on the same grid."""
+        begin, step, points = self.grid
+        return Timeline(self._log, step, begin, begin + share * step * (points - 1))
+
+    def under(self, row: Floats) -> Readings:
+        """The readings on the grid as a row of numbers has the stamps."""
+        return self._lately.once(row[TIMING].tobytes(), lambda: self.readings(timing_of(row)))
+
+    def readings(self, timing: Timing = RIGHT) -> Readings:
         """The readings by grid point, at the moments of which they tell when the stamps are off by `timing`."""
+        begin, step, points = self.grid
         moment = self.stamp.copy()
         for number, name in enumerate(self.stream_names):
             chosen = self.stream == number
             skew, latency = timing.skew.get(name, 0.0), timing.latency.get(name, 0.0)
             if skew != 0.0 or latency != 0.0:
                 moment[chosen] = (moment[chosen] - latency) / (1.0 + skew)
-        point = np.clip(np.rint((moment - self.begin) / self.step), 0, self.points - 1).astype(np.int64)
-        after = moment - self.begin - point * self.step
+        point = np.clip(np.rint((moment - begin) / step), 0, points - 1).astype(np.int64)
+        after = moment - begin - point * step
         order = np.lexsort((self.kind, moment, point))
-        apart, side = _around(after, self.reach)
-        first = np.searchsorted(point[order], np.arange(self.points + 1)).astype(np.int64)
+        apart, side = around_point(after, self.reach)
         return Readings(
-            self.step,
-            self.begin,
-            first,
+            step,
+            begin,
+            np.searchsorted(point[order], np.arange(points + 1)).astype(np.int64),
             self.kind[order],
             after[order],
             apart[order],
@@ -109,46 +106,3 @@ class TrackReadings:
             self.share[order],
             order.astype(np.int64),
         )
-
-
-def _around(after: Floats, reach: Floats) -> tuple[Floats, Floats]:
-    """Mean distance from 0 and mean sign of moments that lie evenly in `after` +- `reach`, all (m,)."""
-    astride = np.abs(after) < reach
-    width = np.where(astride, reach, 1.0)
-    apart = np.where(astride, (after**2 + reach**2) / (2.0 * width), np.abs(after))
-    return apart, np.where(astride, after / width, np.sign(after))
-
-
-def _averaged(stream: Stream, step: float, begin: float) -> tuple[Floats, Floats, Floats, Floats]:
-    """Stamps (n,), values and shares of variance (n, columns), reach (n,): at most one per grid point, NaN where none.
-
-    The readings that an average is of lie evenly within `reach` [s] of its stamp.
-    """
-    if len(stream.time) == 0:
-        return stream.time, stream.value, np.ones_like(stream.value), stream.time
-    point = np.rint((stream.time - begin) / step).astype(np.int64)
-    first = np.flatnonzero(np.concatenate([[True], point[1:] != point[:-1]]))
-    every = np.diff(np.append(first, len(point))).astype(np.float64)
-    stamp = np.add.reduceat(stream.time, first) / every
-    given = np.isfinite(stream.value)
-    count = np.add.reduceat(given.astype(np.float64), first, axis=0)
-    count[count == 0.0] = np.nan
-    value = np.add.reduceat(np.where(given, stream.value, 0.0), first, axis=0) / count
-    variance = np.add.reduceat((stream.time - np.repeat(stamp, np.diff(np.append(first, len(point))))) ** 2, first)
-    return stamp, value, 1.0 / count, np.sqrt(3.0 * variance / every)
-
-
-def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:
-    """The first reading of each kind within `window` [s] from `begin`."""
-    found: dict[int, float] = {}
-    for name, kinds in KINDS_OF_STREAM.items():
-        if name not in log.streams:
-            continue
-        stream = log.streams[name]
-        near = (stream.time >= begin) & (stream.time <= begin + window)
-        for column, kind in enumerate(kinds):
-            values = stream.value[near, column] if near.any() else stream.value[:1, column]
-            values = values[np.isfinite(values)]
-            if len(values):
-                found[kind] = float(values[0])
-    return found

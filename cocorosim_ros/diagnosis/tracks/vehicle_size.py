@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.world.vehicle_model.vehicles import MASS, PARAMETER_COLUMNS, YAW_INERTIA
+from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 # The Lily that the sizes of the catalogue belong to: N, N m, kg, kg m^2, m/s, rad/s.
 LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48}
@@ -51,23 +51,23 @@ class FullForces(NamedTuple):
         return max(ACROSS * self.heave, self.across)
 
 
-def full_forces(track: Track) -> FullForces:
+def full_forces(vehicle: VehicleModel) -> FullForces:
     """Where no actuator acts, what the others let expect: a vehicle that cannot turn itself is turned all the same."""
-    surge, sway, heave, yaw = track.force_scale.tolist()
+    surge, sway, heave, yaw = vehicle.force_scale.tolist()
     across = max(surge, sway) or ACROSS * heave or LILY["force"]
     return FullForces(across, heave, yaw or ARM * across)
 
 
-def sizes(track: Track) -> Mapping[str, float]:
+def sizes(vehicle: VehicleModel) -> Mapping[str, float]:
     """By unit of an amplitude: the factor that makes what is large for a Lily large for this vehicle."""
-    row = track.platform_row
-    force, _, moment = full_forces(track)
+    row = vehicle.nominal
+    force, _, moment = full_forces(vehicle)
     drag, yaw_drag = float(row[PARAMETER_COLUMNS["drag"]]), float(row[PARAMETER_COLUMNS["yaw_drag"]])
     size = {
         "force": force,
         "moment": moment,
-        "mass": float(row[MASS]),
-        "inertia": float(row[YAW_INERTIA]),
+        "mass": vehicle.mass,
+        "inertia": vehicle.yaw_inertia,
         "speed": math.sqrt(force / drag) if drag > 0.0 else LILY["speed"],
         "turn": math.sqrt(moment / yaw_drag) if yaw_drag > 0.0 else LILY["turn"],
     }

@@ -9,12 +9,8 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.effects import BASIC_EFFECTS, EFFECTS, LAWS
+from cocorosim_ros.world.vehicle_model.columns import numbered
 
-MASS = 0  # kg
-YAW_INERTIA = 1  # kg m^2
-THRUST_GAIN = 2  # of all thrusters where they push together
-YAW_TORQUE_GAIN = 3  # of all thrusters where they turn the robot, in place of the other
-BUOYANCY_GAIN = 4  # of all pumps
 INERTIA_PARAMETERS = ("mass", "yaw_inertia")
 GAINS = ("thrust_gain", "yaw_torque_gain", "buoyancy_gain")  # 1 where nobody has measured
 
@@ -62,15 +58,15 @@ def parameter_names(effect: str) -> tuple[str, ...]:
     return tuple(f"{prefix}{parameter.name}" for parameter in EFFECTS[effect].parameters)
 
 
-def _parameter_columns() -> dict[str, int]:
-    """Column of every parameter: inertia and gains first, then each effect's in the order of the table."""
-    names = [*INERTIA_PARAMETERS, *GAINS]
-    for effect in EFFECTS:
-        names += parameter_names(effect)
-    return {name: column for column, name in enumerate(names)}
-
-
-PARAMETER_COLUMNS: dict[str, int] = _parameter_columns()
+PARAMETER_COLUMNS: dict[str, int] = numbered(
+    [*INERTIA_PARAMETERS, *GAINS, *(name for effect in EFFECTS for name in parameter_names(effect))]
+)
+"""Column of every parameter: inertia and gains first, then each effect's in the order of the table."""
+MASS = PARAMETER_COLUMNS["mass"]  # kg
+YAW_INERTIA = PARAMETER_COLUMNS["yaw_inertia"]  # kg m^2
+THRUST_GAIN = PARAMETER_COLUMNS["thrust_gain"]  # of all thrusters where they push together
+YAW_TORQUE_GAIN = PARAMETER_COLUMNS["yaw_torque_gain"]  # of all thrusters where they turn the robot instead
+BUOYANCY_GAIN = PARAMETER_COLUMNS["buoyancy_gain"]  # of all pumps
 PATCH_FORCE_COLUMNS = [
     PARAMETER_COLUMNS[name] for name in ("patch_force_x", "patch_force_y", "patch_force_z", "patch_moment")
 ]

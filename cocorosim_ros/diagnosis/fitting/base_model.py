@@ -1,0 +1,144 @@
+"""What every model of these recordings has: the platform's numbers, those of them that may move, and the noise.
+
+Mass is not fitted: forces, drag and inertia are known relative to it alone. Which numbers can move is a table.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown
+from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
+from cocorosim_ros.diagnosis.tracks.columns import (
+    COLUMN,
+    NOISE_UNITS,
+    READING_NOISE,
+    READING_NOISE_OF_KIND,
+)
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import ARM, full_forces
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.reading.ranges import Ranges
+from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
+
+# Columns, by the name that the contract reports, and their unit.
+RECALIBRATED: dict[str, tuple[str, str]] = {
+    "thrust_gain": ("thrust_gain", "1"),
+    "yaw_torque_gain": ("yaw_torque_gain", "1"),
+    "drag": ("drag", "kg/m"),
+    "yaw_drag": ("yaw_drag", "N m s^2"),
+    "yaw_inertia": ("inertia", "kg m^2"),
+    "buoyancy_gain": ("buoyancy_gain", "1"),
+}
+PRIOR = 0.2  # of the logarithm of a number that the platform gives without a range
+FIRST_DISTURBANCE = 0.01  # of full thrust
+FIRST_CORRELATION = 2.5  # s
+FIRST_SMOOTHNESS = 0.4
+LEAST_SMOOTHNESS = 0.04  # one rate is a hundred times the other
+MOST_CORRELATION = 60.0  # s: what lasts longer is no chance but a force, which an effect has to explain
+# Of the logarithms: standard deviation and bounds, both from where the fit begins.
+WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
+    "random.force": (3.0, (-7.0, 7.0)),
+    "random.heave_force": (3.0, (-7.0, 7.0)),
+    "random.moment": (3.0, (-7.0, 7.0)),
+    "random.correlation": (0.7, (-7.0, math.log(MOST_CORRELATION / FIRST_CORRELATION))),
+    "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
+}
+SHARED_NOISE = ("random.correlation", "random.smoothness")
+# What the filter's steps are off by at least, however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
+LEAST_READING_NOISE = {
+    "reading.pose_xy": 1e-4, "reading.pose_z": 1e-4, "reading.pose_yaw": 1e-3, "reading.compass": 1e-3,
+    "reading.pressure": 1.0, "reading.gyro_z": 1e-3, "reading.accel": 1e-3, "reading.velocity": 1e-4,
+}  # fmt: skip
+
+
+def base_rows(tracks: Sequence[Track]) -> Floats:
+    """(tracks, columns) the platform's numbers, nothing out of the ordinary, noise as it is estimated at first."""
+    rows = np.array([track.vehicle.row for track in tracks])
+    for row, track in zip(rows, tracks, strict=True):
+        full = full_forces(track.vehicle)
+        row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * full.across)
+        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * full.random_heave)
+        row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(full.yaw, ARM * full.across))
+        row[COLUMN["random.correlation"]] = math.log(FIRST_CORRELATION)
+        row[COLUMN["random.smoothness"]] = math.log(FIRST_SMOOTHNESS)
+        for name, kinds in KINDS_OF_STREAM.items():
+            if name not in track.log.streams:
+                continue
+            noise = track.log.streams[name].noise
+            for column, kind in enumerate(kinds):
+                if np.isfinite(noise[column]):
+                    of_reading = f"reading.{READING_NOISE_OF_KIND[kind]}"
+                    level = max(float(noise[column]), LEAST_READING_NOISE[of_reading])
+                    row[COLUMN[of_reading]] = math.log(level)
+    return rows
+
+
+def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
+    """The numbers of each robot's platform that may move."""
+    found = []
+    for robot, numbers in tracks_by_robot(tracks).items():
+        vehicle = tracks[numbers[0]].vehicle
+        ranges = vehicle.ranges
+        for column, (name, unit) in RECALIBRATED.items():
+            base = float(vehicle.nominal[PARAMETER_COLUMNS[column]])
+            # Moments are known relative to the inertia alone, as forces are to the mass: it stays unless it is unknown.
+            if base > 0.0 and (column != "yaw_inertia" or column in ranges):
+                prior = _prior(column, ranges)
+                owner = Owner(PLATFORM, (robot,), name, unit)
+                found.append(Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=(-4.0, 4.0)))
+    return found
+
+
+def _prior(column: str, ranges: Ranges) -> float:
+    """Standard deviation of the logarithm: a quarter of the platform's range, where it gives one."""
+    wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
+    found = [each for key, each in ranges.items() if key.endswith(wanted) and each.low > 0.0]
+    widths = [math.log(each.high / each.low) / 4.0 for each in found]
+    return max([PRIOR, *widths])
+
+
+def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
+    """Random forces and noise of readings, each robot's own; how fast the water changes is shared by all.
+
+    The same water moves a robot of another mass or inertia otherwise, and forces are known relative to these alone. A
+    robot's own instruments are the same in every recording; how well a tracker sees it is not.
+    """
+    robots = tracks_by_robot(tracks)
+    everybody = {tuple(robots): tuple(range(len(tracks)))}
+    alone = {(robot,): numbers for robot, numbers in robots.items()}
+    found = [
+        Unknown(
+            _noise_owner(RANDOM_FORCE, names, column), column, alike, _at(rows, alike, column), prior=prior, bounds=ends
+        )
+        for column, (prior, ends) in WATER_PRIOR.items()
+        for names, alike in (everybody if column in SHARED_NOISE else alone).items()
+    ]
+    for robot, numbers in robots.items():
+        for column in _readings_of(tracks, numbers):
+            owner = _noise_owner(READING, (robot,), column)
+            for alike in [(number,) for number in numbers] if column.startswith("reading.pose") else [numbers]:
+                base = _at(rows, alike, column)
+                least = max(-3.0, math.log(LEAST_READING_NOISE[column]) - base)
+                found.append(Unknown(owner, column, alike, base, prior=0.7, bounds=(least, 5.0)))
+    return found
+
+
+def _noise_owner(effect: str, robots: tuple[str, ...], column: str) -> Owner:
+    return Owner(effect, robots, column.partition(".")[2], NOISE_UNITS[column])
+
+
+def _at(rows: Floats, tracks: Sequence[int], column: str) -> float:
+    """What stands in a column of the first of these tracks."""
+    return float(rows[tracks[0], COLUMN[column]])
+
+
+def _readings_of(tracks: Sequence[Track], numbers: Sequence[int]) -> list[str]:
+    """Columns of the noise of those readings that these tracks have."""
+    kinds = np.unique(np.concatenate([tracks[number].timeline.kind for number in numbers]))
+    present = {f"reading.{READING_NOISE_OF_KIND[kind]}" for kind in kinds}
+    return [column for column in READING_NOISE if column in present]

@@ -1,0 +1,95 @@
+"""Steps to the maximum of the likelihood: unknowns by Gauss-Newton, noise by Fisher scoring.
+
+Each step is accepted by the full likelihood alone.
+Source: Ljung, System Identification (1999), chapter 7; Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
+from cocorosim_ros.diagnosis.fitting.noise_information import noise_information
+from cocorosim_ros.diagnosis.fitting.solving import clipped, step_within
+
+LARGEST_NOISE_STEP = 1.0  # of a logarithm
+LEAST_GAIN = 0.02  # nats below which an iteration has converged
+SETTLED = 0.1  # nats
+HALVINGS = 4
+DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
+
+
+def improved(fit: Fit, rounds: int) -> Fit:
+    """The fit after at most so many Gauss-Newton steps of its unknowns."""
+    for _ in range(rounds):
+        if not fit.unknowns:
+            return fit
+        better = _unknowns_step(fit)
+        if better is None or better.objective - fit.objective < LEAST_GAIN:
+            return better if better is not None else fit
+        fit = better
+    return fit
+
+
+def _unknowns_step(fit: Fit) -> Fit | None:
+    known = information(fit)
+    step = step_within(known.matrix, known.score, fit.unknowns, fit.q)
+    return _first_better(
+        fit, (replace(fit, q=clipped(fit.unknowns, fit.q + step / 2.0**halving)) for halving in range(HALVINGS))
+    )
+
+
+def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit:
+    """The fit after at most so many scoring steps of its noise, of the columns in `which` or all."""
+    chosen = [index for index, unknown in enumerate(fit.noise) if which is None or unknown.column in which]
+    for _ in range(rounds):
+        if not chosen:
+            return fit
+        better = _noise_step(fit, chosen)
+        if better is None:
+            return fit
+        gain = better.objective - fit.objective
+        fit = better
+        if gain < LEAST_GAIN:
+            return fit
+    return fit
+
+
+def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
+    """A scoring step, damped more and more until it is better (Levenberg): at last it goes up the score alone.
+
+    Far from the optimum, as where the water does not push at all, curvatures of the present place say little.
+    """
+    score, matrix = noise_information(fit, chosen)
+    unknowns = [fit.noise[index] for index in chosen]
+
+    def damped(damping: float) -> Fit:
+        step = step_within(matrix + damping * np.diag(np.diag(matrix)), score, unknowns, fit.q_noise[chosen])
+        q = fit.q_noise.copy()
+        q[chosen] = clipped(unknowns, q[chosen] + np.clip(step, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP))
+        return replace(fit, q_noise=q)
+
+    return _first_better(fit, map(damped, DAMPINGS))
+
+
+def _first_better(fit: Fit, trials: Iterable[Fit]) -> Fit | None:
+    """The first of these fits, not yet evaluated, that is better; None if none is."""
+    better = (trial for trial in map(evaluated, trials) if trial.objective > fit.objective)
+    return next(better, None)
+
+
+def settled(fit: Fit, rounds: int) -> Fit:
+    """The fit after at most so many turns of noise and unknowns, until these leave each other alone.
+
+    They do where nothing is left to gain after the first step of a turn.
+    """
+    for _ in range(rounds):
+        stepped = with_noise(fit, 1)
+        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > LEAST_GAIN else stepped
+        fit = improved(noisy, 3)
+        if fit.objective - stepped.objective < SETTLED:
+            break
+    return fit

@@ -1,0 +1,36 @@
+"""Linear systems of the fits: singular ones, and steps of unknowns that stand at their bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+from cocorosim_ros.foundation.arrays import Floats
+
+
+def solve(matrix: Floats, right: Floats) -> Floats:
+    """matrix^-1 right for a symmetric matrix that may be singular: directions without information stay 0."""
+    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
+        return np.zeros_like(right)
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    values, vectors = np.linalg.eigh(matrix * scale[:, None] * scale)
+    inverse = np.where(values > 1e-10, 1.0 / np.maximum(values, 1e-300), 0.0)
+    shaped = right * (scale if right.ndim == 1 else scale[:, None])
+    result = vectors @ ((vectors.T @ shaped).T * inverse).T
+    return np.asarray(result * (scale if right.ndim == 1 else scale[:, None]))
+
+
+def step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:
+    """matrix^-1 score with those that stand at a bound and press against it held there, lest the others give way."""
+    step = np.zeros(len(unknowns))
+    free = np.array([unknown.clipped(number + push) != number or push == 0.0
+                     for unknown, number, push in zip(unknowns, q, np.sign(score) * 1e-9, strict=True)])  # fmt: skip
+    step[free] = solve(matrix[np.ix_(free, free)], score[free])
+    return step
+
+
+def clipped(unknowns: Sequence[Unknown], q: Floats) -> Floats:
+    """q (n,) of the unknowns, each within its bounds."""
+    return np.array([unknown.clipped(number) for unknown, number in zip(unknowns, q, strict=True)])

@@ -1,0 +1,67 @@
+"""What the actuators of a robot deliver between the grid points of its track, as the commands were recorded."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.filter.commands import mean_forces
+from cocorosim_ros.diagnosis.filter.records import Drive, Grid
+from cocorosim_ros.diagnosis.tracks.columns import ACTUATING
+from cocorosim_ros.diagnosis.tracks.lately import Lately
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
+from cocorosim_ros.world.terms.course import Course
+from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS
+
+REMEMBERED = 6  # forces, for numbers that are asked for again
+
+
+class Actuation:
+    """Commands to forces, under a row of numbers."""
+
+    def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid) -> None:
+        self.vehicle, self.grid = vehicle, grid
+        self._log = log
+        self._lately: Lately[tuple[Floats, Floats]] = Lately(REMEMBERED)
+
+    def drive(self, row: Floats, with_rates: bool = False) -> Drive:
+        """What acts on the robot from each grid point to the next.
+
+        The rates at which forces change are reckoned where a law of the row may ask for them, or `with_rates`; they
+        are zero elsewhere.
+        """
+        body = self.vehicle.body(row)
+        if with_rates:
+            body = body._replace(active=body.active | LAW_BITS)
+        force, rate = self._lately.once(
+            (body.active & ACTUATION_BITS, row[ACTUATING].tobytes()),
+            lambda: mean_forces(self._log.command_time, self._log.command, body, self.grid),
+        )
+        return Drive(force, rate, self.vehicle.surroundings.around)
+
+    def thrust(self, drive: Drive) -> Floats:
+        """(points, 4) wrench of the thrusters [N, N, N, N m; body]."""
+        thrusters = ~self.vehicle.is_pump
+        return np.asarray(drive.force[:, thrusters] @ self.vehicle.actuator_wrench[thrusters])
+
+    def pump_force(self, drive: Drive) -> Floats:
+        """(points,) force of the pumps [N], up positive."""
+        return np.asarray(drive.force[:, self.vehicle.is_pump].sum(axis=1))
+
+    def course_along(self, smoothed: Smoothed, row: Floats) -> Course:
+        """What laws may depend on, where the robot swam so and its actuators have these numbers."""
+        drive, vehicle = self.drive(row, with_rates=True), self.vehicle
+        lower, upper, around, own = vehicle.surroundings
+        return Course(
+            smoothed.time, smoothed.mean, self.thrust(drive), drive.force, drive.rate, vehicle.is_pump, (lower, upper),
+            around[: len(smoothed.time)], own,
+        )  # fmt: skip
+
+    def nominal_force(self) -> Floats:
+        """(points, 2) forward and sideways force of the thrusters [N] under the platform's own numbers."""
+        thrusters = ~self.vehicle.is_pump
+        force = self.drive(self.vehicle.row).force[:, thrusters]
+        return np.asarray(force @ self.vehicle.actuator_wrench[thrusters, :2])

@@ -1,0 +1,86 @@
+"""Which robots and walls surround each robot of a recording, as far as the recording tells."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
+from cocorosim_ros.diagnosis.tracks.surroundings import FAR, OPEN_WATER
+from cocorosim_ros.diagnosis.tracks.track import Track, make_track
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
+
+SHORE = 0.1  # m beyond where any robot has been; nobody records the tank
+ALIKE = 1.25  # sides of a tank that differ by less are taken as equal
+
+
+def introduced(tracks: Sequence[Track]) -> list[Track]:
+    """The tracks of one recording, each among the others in their common water."""
+    lower, upper = _water(tracks)
+    water = OPEN_WATER._replace(lower=lower, upper=upper)
+    if len(tracks) == 1:
+        return [tracks[0].among(water)]
+    return [track.among(water._replace(around=_around(tracks, track), own=own)) for own, track in enumerate(tracks)]
+
+
+def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
+    """Lowest and highest corner [m; world]: a tank around the origin, as the contract has it, that held all robots."""
+    places = [track.log.streams["pose"].value[:, :3] for track in tracks if "pose" in track.log.streams]
+    if not places:
+        return np.full(3, -FAR), np.full(3, FAR)
+    everything = np.concatenate(places)
+    seen = np.isfinite(everything).any(axis=0)
+    if not seen.all():
+        return np.full(3, -FAR), np.full(3, FAR)
+    half = np.nanmax(np.abs(everything[:, :2]), axis=0) + SHORE
+    if half.max() < ALIKE * half.min():
+        half[:] = half.max()
+    floor = min(float(np.nanmin(everything[:, 2])) - SHORE, -SHORE)
+    return np.array([-half[0], -half[1], floor]), np.array([half[0], half[1], 0.0])
+
+
+def _around(tracks: Sequence[Track], track: Track) -> Floats:
+    """(points, robots, NEIGHBOUR_SIZE) places and thrusts of all robots at the grid points of one of them."""
+    moments = track.timeline.grid.moments
+    around = np.zeros((len(moments), len(tracks), NEIGHBOUR_SIZE))
+    around[:, :, :3] = FAR
+    for other, fellow in enumerate(tracks):
+        if "pose" not in fellow.log.streams:
+            continue
+        pose = fellow.log.streams["pose"]
+        for axis in range(3):
+            around[:, other, axis] = np.interp(moments, pose.time, pose.value[:, axis])
+        yaw = np.interp(moments, pose.time, pose.value[:, 3])
+        surge, sway = _thrust(fellow, moments)
+        around[:, other, NEIGHBOUR_FORCE] = surge * np.cos(yaw) - sway * np.sin(yaw)
+        around[:, other, NEIGHBOUR_FORCE + 1] = surge * np.sin(yaw) + sway * np.cos(yaw)
+    return around
+
+
+def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
+    """Forward and sideways force of the thrusters [N] at these moments, as commanded."""
+    drive = track.actuation.nominal_force()
+    own = track.timeline.grid.moments
+    index = np.clip(np.searchsorted(own, moments, side="right") - 1, 0, len(own) - 1)
+    return drive[index, 0], drive[index, 1]
+
+
+def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
+    """A track for every robot in every recording that has readings."""
+    tracks: list[Track] = []
+    for recording in evidence.recordings:
+        alone = [make_track(evidence.platform, log, *_span(log)) for log in recording.robots if _times(log)]
+        tracks += introduced(alone)
+    return tuple(tracks)
+
+
+def _times(log: RobotLog) -> list[Floats]:
+    return [stream.time for stream in log.streams.values() if len(stream.time)]
+
+
+def _span(log: RobotLog) -> tuple[float, float]:
+    """From the first reading to the last [s]."""
+    times = _times(log)
+    return min(float(time[0]) for time in times), max(float(time[-1]) for time in times)

@@ -1,0 +1,49 @@
+"""Where a robot was when its recording began, from the first readings."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, KINDS_OF_STREAM, POSE_X, POSE_Y, POSE_YAW, POSE_Z, PRESSURE
+from cocorosim_ros.diagnosis.filter.records import Start
+from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
+from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+
+FIRST_SECONDS = 0.5  # s in which the start is looked for
+
+
+def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
+    """State and standard deviation at the first grid point."""
+    first = first_values(log, begin, FIRST_SECONDS)
+    mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
+    mean[X], mean[Y] = first.get(POSE_X, 0.0), first.get(POSE_Y, 0.0)
+    height = -(first[PRESSURE] - SURFACE_PRESSURE) / PASCAL_PER_METRE if PRESSURE in first else 0.0
+    mean[Z] = first.get(POSE_Z, height)
+    mean[YAW] = first.get(POSE_YAW, first.get(COMPASS, 0.0))
+    spread[X] = spread[Y] = spread[Z] = 0.05
+    spread[YAW] = 0.2
+    force, moment = vehicle.force_scale[0], vehicle.force_scale[3]
+    speed = max(0.05, math.sqrt(force / vehicle.mass) * 0.5)
+    spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed
+    spread[YAW_RATE] = max(0.3, math.sqrt(moment / vehicle.yaw_inertia))
+    return Start(mean, spread)
+
+
+def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:
+    """The first reading of each kind within `window` [s] from `begin`."""
+    found: dict[int, float] = {}
+    for name, kinds in KINDS_OF_STREAM.items():
+        if name not in log.streams:
+            continue
+        stream = log.streams[name]
+        near = (stream.time >= begin) & (stream.time <= begin + window)
+        for column, kind in enumerate(kinds):
+            values = stream.value[near, column] if near.any() else stream.value[:1, column]
+            values = values[np.isfinite(values)]
+            if len(values):
+                found[kind] = float(values[0])
+    return found

@@ -1,0 +1,108 @@
+"""The model of one vehicle: from a row of numbers to the body that the simulator's physics moves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.tracks.columns import ALWAYS_ACTIVE, COLUMN, NEUTRAL, PHYSICS, active_effects
+from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
+from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.scenario.reading.ranges import Ranges
+from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
+from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
+from cocorosim_ros.world.water.flow import make_flow
+
+STILL = make_flow([])
+
+
+@dataclass(frozen=True)
+class VehicleModel:
+    """One robot as its platform's file has it, in its surroundings."""
+
+    nominal: Floats  # (parameters,) the platform's numbers, columns of PARAMETER_COLUMNS, SI units
+    active: int  # bits of the effects that act whatever the numbers are
+    actuator_wrench: Floats  # (actuators, 4) X, Y, Z, N per newton [1, 1, 1, m; body]
+    actuator_limit: Floats  # (actuators, 2) force at command +1 and -1, both positive [N]
+    is_pump: Flags  # (actuators,)
+    known: Mapping[str, float]  # by column, what the platform's file says of sensors and stamps
+    ranges: Ranges
+    hull: float  # its length [m]
+    arm: float  # how far the thrusters sit before the centre, their mean [m]
+    surroundings: RecordedSurroundings = OPEN_WATER
+
+    @property
+    def mass(self) -> float:
+        """As the platform's file has it [kg]."""
+        return float(self.nominal[MASS])
+
+    @property
+    def yaw_inertia(self) -> float:
+        """As the platform's file has it [kg m^2]."""
+        return float(self.nominal[YAW_INERTIA])
+
+    @cached_property
+    def force_scale(self) -> Floats:
+        """(4,) the wrench X, Y, Z, N of all actuators at full command [N, N, N, N m; body], without signs."""
+        return np.asarray(np.abs(self.actuator_wrench * self.actuator_limit[:, :1]).sum(axis=0))
+
+    @property
+    def row(self) -> Floats:
+        """(columns,) the platform's numbers and nothing out of the ordinary; the noise is not known yet."""
+        row = NEUTRAL.copy()
+        row[PHYSICS] = self.nominal
+        for column, value in self.known.items():
+            row[COLUMN[column]] = value
+        return row
+
+    def body(self, row: Floats) -> Body:
+        """The simulator's body under a row of numbers; effects whose numbers are not neutral are switched on.
+
+        The array of neighbours is left empty: the filter writes into it who is where at each grid point.
+        """
+        around = self.surroundings
+        return Body(
+            row[PHYSICS].copy(),
+            self.active | active_effects(row),
+            self.actuator_wrench,
+            self.actuator_limit,
+            self.is_pump,
+            STILL,
+            around.lower,
+            around.upper,
+            np.zeros((around.around.shape[1], NEIGHBOUR_SIZE)),
+            around.own,
+        )
+
+
+def vehicle_model(platform: Platform) -> VehicleModel:
+    """The model of one robot of a platform, in open water."""
+    vehicles = build_vehicles([platform])
+    thrusters = [part.position[0] for part in platform.actuators if isinstance(part, Thruster)]
+    return VehicleModel(
+        vehicles.parameters[0, 0],
+        int(vehicles.active[0, 0]) | ALWAYS_ACTIVE,
+        vehicles.actuator_wrench[0, 0],
+        vehicles.actuator_limit[0, 0],
+        vehicles.is_pump[0, 0],
+        _known_of_sensors(platform),
+        platform.ranges,
+        platform.hull.length,
+        float(np.mean(thrusters)) if thrusters else 0.0,
+    )
+
+
+def _known_of_sensors(platform: Platform) -> dict[str, float]:
+    """By column, what the platform's file says of sensors and stamps."""
+    return {
+        f"{effect}.{name}": value
+        for effect, parameters in platform.effects.items()
+        for name, value in parameters.items()
+        if effect not in EFFECT_BIT and f"{effect}.{name}" in COLUMN
+    }
