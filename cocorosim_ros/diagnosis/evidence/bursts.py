@@ -12,22 +12,18 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import BURSTS
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.wire.bags.stamped_numbers import Stamps
-
-AT_ONCE = 0.1  # of the mean interval: no instrument takes two readings so close
-MANY = 0.05  # share of intervals that are so short, from which readings come in bursts
-IN_A_ROW = 20  # readings over which the period is taken
-SWIFTEST = 0.05  # quantile of what they take: the others have lost readings among them
 
 
 def as_taken(rows: TopicRows) -> tuple[TopicRows, tuple[str, ...]]:
     """The rows with the stamps of their taking, and a sentence that says so, if they came in bursts."""
-    if rows.topic == COMMAND or len(rows.stamp_ns) <= IN_A_ROW:
+    if rows.topic == COMMAND or len(rows.stamp_ns) <= BURSTS.in_a_row:
         return rows, ()
     steps = np.diff(rows.stamp_ns)
-    share = float(np.mean(steps < AT_ONCE * np.mean(steps)))
-    if share < MANY:
+    share = float(np.mean(steps < BURSTS.at_once * np.mean(steps)))
+    if share < BURSTS.many:
         return rows, ()
     taken = _taken(rows.stamp_ns)
     early = 1e-6 * (rows.stamp_ns - taken)
@@ -40,6 +36,6 @@ def as_taken(rows: TopicRows) -> tuple[TopicRows, tuple[str, ...]]:
 
 
 def _taken(stamp_ns: Stamps) -> Stamps:
-    rows = stamp_ns[IN_A_ROW:] - stamp_ns[:-IN_A_ROW]
-    place = np.arange(len(stamp_ns)) * int(np.quantile(rows, SWIFTEST) / IN_A_ROW)
+    rows = stamp_ns[BURSTS.in_a_row :] - stamp_ns[: -BURSTS.in_a_row]
+    place = np.arange(len(stamp_ns)) * int(np.quantile(rows, BURSTS.swiftest) / BURSTS.in_a_row)
     return np.asarray(np.minimum.accumulate((stamp_ns - place)[::-1])[::-1] + place)

@@ -8,12 +8,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import SPACING
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
-GAP_INTERVALS, GAP_SECONDS = 5.0, 1.0  # a gap is longer than so many usual intervals and than this
-JITTER = 0.2  # of the usual interval, from which it is said
 _EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
 
 
@@ -87,7 +86,7 @@ def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:
     if len(time) < 3:
         return ()
     steps = np.diff(time)
-    long = steps > max(GAP_INTERVALS * float(np.median(steps)), GAP_SECONDS)
+    long = steps > max(SPACING.gap_intervals * float(np.median(steps)), SPACING.gap_seconds)
     return tuple((float(time[k]), float(time[k + 1])) for k in np.flatnonzero(long))
 
 
@@ -99,7 +98,7 @@ def timing_sentence(name: str, time: Floats) -> str:
     usual = float(np.median(steps))
     parts = [f"{len(time)} readings at {1.0 / usual:.3g} Hz"]
     jitter = 1.4826 * float(np.median(np.abs(steps - usual)))
-    if jitter > JITTER * usual:
+    if jitter > SPACING.jitter * usual:
         parts.append(f"unevenly (jitter {1000.0 * jitter:.3g} ms)")
     gaps: Sequence[tuple[float, float]] = gaps_of(time)
     if gaps:

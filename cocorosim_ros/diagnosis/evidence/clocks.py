@@ -13,17 +13,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import CLOCKS
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
-
-FAR = 1.0  # s: what no transport and no latency explains
-NOTABLE = 0.2  # s: said, and left to the diagnosis
-FEW = 10  # messages in a row with stamps far off are faults of these messages, not another clock
-EARLY = 0.1  # share of the messages from which the offset is read, before a skew shows
-PROMPT = 0.1  # quantile of the delays: those of messages that did not have to wait
-NOTABLE_SKEW, SURE = 2e-5, 6.0  # s/s, as much as cheap quartz is off; standard deviations
-SKEW_BLOCKS, FEWEST_IN_BLOCK, SHORTEST = 20, 10, 30.0  # of a skew estimate; s
 
 
 @dataclass(frozen=True)
@@ -58,7 +51,7 @@ def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
 
 def skew_sentence(name: str, skew: Skew) -> str:
     """What is to be said of a clock that surely runs fast or slow; empty if it does not."""
-    if not (abs(skew.rate) > SURE * skew.error and abs(skew.rate) > NOTABLE_SKEW):
+    if not (abs(skew.rate) > CLOCKS.sure * skew.error and abs(skew.rate) > CLOCKS.notable_skew):
         return ""
     return (
         f"{name}: its stamps run {abs(skew.rate) * 1e6:.0f} ppm {'fast' if skew.rate > 0.0 else 'slow'} against those "
@@ -73,13 +66,13 @@ def _delay(rows: TopicRows) -> Floats:
 
 def _early_delay(rows: TopicRows) -> float:
     delay = _delay(rows)
-    return float(np.quantile(delay[: max(FEW, int(EARLY * len(delay)))], PROMPT))
+    return float(np.quantile(delay[: max(CLOCKS.few, int(CLOCKS.early * len(delay)))], CLOCKS.prompt))
 
 
 def _usual_delay(delays: Sequence[float]) -> float:
     """The delay that most topics share; among equally many, the smallest."""
     values = np.array(delays)
-    near = np.abs(values[:, None] - values[None, :]) < FAR
+    near = np.abs(values[:, None] - values[None, :]) < CLOCKS.far
     votes = near.sum(axis=1)
     chosen = min(np.flatnonzero(votes == votes.max()), key=lambda index: abs(values[index]))
     return float(np.median(values[near[chosen]]))
@@ -91,14 +84,14 @@ def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
         return rows
     delay, stamps = _delay(rows), rows.stamp_ns.copy()
     early = _early_delay(rows) - usual
-    if NOTABLE < abs(early) <= FAR:
+    if CLOCKS.notable < abs(early) <= CLOCKS.far:
         remarks.append(
             f"{rows.name}: its stamps are {abs(early):.2f} s {'behind' if early > 0 else 'ahead of'} the others' by "
             "the log times; they are used as they are."
         )
     for first, last in _stretches(delay):
-        offset = float(np.quantile(delay[first:last], PROMPT)) - usual
-        if abs(offset) <= FAR or last - first < FEW:
+        offset = float(np.quantile(delay[first:last], CLOCKS.prompt)) - usual
+        if abs(offset) <= CLOCKS.far or last - first < CLOCKS.few:
             continue
         stamps[first:last] += round(offset * NANOSECONDS)
         where = "" if last - first == len(delay) else f" of messages {first + 1} to {last} of {len(delay)}"
@@ -112,11 +105,11 @@ def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
 
 def _stretches(delay: Floats) -> list[tuple[int, int]]:
     """Half-open ranges of messages between jumps of the delay; a few strays do not end one."""
-    breaks = [0, *(np.flatnonzero(np.abs(np.diff(delay)) > FAR) + 1).tolist(), len(delay)]
+    breaks = [0, *(np.flatnonzero(np.abs(np.diff(delay)) > CLOCKS.far) + 1).tolist(), len(delay)]
     pieces = [(first, last) for first, last in pairwise(breaks) if last > first]
     merged: list[tuple[int, int]] = []
     for first, last in pieces:
-        if merged and abs(np.median(delay[first:last]) - np.median(delay[slice(*merged[-1])])) <= FAR:
+        if merged and abs(np.median(delay[first:last]) - np.median(delay[slice(*merged[-1])])) <= CLOCKS.far:
             merged[-1] = (merged[-1][0], last)
         else:
             merged.append((first, last))
@@ -125,10 +118,10 @@ def _stretches(delay: Floats) -> list[tuple[int, int]]:
 
 def _without_strays(rows: TopicRows, usual: float, topics: Sequence[TopicRows], remarks: list[str]) -> TopicRows:
     delay = _delay(rows) - usual
-    far = np.abs(delay) > FAR
+    far = np.abs(delay) > CLOCKS.far
     if not far.any():
         return rows
-    good = np.concatenate([other.stamp_ns[np.abs(_delay(other) - usual) <= FAR] for other in topics])
+    good = np.concatenate([other.stamp_ns[np.abs(_delay(other) - usual) <= CLOCKS.far] for other in topics])
     inside = (rows.stamp_ns >= good.min()) & (rows.stamp_ns <= good.max()) if good.size else np.ones_like(far)
     strays = far & ((delay < 0.0) | ~inside)
     if strays.any():
@@ -147,17 +140,17 @@ def _skew(rows: TopicRows) -> Skew:
     """From the slope of the prompt messages' delay over time; unknown where log times are made from stamps."""
     count = len(rows.stamp_ns)
     span = (rows.log_ns.max() - rows.log_ns.min()) / NANOSECONDS if count else 0.0
-    if count < SKEW_BLOCKS * FEWEST_IN_BLOCK or span < SHORTEST:
+    if count < CLOCKS.skew_blocks * CLOCKS.fewest_in_block or span < CLOCKS.shortest:
         return Skew()
     delay = _delay(rows) - float(np.median(_delay(rows)))
-    if np.ptp(delay) < 1e-6:
+    if np.ptp(delay) < CLOCKS.same_delay:
         return Skew()
     time = (rows.log_ns - rows.log_ns[0]) / NANOSECONDS
-    blocks = np.array_split(np.arange(count), SKEW_BLOCKS)
+    blocks = np.array_split(np.arange(count), CLOCKS.skew_blocks)
     moment = np.array([time[block].mean() for block in blocks])
-    prompt = np.array([np.quantile(delay[block], PROMPT) for block in blocks])
+    prompt = np.array([np.quantile(delay[block], CLOCKS.prompt) for block in blocks])
     moment = moment - moment.mean()
     spread = float((moment**2).sum())
     slope = float((moment * prompt).sum()) / spread
     left = prompt - prompt.mean() - slope * moment
-    return Skew(-slope, float(np.sqrt((left**2).sum() / (SKEW_BLOCKS - 2) / spread)))
+    return Skew(-slope, float(np.sqrt((left**2).sum() / (CLOCKS.skew_blocks - 2) / spread)))

@@ -7,12 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT
 from cocorosim_ros.foundation.arrays import Flags
-
-FEWEST = 8  # independent readings, below which nothing is concluded
-CLEAR = 0.36  # agreement of the best explanation (a correlation of 0.6), below which nothing is concluded
-MOST, EXTREME = 0.9, 2.0  # quantile, and how many of it no motion exceeds often
-FINEST = 0.02  # of 1 - agreement: models of frames are not better than that
 
 Numbers = NDArray[Any]
 
@@ -43,7 +39,7 @@ def correlation(left: Numbers, right: Numbers) -> complex:
 def _tamed(values: Numbers) -> Numbers:
     """The numbers with lengths cut to some times what most have, so that a few faults do not decide."""
     length = np.abs(values)
-    longest = EXTREME * float(np.quantile(length, MOST))
+    longest = AGREEMENT.extreme * float(np.quantile(length, AGREEMENT.most))
     return np.asarray(values * np.minimum(1.0, longest / np.maximum(length, 1e-300)))
 
 
@@ -64,7 +60,7 @@ def alignment(left: Numbers, right: Numbers) -> complex:
 
 def nats_behind(score: Numbers, best: float, count: float) -> Numbers:
     """By how much explanations with these scores are worse than the best one: n/2 ln((1 - score)/(1 - best))."""
-    if best < CLEAR or count < FEWEST:
+    if best < AGREEMENT.clear or count < AGREEMENT.fewest:
         return np.zeros_like(score)
-    left = np.maximum(1.0 - np.maximum(score, 0.0), FINEST)
-    return np.asarray(0.5 * count * np.log(left / max(1.0 - best, FINEST)))
+    left = np.maximum(1.0 - np.maximum(score, 0.0), AGREEMENT.finest)
+    return np.asarray(0.5 * count * np.log(left / max(1.0 - best, AGREEMENT.finest)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
@@ -11,7 +12,6 @@ from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, af
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of
 
 CERTAIN = float("inf")
-MARGIN = 10.0  # nats
 MIRRORED: Turned = (1, 0)
 OPPOSITE: Turned = (0, 2)
 UP = 2  # axis
@@ -30,7 +30,7 @@ def inertial_axes(motion: Motion, gravity: tuple[int, float], gyro_nats: float) 
         return FrameSuspicion("imu", *words, CERTAIN, None, np.zeros(4))
     over, backwards = axis == UP and reading < 0.0, gyro_nats > 0.0
     turned, nats = _horizontal(motion)
-    known = nats >= MARGIN or turned == SAME
+    known = nats >= AXES.margin or turned == SAME
     if not (over or backwards or (known and turned != SAME)):
         return None
     if not known:  # what cannot be seen follows from what can: a whole turn over, or nothing

@@ -14,23 +14,17 @@ from itertools import product
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import ORIENTATION
 from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
 from cocorosim_ros.foundation.arrays import Floats
 
-PRICE = 10.0  # nats, of a change
-MARGIN = 10.0  # nats, by which the changed streams must be better after paying for it
-# What makes one stream likelier to be at fault than another, in prices of a change.
-LIKELIHOOD = {"position": 1.05, "yaw": 1.0, "compass": 0.95, "gyro": 1.0, "command": 1.3, "pose": 1.0, "both": 2.2}
-ODD = 0.05  # a change that nobody makes on purpose costs so much more than a usual one
-USUAL: dict[str, tuple[Turned, ...]] = {
-    "position": (SWAPPED, (1, 0), (1, 2)),
-    "yaw": (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2)),
-    "compass": (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2)),
-    "pose": (SWAPPED, (1, 0)),
-}
+# Changes that conventions and mountings make, the most usual first.
+USUAL_POSITIONS: tuple[Turned, ...] = (SWAPPED, (1, 0), (1, 2))
+USUAL_ANGLES: tuple[Turned, ...] = (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2))
+USUAL_POSES: tuple[Turned, ...] = (SWAPPED, (1, 0))
 
 
 @dataclass(frozen=True)
@@ -55,15 +49,15 @@ def best_orientation(motion: Motion, *, upside_down: bool) -> Orientation:
     """
     relations = _Relations(motion)
     nothing = relations.nats(Orientation())
-    if nothing < PRICE + MARGIN:
+    if nothing < ORIENTATION.price + ORIENTATION.margin:
         return Orientation()
     best, cost = Orientation(), nothing
     for candidate in _candidates(relations):
-        total = relations.nats(candidate) + PRICE * _changes(candidate, upside_down)
-        if total < cost - 1e-9:
+        total = relations.nats(candidate) + ORIENTATION.price * _changes(candidate, upside_down)
+        if total < cost - ORIENTATION.least_step:
             best, cost = candidate, total
     gain = nothing - cost
-    if gain < MARGIN:
+    if gain < ORIENTATION.margin:
         return Orientation()
     return Orientation(best.position, best.yaw, best.compass, best.gyro, best.command, gain)
 
@@ -82,21 +76,22 @@ def _changes(candidate: Orientation, upside_down: bool) -> float:
     """The price of the changes, in those of a usual one."""
     price = 0.0
     if candidate.position == candidate.yaw != SAME:
-        price += _price("pose", candidate.yaw) - (0.5 if upside_down and candidate.yaw == SWAPPED else 0.0)
+        less = ORIENTATION.north_east_down if upside_down and candidate.yaw == SWAPPED else 0.0
+        price += ORIENTATION.pose + _rarity(candidate.yaw, USUAL_POSES) - less
     elif SAME not in (candidate.position, candidate.yaw):
-        price += LIKELIHOOD["both"]
+        price += ORIENTATION.both
     elif candidate.position != SAME:
-        price += _price("position", candidate.position)
+        price += ORIENTATION.position + _rarity(candidate.position, USUAL_POSITIONS)
     elif candidate.yaw != SAME:
-        price += _price("yaw", candidate.yaw)
+        price += ORIENTATION.yaw + _rarity(candidate.yaw, USUAL_ANGLES)
     if candidate.compass != SAME:
-        price += _price("compass", candidate.compass)
-    return price + candidate.gyro * LIKELIHOOD["gyro"] + (candidate.command != SAME) * LIKELIHOOD["command"]
+        price += ORIENTATION.compass + _rarity(candidate.compass, USUAL_ANGLES)
+    return price + candidate.gyro * ORIENTATION.gyro + (candidate.command != SAME) * ORIENTATION.command
 
 
-def _price(what: str, turned: Turned) -> float:
-    usual = USUAL[what]
-    return LIKELIHOOD[what] + ODD * (usual.index(turned) / len(usual) if turned in usual else 2.0)
+def _rarity(turned: Turned, usual: tuple[Turned, ...]) -> float:
+    """How much more a change costs than the most usual one, in prices."""
+    return ORIENTATION.rank * (usual.index(turned) / len(usual) if turned in usual else ORIENTATION.unusual)
 
 
 class _Relations:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames import units
 from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
@@ -22,7 +23,6 @@ from cocorosim_ros.diagnosis.evidence.frames.turned import (
     position_words,
 )
 from cocorosim_ros.diagnosis.evidence.frames.upright import (
-    MARGIN,
     force_unit,
     gravity_of,
     height_upside_down,
@@ -89,7 +89,7 @@ def _axes(logs: Logs, platform: Platform) -> Found:
     """What the streams say of each other: poses, compass, commands; the gyroscope is judged with the IMU."""
     motion = motion_together(logs, platform)
     down = height_upside_down(motion)
-    turned = best_orientation(motion, upside_down=down > MARGIN)
+    turned = best_orientation(motion, upside_down=down > AXES.margin)
     found = [*_pose(turned, down), *_compass(turned), *_commands(turned, platform)]
     motion = motion_together(_all_corrected(logs, found), platform)
     imu = inertial_axes(motion, gravity_of(logs, platform), _gyro_nats(turned))
@@ -108,7 +108,7 @@ def _gyro_nats(turned: Orientation) -> float:
 
 
 def _pose(turned: Orientation, down: float) -> Found:
-    upside_down = down > MARGIN
+    upside_down = down > AXES.margin
     if turned.position == turned.yaw == SAME and not upside_down:
         return []
     matrix, offset = np.eye(4), np.zeros(4)

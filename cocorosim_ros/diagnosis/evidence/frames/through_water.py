@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of, position_words
 
-MARGIN = 10.0  # nats
-TIED = 1.0  # nat: between explanations so near the simplest counts
 TOPIC = "velocity"
 
 
@@ -20,9 +19,9 @@ def velocity_axes(motion: Motion, lift_nats: float) -> FrameSuspicion | None:
 
     lift_nats: by how much its third component fits with the opposite sign.
     """
-    upside_down = lift_nats > MARGIN
+    upside_down = lift_nats > AXES.margin
     (world, turned), nats = _best(motion)
-    changed = nats > MARGIN and (world, turned) != (False, SAME)
+    changed = nats > AXES.margin and (world, turned) != (False, SAME)
     if not changed and not upside_down:
         return None
     matrix = np.eye(3)
@@ -51,7 +50,7 @@ def _best(motion: Motion) -> tuple[tuple[bool, Turned], float]:
     scores = [_score(motion.through, shown, into_world, candidate) for candidate in candidates]
     count = independent(motion.through, shown, motion.weight)
     behind = nats_behind(np.array(scores), max(scores), count)
-    simplest = int(np.flatnonzero(behind < TIED)[0])
+    simplest = int(np.flatnonzero(behind < AXES.tied)[0])
     return candidates[simplest], float(behind[0])
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine
@@ -14,8 +15,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 CERTAIN = float("inf")
-MARGIN = 10.0  # nats
-NEAR = 0.2  # of gravity
 
 
 def height_upside_down(motion: Motion) -> float:
@@ -35,7 +34,7 @@ def gravity_of(logs: Sequence[RobotLog], platform: Platform) -> tuple[int, float
     """
     mean = _mean_force(logs)
     axis = int(np.argmax(np.abs(mean))) if np.isfinite(mean).all() else -1
-    if axis < 0 or not abs(abs(mean[axis]) / platform.gravity - 1.0) < NEAR:
+    if axis < 0 or not abs(abs(mean[axis]) / platform.gravity - 1.0) < AXES.near_gravity:
         return -1, 0.0
     return axis, float(mean[axis])
 
@@ -46,11 +45,11 @@ def force_unit(logs: Sequence[RobotLog], platform: Platform) -> FrameSuspicion |
     if not np.isfinite(mean).all() or gravity_of(logs, platform)[0] >= 0:
         return None
     total = float(np.sqrt((mean**2).sum()))
-    if abs(total - 1.0) < NEAR:
+    if abs(total - 1.0) < AXES.near_gravity:
         because = f"at rest it reads {total:.3g} where gravity makes {platform.gravity:.2f} m/s^2"
         factors = np.diag([1.0, *[platform.gravity] * 3])
         return affine("imu", ("accelerations are in g instead of m/s^2", because), CERTAIN, factors)
-    if total < NEAR * platform.gravity:
+    if total < AXES.near_gravity * platform.gravity:
         because = f"its mean is {total:.2g} m/s^2 where gravity makes {platform.gravity:.2f}"
         words = ("gravity is left out of the accelerations", because)
         return affine("imu", words, CERTAIN, np.eye(4), np.array([0.0, 0.0, 0.0, platform.gravity]))

@@ -7,13 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.evidence import EXCITATION
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.foundation.arrays import Floats
-
-STEP = 0.1  # of the maximum: a sudden change at least as large
-TINY = 5e-3  # of the maximum: a change that is none
-NEAR_ZERO = 0.1  # of the maximum
-LOOK_BACK = 5.0  # s: an actuator is being varied if it did something within that
 
 
 @dataclass(frozen=True)
@@ -55,11 +51,11 @@ def _use(name: str, time: Floats, column: Floats, share: Floats) -> CommandUse:
     size = np.abs(column)
     return CommandUse(
         name,
-        varied=float(share[since <= LOOK_BACK].sum()),
-        reversed=float(share[column < -TINY].sum()),
-        off=float(share[size <= TINY].sum()),
-        near_zero=float(share[(size > TINY) & (size <= NEAR_ZERO)].sum()),
-        steps=int(np.count_nonzero(np.abs(np.diff(column)) >= STEP)),
+        varied=float(share[since <= EXCITATION.look_back].sum()),
+        reversed=float(share[column < -EXCITATION.tiny].sum()),
+        off=float(share[size <= EXCITATION.tiny].sum()),
+        near_zero=float(share[(size > EXCITATION.tiny) & (size <= EXCITATION.near_zero)].sum()),
+        steps=int(np.count_nonzero(np.abs(np.diff(column)) >= EXCITATION.step)),
         lowest=float(column.min()),
         highest=float(column.max()),
     )
@@ -69,7 +65,7 @@ def _changes(column: Floats) -> NDArray[np.intp]:
     """Rows at which the command is more than a hair away from where it last changed, so that slow ramps count."""
     rows, anchor = [], float(column[0])
     for row, value in enumerate(column.tolist()):
-        if abs(value - anchor) > TINY:
+        if abs(value - anchor) > EXCITATION.tiny:
             rows.append(row)
             anchor = value
     return np.array(rows, dtype=np.intp)
