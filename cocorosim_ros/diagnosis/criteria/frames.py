@@ -21,6 +21,10 @@ class AgreementCriteria:
     """[of that quantile] a size at which values are cut, so that a few faults do not decide. Chosen, not measured."""
     finest: float = 0.02
     """[1] of 1 - agreement: models of frames are no more exact than that. Chosen, not measured."""
+    memory: float = 2.0
+    """[coasting times] readings closer together are not independent: motion lasts. Chosen, not measured."""
+    least_memory: float = 1.0
+    """[s] the same for vehicles that coast for less than half a second. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

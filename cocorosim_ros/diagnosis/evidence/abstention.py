@@ -1,4 +1,4 @@
-"""Robots and recordings that cannot tell anything, and why: the file is fine, the information is not there."""
+"""Reasons to leave a robot or a recording out: the file can be read, but it holds too little information."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cocorosim_ros.scenario.parts.platform import Platform
 
 
 def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
-    """Why no diagnosis can be made of this, in sentences; empty if some robot of some recording can be used."""
+    """Reasons, as sentences, for which the evidence allows no diagnosis; empty if at least one robot can be used."""
     reasons, usable = [], 0.0
     for recording in evidence.recordings:
         for robot in recording.robots:
@@ -37,7 +37,7 @@ def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
 
 
 def without_unusable(evidence: Evidence) -> Evidence:
-    """The evidence without the robots that cannot tell anything; why is added to the remarks of their recording."""
+    """Leave out the robots that tell too little; the remarks of their recording say for which reason."""
     recordings = []
     for recording in evidence.recordings:
         reasons = [why_unusable(robot, recording, evidence.platform) for robot in recording.robots]
@@ -48,7 +48,7 @@ def without_unusable(evidence: Evidence) -> Evidence:
 
 
 def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> str:
-    """Why this robot cannot tell anything, in a sentence; empty if it can."""
+    """The reason, as a sentence, for which a robot of a recording cannot be used; empty if it can."""
     actuators = platform.actuator_names
     place = f"{recording.origin}: {robot.name}"
     if not len(robot.command_time):
@@ -80,7 +80,7 @@ def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> s
 
 
 def common_time(robot: RobotLog) -> float:
-    """How long [s] there are commands and readings of some stream at the same time."""
+    """The longest time [s] over which the robot has commands and readings of one stream at once."""
     streams = [stream for stream in robot.streams.values() if len(stream.time)]
     if not streams or not len(robot.command_time):
         return 0.0
@@ -89,7 +89,7 @@ def common_time(robot: RobotLog) -> float:
 
 
 def _moves(topic: str, stream: Stream) -> bool:
-    """Whether any column's means over a second spread beyond what noise makes of them."""
+    """Tell whether the means over a second of any column spread farther than noise alone makes them."""
     columns = zip(stream.value.T, stream.noise, LEAST_MOTION[topic], strict=False)
     return any(_spread(stream.time, column, noise, least) for column, noise, least in columns)
 

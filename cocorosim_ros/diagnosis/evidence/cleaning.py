@@ -1,4 +1,4 @@
-"""Rows of a topic put in the order of their stamps, each moment once, without what is no number; all of it said."""
+"""Rows of a topic, sorted by their stamps, without duplicates and without rows that hold no number; all reported."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ _EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
 
 @dataclass(frozen=True)
 class Clean:
-    """Rows in the order of their stamps, and what was done to get there, in sentences."""
+    """Rows in the order of their stamps; remarks: every change that was made, as a sentence."""
 
     rows: TopicRows
     remarks: tuple[str, ...]
 
 
 def cleaned(rows: TopicRows) -> Clean:
-    """The rows sorted by stamp; without duplicates, without rows that hold no reading."""
+    """Sort rows by stamp, and leave out duplicates and rows that hold no reading."""
     remarks: list[str] = []
     ordered = _in_order(rows, remarks)
     return Clean(_each_moment_once(_with_numbers(ordered, remarks), remarks), tuple(remarks))
@@ -82,7 +82,7 @@ def _each_moment_once(rows: TopicRows, remarks: list[str]) -> TopicRows:
 
 
 def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:
-    """From when to when [s] readings are missing for long, by the usual interval of these readings."""
+    """Start and end [s] of every gap: a time without readings that is long beside their usual interval."""
     if len(time) < 3:
         return ()
     steps = np.diff(time)
@@ -91,7 +91,7 @@ def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:
 
 
 def timing_sentence(name: str, time: Floats) -> str:
-    """How often, how evenly and with which gaps a topic was recorded."""
+    """A sentence about the rate, the evenness and the gaps of a recorded topic."""
     if len(time) < 3:
         return f"{name}: {len(time)} readings."
     steps = np.diff(time)
@@ -109,5 +109,5 @@ def timing_sentence(name: str, time: Floats) -> str:
 
 
 def is_noteworthy(remark: str) -> bool:
-    """Whether a remark says more than how often a topic was recorded, evenly and without gaps."""
+    """Tell whether a remark says more than the rate of a topic that was recorded evenly and without gaps."""
     return _EVEN.search(remark) is None

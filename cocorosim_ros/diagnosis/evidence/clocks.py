@@ -1,8 +1,8 @@
-"""One clock for all streams of a recording: their header stamps, where these count from one zero.
+"""One clock for all streams of a recording: that of the header stamps, as far as these count from one zero.
 
-Every message has two times: its header stamp, when it was measured by the clock of whoever measured, and its log time,
-when it reached the recorder. The difference of the two tells when a clock counts from another zero, jumps or runs at
-another rate.
+Every message has two times: the header stamp, read from the clock of the instrument at the measurement, and the log
+time, read from the clock of the recorder at the arrival. Their difference, the delay, shows where a clock counts from
+another zero, jumps, or runs at another rate.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 @dataclass(frozen=True)
 class Skew:
-    """How much faster the stamps run than the recorder's clock, less what is usual in the recording; NaN if unknown."""
+    """The rate of a topic's stamps against the recorder's clock, less the median of the recording; NaN if unknown."""
 
     rate: float = float("nan")  # s/s
     error: float = float("nan")  # standard deviation
 
 
 def on_one_clock(topics: Sequence[TopicRows]) -> tuple[list[TopicRows], list[str]]:
-    """The topics of one recording with stamps on one clock, and what had to be done for it, in sentences.
+    """Put the stamps of all topics of a recording on one clock; also give a sentence about every change.
 
-    Stamps that are more than a second off the others', by the log times, are shifted by that. Single messages with
-    such stamps are left out if their stamp is in the future or outside the recording.
+    Stamps that differ by more than a second from those of the other topics, by the log times, are shifted by the
+    difference. A single message with such a stamp is left out if the stamp is in the future or outside the recording.
     """
     if not topics:
         return [], []
@@ -42,7 +42,7 @@ def on_one_clock(topics: Sequence[TopicRows]) -> tuple[list[TopicRows], list[str
 
 
 def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
-    """How fast each topic's stamps run by the log times, relative to the median of all."""
+    """The rate of each topic's stamps by the log times, relative to the median of all topics."""
     found = [_skew(rows) for rows in topics]
     rates = [skew.rate for skew in found if np.isfinite(skew.rate)]
     usual = float(np.median(rates)) if rates else 0.0
@@ -50,7 +50,7 @@ def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
 
 
 def skew_sentence(name: str, skew: Skew) -> str:
-    """What is to be said of a clock that surely runs fast or slow; empty if it does not."""
+    """A sentence about a clock that surely runs fast or slow; empty for any other clock."""
     if not (abs(skew.rate) > CLOCKS.sure * skew.error and abs(skew.rate) > CLOCKS.notable_skew):
         return ""
     return (
@@ -60,7 +60,7 @@ def skew_sentence(name: str, skew: Skew) -> str:
 
 
 def _delay(rows: TopicRows) -> Floats:
-    """(n,) [s] from stamp to log."""
+    """Delay (n,) [s] from stamp to log time."""
     return np.asarray((rows.log_ns - rows.stamp_ns) / NANOSECONDS)
 
 
@@ -79,7 +79,7 @@ def _usual_delay(delays: Sequence[float]) -> float:
 
 
 def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
-    """The topic with every long stretch of far stamps put where its log times say."""
+    """Shift every long stretch of far stamps to where the log times of its messages put it."""
     if not len(rows.stamp_ns):
         return rows
     delay, stamps = _delay(rows), rows.stamp_ns.copy()
@@ -104,7 +104,7 @@ def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
 
 
 def _stretches(delay: Floats) -> list[tuple[int, int]]:
-    """Half-open ranges of messages between jumps of the delay; a few strays do not end one."""
+    """Half-open ranges of messages between jumps of the delay; a few stray messages do not end a range."""
     breaks = [0, *(np.flatnonzero(np.abs(np.diff(delay)) > CLOCKS.far) + 1).tolist(), len(delay)]
     pieces = [(first, last) for first, last in pairwise(breaks) if last > first]
     merged: list[tuple[int, int]] = []
@@ -137,7 +137,7 @@ def _selected(rows: TopicRows, chosen: Flags) -> TopicRows:
 
 
 def _skew(rows: TopicRows) -> Skew:
-    """From the slope of the prompt messages' delay over time; unknown where log times are made from stamps."""
+    """The slope of the prompt messages' delay over time; unknown where log times are copies of the stamps."""
     count = len(rows.stamp_ns)
     span = (rows.log_ns.max() - rows.log_ns.min()) / NANOSECONDS if count else 0.0
     if count < CLOCKS.skew_blocks * CLOCKS.fewest_in_block or span < CLOCKS.shortest:

@@ -1,4 +1,4 @@
-"""Whether a robot's own speed and the speed of its track are of one size."""
+"""A check of the velocity stream against the track: are their speeds of one size?"""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cocorosim_ros.scenario.parts.platform import Platform
 
 
 def speed_sentence(log: RobotLog, platform: Platform) -> str:
-    """What is to be said if the velocity stream and the poses tell of different speeds; empty if they do not."""
+    """A sentence if the speeds of the velocity stream and of the poses differ in size; empty if they agree."""
     if not {"pose", "velocity"} <= log.streams.keys():
         return ""
     motion = motion_of(log, platform)

@@ -1,4 +1,4 @@
-"""Tracks that are whose they are said to be: spikes out, exchanged robots back, the rest only as far as it is sure."""
+"""Tracks that belong to the robot of their name: without spikes, exchanged back, or cut to the part that is sure."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ YAW = 3
 
 
 def with_true_identities(logs: Sequence[RobotLog], platform: Platform) -> tuple[list[RobotLog], list[str]]:
-    """The robots of one recording with tracks that do not leap, and what was done for it, in sentences.
+    """Repair the tracks of the robots of one recording until none leaps; also give a sentence about every repair.
 
-    Poses that are away for less than a second are left out. Where two tracks leap to each other's place at the same
-    time, they are exchanged back. Of a track that leaps for another reason the longest stretch without a leap is kept,
-    because nothing says whose the rest is.
+    Poses that are off the track for less than a second are left out. Where two tracks leap to each other's place at the
+    same time, they are exchanged back. Of a track that leaps for another reason the longest stretch without a leap is
+    kept, because the rest may belong to another robot.
     """
     remarks: list[str] = []
     robots = {log.name: _without_spikes(log, platform, remarks) for log in logs}
@@ -76,7 +76,7 @@ def _first_exchange(
 
 
 def _exchanged(here: Jump, there: Jump, pose: Stream, platform: Platform) -> bool:
-    """Whether each reaches where the other has left, at the same time."""
+    """Tell whether each of two leaps ends where the other began, at the same time."""
     if max(abs(here.before - there.before), abs(here.after - there.after)) > EXCHANGES.together:
         return False
     duration = max(here.after, there.after) - min(here.before, there.before)
@@ -89,7 +89,7 @@ def _exchanged(here: Jump, there: Jump, pose: Stream, platform: Platform) -> boo
 
 
 def _joined(log: RobotLog, own: Jump, other: RobotLog, others: Jump) -> RobotLog:
-    """The log with its own poses before its jump and the other's after that one's."""
+    """Join the poses of `log` before its own jump and the poses of `other` after the jump of `other`."""
     mine, theirs = log.streams["pose"], other.streams["pose"]
     before = selected(mine, mine.time <= own.before)
     after = selected(theirs, theirs.time >= others.after)

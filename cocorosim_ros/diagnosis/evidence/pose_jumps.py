@@ -1,4 +1,4 @@
-"""Where a track of poses leaps farther than any robot swims: lost, confused with another robot, or moved by hand."""
+"""Leaps of a track farther than a robot can swim: it was lost, taken for another robot, or moved by hand."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ class Jump:
 
     @property
     def distance(self) -> float:
-        """How far it is, horizontally [m]."""
+        """Horizontal distance [m] of the leap."""
         return float(np.hypot(*(self.reached - self.left)[:2]))
 
 
 def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Jump, ...]:
-    """All leaps of the track farther than noise, so many hulls and the top speed allow.
+    """All leaps of the track that are longer than noise, `hulls` lengths of the hull and the top speed allow.
 
     Stamps may lie closer together than the poses were taken, so that no step counts as shorter than two usual ones.
     """
@@ -46,7 +46,7 @@ def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Ju
 
 
 def reach(pose: Stream, platform: Platform, hulls: float = 1.0) -> float:
-    """How far two poses of one moment may lie apart [m]: by noise, and by so many hulls."""
+    """Distance [m] that two poses of one moment may lie apart: noise, and `hulls` lengths of the hull."""
     noise = pose.noise[:2][np.isfinite(pose.noise[:2])]
     return JUMPS.noises * float(noise.max(initial=0.0)) + hulls * platform.hull.length
 
@@ -61,7 +61,7 @@ def _top_speed(pose: Stream, platform: Platform) -> float:
 
 
 def without_spikes(pose: Stream, jumps: tuple[Jump, ...], platform: Platform) -> Stream:
-    """The track without poses that are away for less than a second and then back."""
+    """Leave out the poses between a leap and the leap back, where less than a second lies between."""
     kept = np.ones(len(pose.time), dtype=bool)
     for there in jumps:
         for back in jumps:
@@ -75,5 +75,5 @@ def without_spikes(pose: Stream, jumps: tuple[Jump, ...], platform: Platform) ->
 
 
 def selected(pose: Stream, kept: Flags) -> Stream:
-    """The track at the chosen moments (n,)."""
+    """Keep the poses of the chosen moments (n,)."""
     return replace(pose, time=pose.time[kept], value=pose.value[kept])

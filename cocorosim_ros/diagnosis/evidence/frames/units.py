@@ -1,4 +1,4 @@
-"""Streams whose numbers are so large or small that they must be in another unit."""
+"""Corrections of streams whose numbers are so large or small that they must be in another unit."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import UNITS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, slope
+from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, affine, scaled
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine, scaled
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
 from cocorosim_ros.foundation.arrays import Floats
@@ -20,8 +20,8 @@ CERTAIN = float("inf")
 DEGREE = np.pi / 180.0
 
 
-def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameSuspicion | None:
-    """Whether the compass counts 360 to the turn: by how fast it swings, else by readings beyond any radians."""
+def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameCorrection | None:
+    """The correction of a compass in degrees, which swings too fast or reads more than 2 pi; None for radians."""
     streams = [log.streams["compass"] for log in logs if "compass" in log.streams]
     words = "the heading is in degrees instead of radians"
     for rate, name in ((motion.turn, "the poses turn"), (motion.gyro, "the gyroscope says")):
@@ -35,8 +35,8 @@ def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameSuspici
     return scaled("compass", (words, "its readings go beyond a whole turn of 6.28 rad"), CERTAIN, [DEGREE])
 
 
-def rate_in_degrees(motion: Motion) -> FrameSuspicion | None:
-    """Whether the gyroscope counts degrees per second, by how fast the heading turns."""
+def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
+    """The correction of a gyroscope in degrees per second, by the rate of the heading; None for radians per second."""
     for rate, name in ((motion.turn, "the poses"), (motion.swing, "the compass")):
         ratio = _ratio(motion.gyro, rate, motion.weight)
         if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
@@ -48,8 +48,8 @@ def rate_in_degrees(motion: Motion) -> FrameSuspicion | None:
     return None
 
 
-def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameSuspicion | None:
-    """Whether the pressure is in another unit than pascals, or counts from the surface."""
+def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameCorrection | None:
+    """The correction of a pressure that is not in pascals, or counts from the surface; None if it is absolute."""
     readings = [log.streams["pressure"].value[:, 0] for log in logs if "pressure" in log.streams]
     if not readings or platform.water_density < UNITS.dense:
         return None
@@ -71,13 +71,13 @@ def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) 
 
 
 def _ratio(left: Floats, right: Floats, weight: float) -> float:
-    """How many times as large `left` is as `right`, where they are clearly related; else NaN."""
+    """Size of `left` in multiples of `right`, where the two are clearly related; else NaN."""
     related = abs(correlation(left, right).real) > UNITS.related and independent(left, right, weight) >= UNITS.fewest
     return abs(slope(left, right)) if related else float("nan")
 
 
-def height_unit(motion: Motion, platform: Platform) -> FrameSuspicion | None:
-    """Whether the poses are in another unit of length, by the pressure."""
+def height_unit(motion: Motion, platform: Platform) -> FrameCorrection | None:
+    """The correction of poses in another unit than metres, by the pressure; None for metres."""
     if platform.water_density < UNITS.dense:
         return None
     metres = motion.sinking / (platform.water_density * platform.gravity)
@@ -85,15 +85,15 @@ def height_unit(motion: Motion, platform: Platform) -> FrameSuspicion | None:
     return _length("pose", ratio, "the pressure lets")
 
 
-def length_unit(topic: str, measured: Floats, expected: Floats, motion: Motion, source: str) -> FrameSuspicion | None:
-    """Whether speeds `measured` (n,) are in another unit of length than those `expected` (n,) from `source`."""
+def length_unit(topic: str, measured: Floats, expected: Floats, motion: Motion, source: str) -> FrameCorrection | None:
+    """The correction of speeds `measured` (n,) in another unit of length than those `expected` (n,) from `source`."""
     given = np.isfinite(measured) & np.isfinite(expected)
     if independent(measured, expected, motion.weight) < UNITS.fewest or not np.any(expected[given] > 0.0):
         return None
     return _length(topic, float(np.sqrt(np.mean(measured[given] ** 2) / np.mean(expected[given] ** 2))), source)
 
 
-def _length(topic: str, ratio: float, source: str) -> FrameSuspicion | None:
+def _length(topic: str, ratio: float, source: str) -> FrameCorrection | None:
     for unit, factor, (low, high) in UNITS.lengths:
         if low < ratio < high:
             because = f"its speeds are {ratio:.3g} times those that {source} one expect"

@@ -1,4 +1,4 @@
-"""What the commands did with each actuator: the first hint at what a recording can show."""
+"""Use of each actuator by the commands: the first hint at what a recording can show."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class CommandUse:
 
 
 def command_use(robot: RobotLog, actuators: tuple[str, ...]) -> tuple[CommandUse, ...]:
-    """How the commands of a robot use each of its actuators, in their order; empty without commands."""
+    """The use of each actuator by the commands of a robot, in their order; empty without commands."""
     if not len(robot.command_time):
         return ()
     ends = [float(stream.time[-1]) for stream in robot.streams.values() if len(stream.time)]
@@ -62,7 +62,7 @@ def _use(name: str, time: Floats, column: Floats, share: Floats) -> CommandUse:
 
 
 def _changes(column: Floats) -> NDArray[np.intp]:
-    """Rows at which the command is more than a hair away from where it last changed, so that slow ramps count."""
+    """Rows at which the command differs noticeably from its last change, so that slow ramps count as changes."""
     rows, anchor = [], float(column[0])
     for row, value in enumerate(column.tolist()):
         if abs(value - anchor) > EXCITATION.tiny:

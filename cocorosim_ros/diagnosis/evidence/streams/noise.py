@@ -7,7 +7,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.evidence import NOISE
 from cocorosim_ros.foundation.arrays import Floats
 
-LOW_ORDER, HIGH_ORDER = 4, 6  # polynomials of lower degree than the order leave no residual
+LOW_ORDER, HIGH_ORDER = 4, 6  # of differences, which vanish for polynomials of lower degree
 WITHIN_ONE_SIGMA = 0.6826894921370859  # share of a normal distribution
 BLOCKS = 24  # of the time, of which the quiet ones are sought
 
@@ -17,12 +17,12 @@ def noise_of(time: Floats, value: Floats) -> float:
 
     time (n,) [s] ascending, value (n,) with NaN where not given; angles unwrapped.
 
-    What is left of a reading when the polynomial of degree 3 (or 5) through its neighbours is taken away, at their
-    real stamps, is noise alone if the motion is smooth over five (seven) readings. The scale is that which holds 68 %
-    of these residuals, which jumps and spikes do not move; a reading in steps of q is uncertain by q / sqrt(12) at
-    least. Where readings merely repeat the last one because the sensor is slower, each counts once.
+    The residual of a reading from the polynomial of degree 3 (or 5) through its neighbours, at their real stamps, is
+    noise alone if the motion is smooth over five (seven) readings. The estimate is the size below which 68 % of these
+    residuals stay, which jumps and spikes do not move; a reading in steps of q is uncertain by q / sqrt(12) at least.
+    Where readings merely repeat the last one because the sensor is slower than its messages, each value counts once.
 
-    Readings so slow that the motion bends between them show that too: the estimate is then an upper bound.
+    Motion that bends between two readings adds to the residuals; the estimate is then an upper bound.
     """
     time, value = _informative(time, value)
     step = quantum_of(value)
@@ -42,7 +42,7 @@ def noise_of(time: Floats, value: Floats) -> float:
 
 
 def contrast_residuals(time: Floats, value: Floats, order: int) -> Floats:
-    """(m,) residuals of unit gain for white noise, of all windows of order + 1 readings without a gap.
+    """Residuals (m,), of unit gain for white noise, of all windows of order + 1 readings without a gap.
 
     The weights c_j = 1 / prod_{k != j} (t_j - t_k) are the divided difference of this order (Newton), zero for every
     polynomial of lower degree.
@@ -63,7 +63,7 @@ def contrast_residuals(time: Floats, value: Floats, order: int) -> Floats:
 
 
 def quantum_of(value: Floats) -> float:
-    """The step of which all readings are multiples, up to a constant; 0 if there is none to be seen."""
+    """The step of which all readings are multiples, up to a constant; 0 if no step shows."""
     levels = np.unique(value)
     if levels.size < 2:
         return 0.0
@@ -79,7 +79,7 @@ def quantum_of(value: Floats) -> float:
 
 
 def _informative(time: Floats, value: Floats) -> tuple[Floats, Floats]:
-    """The readings that are given, without those that only repeat the one before, if a slow sensor makes many."""
+    """Leave out missing readings, and those that repeat the one before if a slow sensor makes many of these."""
     given = np.isfinite(value)
     time, value = time[given], value[given]
     if value.size < 2:

@@ -1,4 +1,4 @@
-"""Readings that are far off those before and after them: no motion does that, a faulty sensor does."""
+"""Outliers: readings so far off those before and after them that no motion explains them, but a faulty sensor does."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ NEIGHBOURHOOD = 5  # readings: up to two faults in a row leave a median of the o
 
 
 def outliers(value: Floats, noise: float) -> Flags:
-    """(n,) which readings lie farther from the median of five neighbours than noise and motion ever do.
+    """Mask (n,) of readings farther from the median of five neighbours than noise and motion ever are.
 
-    Where readings rise or fall steadily the median is the middle one, so that motion does not show. noise is that of a
-    single reading; none are found where it is NaN.
+    Where readings rise or fall steadily the median is the middle one, so that motion does not show. noise: standard
+    deviation of a single reading; no outliers are found where it is NaN.
     """
     found = np.zeros(value.shape, dtype=bool)
     given = np.flatnonzero(np.isfinite(value))
@@ -33,10 +33,10 @@ def outliers(value: Floats, noise: float) -> Flags:
 
 
 def away(time: Floats, angle: Floats, noise: float) -> Flags:
-    """(n,) which readings of a heading belong to a leap and the leap back soon after it.
+    """Mask (n,) of readings of a heading between a leap and the leap back soon after it.
 
-    So leaps what a tracker says that confuses the marks on a robot. time (n,) [s], angle (n,) [rad], not wrapped. None
-    are found where they are too many for faults.
+    A tracker that mistakes one mark of a robot for another makes such leaps. time (n,) [s], angle (n,) [rad], not
+    wrapped. No reading is marked where there are too many such leaps for faults.
     """
     found = np.zeros(angle.shape, dtype=bool)
     given = np.flatnonzero(np.isfinite(angle))

@@ -1,4 +1,4 @@
-"""Angles that go on counting where a reading jumps from one end of the circle to the other."""
+"""Unwrapping of angles: readings that jump from one end of the circle to the other go on counting."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ STEP = 1.0  # s over which turns are compared
 
 
 def period_of(angle: Floats) -> float:
-    """Of a full turn in these readings: 2 pi, or 360 where they reach beyond any angle in radians."""
+    """A full turn in the unit of these readings: 2 pi, or 360 where they exceed any angle in radians."""
     given = angle[np.isfinite(angle)]
     beyond = given.size > 0 and np.abs(given).max() > FULL_TURN + TURNING.beyond_a_turn
     return 360.0 if beyond else FULL_TURN
@@ -24,10 +24,10 @@ def period_of(angle: Floats) -> float:
 def unwrapped(
     time: Floats, angle: Floats, period: float = FULL_TURN, turned: tuple[Floats, Floats] | None = None
 ) -> Floats:
-    """(n,) the angle without jumps of a period; NaN where it is not given.
+    """Angle (n,) without jumps of a period; NaN where it is not given.
 
     turned: times (m,) and the continuous angle (m,) of another stream, same unit; over a gap of the readings the
-    number of turns is the one that comes closest to it. Without, it is the shortest way.
+    number of turns that comes closest to this stream is taken. Without it, the shortest way is taken.
     """
     result = np.full(angle.shape, np.nan)
     given = np.isfinite(angle)
@@ -46,7 +46,7 @@ def unwrapped(
 
 
 def _covered(moments: Floats, other: Floats) -> Flags:
-    """(n-1,) whether the other stream has readings throughout the interval between two moments."""
+    """Mask (n-1,) of the intervals between two moments throughout which the other stream has readings."""
     first, last = np.searchsorted(other, moments[:-1]), np.searchsorted(other, moments[1:])
     inside = last - first
     longest = np.zeros(inside.size)
@@ -57,7 +57,7 @@ def _covered(moments: Floats, other: Floats) -> Flags:
 
 
 def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> tuple[Floats, Floats] | None:
-    """Times and the angle [unit of `angle`] by the gyroscope, if the two agree where the angle has no gaps."""
+    """Times (m,) and angle (m,) [unit of `angle`] from the gyroscope, if both agree where the angle has no gaps."""
     given = np.isfinite(angle)
     if imu is None or len(imu.time) < 3 or np.count_nonzero(given) < 3 or not np.isfinite(imu.value[:, 0]).all():
         return None
