@@ -83,6 +83,12 @@ def test_the_sources_keep_every_contract(copy: Path) -> None:
         ("study/metrics/planted.py", "import cocorosim_ros.study.claims", "Rooms of the studies"),
         ("diagnosis/filter/planted.py", "import cocorosim_ros.diagnosis.naming", "Rooms of the diagnosis"),
         ("diagnosis/novelties/planted.py", "", "Rooms of the diagnosis"),
+        (
+            "diagnosis/evidence/frames/planted.py",
+            "import cocorosim_ros.diagnosis.evidence.topic_rows",
+            "Rooms of the evidence",
+        ),
+        ("diagnosis/evidence/planted.py", "", "Rooms of the evidence"),
         ("world/motion/planted.py", "import rclpy", "Only nodes/ knows ROS"),
         ("world/tick/planted.py", "import geometry_msgs.msg", "Only nodes/ knows ROS"),
         ("commands/planted.py", "import rclpy", "Only nodes/ knows ROS"),

@@ -1,1 +1,1 @@
-"""What recordings say of each robot: read, checked before any physics is blamed, cleaned, on one clock."""
+"""Readings and commands of each robot: read, cleaned, put on one clock, and checked before any physics is fitted."""

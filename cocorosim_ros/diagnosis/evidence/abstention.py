@@ -1,4 +1,4 @@
-"""Robots and recordings that cannot tell anything, and why: the file is fine, the information is not there."""
+"""Reasons to leave a robot or a recording out: the file can be read, but it holds too little information."""
 
 from __future__ import annotations
 
@@ -6,24 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import LEAST_MOTION, SUFFICIENCY
 from cocorosim_ros.diagnosis.evidence.streams.excitation import command_use
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
-SHORTEST = 6.0  # s of commands and readings at the same time, of one recording
-TIME_CONSTANTS, LEAST_IN_ALL = 4.0, 8.0  # of the slowest coasting; s: the least of all recordings together
-FEWEST = 20  # readings
-STILL = 5.0  # standard deviations of a mean over a second
-OVER = 1.0  # s, over which readings are averaged
-# Smaller motions than these are none, however precise the sensor: m, rad, Pa, rad/s, m/s.
-LEAST = {"pose": (0.005, 0.005, 0.005, 0.02), "compass": (0.02,), "pressure": (50.0,), "imu": (0.01,),
-         "velocity": (0.002, 0.002, 0.002)}  # fmt: skip
-
 
 def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
-    """Why no diagnosis can be made of this, in sentences; empty if some robot of some recording can be used."""
+    """Reasons, as sentences, for which the evidence allows no diagnosis; empty if at least one robot can be used."""
     reasons, usable = [], 0.0
     for recording in evidence.recordings:
         for robot in recording.robots:
@@ -32,7 +24,7 @@ def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
                 reasons.append(reason)
             else:
                 usable += common_time(robot)
-    least = max(LEAST_IN_ALL, TIME_CONSTANTS * coasting_time(evidence.platform))
+    least = max(SUFFICIENCY.least_in_all, SUFFICIENCY.time_constants * coasting_time(evidence.platform))
     if usable >= least:
         return ()
     if usable > 0.0:
@@ -45,7 +37,7 @@ def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
 
 
 def without_unusable(evidence: Evidence) -> Evidence:
-    """The evidence without the robots that cannot tell anything; why is added to the remarks of their recording."""
+    """Leave out the robots that tell too little; the remarks of their recording say for which reason."""
     recordings = []
     for recording in evidence.recordings:
         reasons = [why_unusable(robot, recording, evidence.platform) for robot in recording.robots]
@@ -56,23 +48,24 @@ def without_unusable(evidence: Evidence) -> Evidence:
 
 
 def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> str:
-    """Why this robot cannot tell anything, in a sentence; empty if it can."""
+    """The reason, as a sentence, for which a robot of a recording cannot be used; empty if it can."""
     actuators = platform.actuator_names
     place = f"{recording.origin}: {robot.name}"
     if not len(robot.command_time):
         return f"{place} has no commands; record its thruster_command too, because motion is explained by them."
-    streams = {topic: stream for topic, stream in robot.streams.items() if len(stream.time) >= FEWEST}
+    streams = {topic: stream for topic, stream in robot.streams.items() if len(stream.time) >= SUFFICIENCY.fewest}
     if not streams:
         found = ", ".join(f"{len(stream.time)} of {topic}" for topic, stream in robot.streams.items()) or "none"
         return (
             f"{place} has too few readings in {recording.duration:.1f} s ({found}) of pose, compass, pressure, imu or "
-            f"velocity; {FEWEST} of one of them are the least that shows how it moves."
+            f"velocity; {SUFFICIENCY.fewest} of one of them are the least that shows how it moves."
         )
     common = common_time(robot)
-    if common < SHORTEST:
+    if common < SUFFICIENCY.shortest:
         return (
             f"{place} has commands and readings at the same time for {common:.1f} s of the recording's "
-            f"{recording.duration:.1f} s; {SHORTEST:.0f} s are the least of one recording, and ten minutes are good."
+            f"{recording.duration:.1f} s; {SUFFICIENCY.shortest:.0f} s are the least of one recording, and ten minutes "
+            "are good."
         )
     if not any(use.varied for use in command_use(robot, actuators)):
         commands = ", ".join(f"{name} {value:g}" for name, value in zip(actuators, robot.command[0], strict=True))
@@ -87,7 +80,7 @@ def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> s
 
 
 def common_time(robot: RobotLog) -> float:
-    """How long [s] there are commands and readings of some stream at the same time."""
+    """The longest time [s] over which the robot has commands and readings of one stream at once."""
     streams = [stream for stream in robot.streams.values() if len(stream.time)]
     if not streams or not len(robot.command_time):
         return 0.0
@@ -96,18 +89,18 @@ def common_time(robot: RobotLog) -> float:
 
 
 def _moves(topic: str, stream: Stream) -> bool:
-    """Whether any column's means over a second spread beyond what noise makes of them."""
-    columns = zip(stream.value.T, stream.noise, LEAST[topic], strict=False)
+    """Tell whether the means over a second of any column spread farther than noise alone makes them."""
+    columns = zip(stream.value.T, stream.noise, LEAST_MOTION[topic], strict=False)
     return any(_spread(stream.time, column, noise, least) for column, noise, least in columns)
 
 
 def _spread(time: Floats, column: Floats, noise: float, least: float) -> bool:
     given = np.isfinite(column)
-    if np.count_nonzero(given) < FEWEST:
+    if np.count_nonzero(given) < SUFFICIENCY.fewest:
         return False
-    bins = ((time[given] - time[0]) / OVER).astype(int)
+    bins = ((time[given] - time[0]) / SUFFICIENCY.over).astype(int)
     size = np.bincount(bins)
     mean = np.bincount(bins, column[given])[size > 0] / size[size > 0]
     expected = (noise if np.isfinite(noise) else 0.0) / np.sqrt(size[size > 0].mean())
-    low, high = np.quantile(mean, [0.02, 0.98])
-    return bool(high - low > max(STILL * expected, least))
+    low, high = np.quantile(mean, SUFFICIENCY.range_quantiles)
+    return bool(high - low > max(SUFFICIENCY.still * expected, least))

@@ -1,9 +1,9 @@
-"""Readings that were taken evenly but delivered in bursts: their stamps are put back to when they were taken.
+"""Stamps of readings that were taken evenly but delivered in bursts, put back to the moment of the reading.
 
-A camera whose images are fetched by a loop slower than itself is one: two readings come at once, then one, and each
-bears the time of its delivery; where the loop stalls, a dozen come at once. What turns at 15 rad/s is then shown at a
-wrong angle by a tenth of a radian. No reading is delivered before it was taken, and one is taken at least a period
-after the other: so each was taken no later than any that follows allows.
+A camera makes such bursts if the loop that fetches its images is slower than the camera: two readings arrive at once,
+then one, and each is stamped at its delivery; where the loop stalls, a dozen arrive at once. A robot that turns at
+15 rad/s is then shown at an angle that is wrong by a tenth of a radian. No reading is delivered before it is taken, and
+two readings are at least a period apart; the latest moment that all later readings allow is therefore taken.
 """
 
 from __future__ import annotations
@@ -12,22 +12,18 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import BURSTS
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.wire.bags.stamped_numbers import Stamps
 
-AT_ONCE = 0.1  # of the mean interval: no instrument takes two readings so close
-MANY = 0.05  # share of intervals that are so short, from which readings come in bursts
-IN_A_ROW = 20  # readings over which the period is taken
-SWIFTEST = 0.05  # quantile of what they take: the others have lost readings among them
-
 
 def as_taken(rows: TopicRows) -> tuple[TopicRows, tuple[str, ...]]:
-    """The rows with the stamps of their taking, and a sentence that says so, if they came in bursts."""
-    if rows.topic == COMMAND or len(rows.stamp_ns) <= IN_A_ROW:
+    """Put the stamps of rows that came in bursts back to the moments of the readings, and give a sentence about it."""
+    if rows.topic == COMMAND or len(rows.stamp_ns) <= BURSTS.in_a_row:
         return rows, ()
     steps = np.diff(rows.stamp_ns)
-    share = float(np.mean(steps < AT_ONCE * np.mean(steps)))
-    if share < MANY:
+    share = float(np.mean(steps < BURSTS.at_once * np.mean(steps)))
+    if share < BURSTS.many:
         return rows, ()
     taken = _taken(rows.stamp_ns)
     early = 1e-6 * (rows.stamp_ns - taken)
@@ -40,6 +36,6 @@ def as_taken(rows: TopicRows) -> tuple[TopicRows, tuple[str, ...]]:
 
 
 def _taken(stamp_ns: Stamps) -> Stamps:
-    rows = stamp_ns[IN_A_ROW:] - stamp_ns[:-IN_A_ROW]
-    place = np.arange(len(stamp_ns)) * int(np.quantile(rows, SWIFTEST) / IN_A_ROW)
+    rows = stamp_ns[BURSTS.in_a_row :] - stamp_ns[: -BURSTS.in_a_row]
+    place = np.arange(len(stamp_ns)) * int(np.quantile(rows, BURSTS.swiftest) / BURSTS.in_a_row)
     return np.asarray(np.minimum.accumulate((stamp_ns - place)[::-1])[::-1] + place)

@@ -1,4 +1,4 @@
-"""Rows of a topic put in the order of their stamps, each moment once, without what is no number; all of it said."""
+"""Rows of a topic, sorted by their stamps, without duplicates and without rows that hold no number; all reported."""
 
 from __future__ import annotations
 
@@ -8,25 +8,24 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import SPACING
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
-GAP_INTERVALS, GAP_SECONDS = 5.0, 1.0  # a gap is longer than so many usual intervals and than this
-JITTER = 0.2  # of the usual interval, from which it is said
 _EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
 
 
 @dataclass(frozen=True)
 class Clean:
-    """Rows in the order of their stamps, and what was done to get there, in sentences."""
+    """Rows in the order of their stamps; remarks: every change that was made, as a sentence."""
 
     rows: TopicRows
     remarks: tuple[str, ...]
 
 
 def cleaned(rows: TopicRows) -> Clean:
-    """The rows sorted by stamp; without duplicates, without rows that hold no reading."""
+    """Sort rows by stamp, and leave out duplicates and rows that hold no reading."""
     remarks: list[str] = []
     ordered = _in_order(rows, remarks)
     return Clean(_each_moment_once(_with_numbers(ordered, remarks), remarks), tuple(remarks))
@@ -83,23 +82,23 @@ def _each_moment_once(rows: TopicRows, remarks: list[str]) -> TopicRows:
 
 
 def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:
-    """From when to when [s] readings are missing for long, by the usual interval of these readings."""
+    """Start and end [s] of every gap: a time without readings that is long beside their usual interval."""
     if len(time) < 3:
         return ()
     steps = np.diff(time)
-    long = steps > max(GAP_INTERVALS * float(np.median(steps)), GAP_SECONDS)
+    long = steps > max(SPACING.gap_intervals * float(np.median(steps)), SPACING.gap_seconds)
     return tuple((float(time[k]), float(time[k + 1])) for k in np.flatnonzero(long))
 
 
 def timing_sentence(name: str, time: Floats) -> str:
-    """How often, how evenly and with which gaps a topic was recorded."""
+    """A sentence about the rate, the evenness and the gaps of a recorded topic."""
     if len(time) < 3:
         return f"{name}: {len(time)} readings."
     steps = np.diff(time)
     usual = float(np.median(steps))
     parts = [f"{len(time)} readings at {1.0 / usual:.3g} Hz"]
     jitter = 1.4826 * float(np.median(np.abs(steps - usual)))
-    if jitter > JITTER * usual:
+    if jitter > SPACING.jitter * usual:
         parts.append(f"unevenly (jitter {1000.0 * jitter:.3g} ms)")
     gaps: Sequence[tuple[float, float]] = gaps_of(time)
     if gaps:
@@ -110,5 +109,5 @@ def timing_sentence(name: str, time: Floats) -> str:
 
 
 def is_noteworthy(remark: str) -> bool:
-    """Whether a remark says more than how often a topic was recorded, evenly and without gaps."""
+    """Tell whether a remark says more than the rate of a topic that was recorded evenly and without gaps."""
     return _EVEN.search(remark) is None

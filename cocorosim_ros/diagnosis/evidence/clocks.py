@@ -1,8 +1,8 @@
-"""One clock for all streams of a recording: their header stamps, where these count from one zero.
+"""One clock for all streams of a recording: that of the header stamps, as far as these count from one zero.
 
-Every message has two times: its header stamp, when it was measured by the clock of whoever measured, and its log time,
-when it reached the recorder. The difference of the two tells when a clock counts from another zero, jumps or runs at
-another rate.
+Every message has two times: the header stamp, read from the clock of the instrument at the measurement, and the log
+time, read from the clock of the recorder at the arrival. Their difference, the delay, shows where a clock counts from
+another zero, jumps, or runs at another rate.
 """
 
 from __future__ import annotations
@@ -13,32 +13,25 @@ from itertools import pairwise
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import CLOCKS
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
-FAR = 1.0  # s: what no transport and no latency explains
-NOTABLE = 0.2  # s: said, and left to the diagnosis
-FEW = 10  # messages in a row with stamps far off are faults of these messages, not another clock
-EARLY = 0.1  # share of the messages from which the offset is read, before a skew shows
-PROMPT = 0.1  # quantile of the delays: those of messages that did not have to wait
-NOTABLE_SKEW, SURE = 2e-5, 6.0  # s/s, as much as cheap quartz is off; standard deviations
-SKEW_BLOCKS, FEWEST_IN_BLOCK, SHORTEST = 20, 10, 30.0  # of a skew estimate; s
-
 
 @dataclass(frozen=True)
 class Skew:
-    """How much faster the stamps run than the recorder's clock, less what is usual in the recording; NaN if unknown."""
+    """The rate of a topic's stamps against the recorder's clock, less the median of the recording; NaN if unknown."""
 
     rate: float = float("nan")  # s/s
     error: float = float("nan")  # standard deviation
 
 
 def on_one_clock(topics: Sequence[TopicRows]) -> tuple[list[TopicRows], list[str]]:
-    """The topics of one recording with stamps on one clock, and what had to be done for it, in sentences.
+    """Put the stamps of all topics of a recording on one clock; also give a sentence about every change.
 
-    Stamps that are more than a second off the others', by the log times, are shifted by that. Single messages with
-    such stamps are left out if their stamp is in the future or outside the recording.
+    Stamps that differ by more than a second from those of the other topics, by the log times, are shifted by the
+    difference. A single message with such a stamp is left out if the stamp is in the future or outside the recording.
     """
     if not topics:
         return [], []
@@ -49,7 +42,7 @@ def on_one_clock(topics: Sequence[TopicRows]) -> tuple[list[TopicRows], list[str
 
 
 def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
-    """How fast each topic's stamps run by the log times, relative to the median of all."""
+    """The rate of each topic's stamps by the log times, relative to the median of all topics."""
     found = [_skew(rows) for rows in topics]
     rates = [skew.rate for skew in found if np.isfinite(skew.rate)]
     usual = float(np.median(rates)) if rates else 0.0
@@ -57,8 +50,8 @@ def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
 
 
 def skew_sentence(name: str, skew: Skew) -> str:
-    """What is to be said of a clock that surely runs fast or slow; empty if it does not."""
-    if not (abs(skew.rate) > SURE * skew.error and abs(skew.rate) > NOTABLE_SKEW):
+    """A sentence about a clock that surely runs fast or slow; empty for any other clock."""
+    if not (abs(skew.rate) > CLOCKS.sure * skew.error and abs(skew.rate) > CLOCKS.notable_skew):
         return ""
     return (
         f"{name}: its stamps run {abs(skew.rate) * 1e6:.0f} ppm {'fast' if skew.rate > 0.0 else 'slow'} against those "
@@ -67,38 +60,38 @@ def skew_sentence(name: str, skew: Skew) -> str:
 
 
 def _delay(rows: TopicRows) -> Floats:
-    """(n,) [s] from stamp to log."""
+    """Delay (n,) [s] from stamp to log time."""
     return np.asarray((rows.log_ns - rows.stamp_ns) / NANOSECONDS)
 
 
 def _early_delay(rows: TopicRows) -> float:
     delay = _delay(rows)
-    return float(np.quantile(delay[: max(FEW, int(EARLY * len(delay)))], PROMPT))
+    return float(np.quantile(delay[: max(CLOCKS.few, int(CLOCKS.early * len(delay)))], CLOCKS.prompt))
 
 
 def _usual_delay(delays: Sequence[float]) -> float:
     """The delay that most topics share; among equally many, the smallest."""
     values = np.array(delays)
-    near = np.abs(values[:, None] - values[None, :]) < FAR
+    near = np.abs(values[:, None] - values[None, :]) < CLOCKS.far
     votes = near.sum(axis=1)
     chosen = min(np.flatnonzero(votes == votes.max()), key=lambda index: abs(values[index]))
     return float(np.median(values[near[chosen]]))
 
 
 def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
-    """The topic with every long stretch of far stamps put where its log times say."""
+    """Shift every long stretch of far stamps to where the log times of its messages put it."""
     if not len(rows.stamp_ns):
         return rows
     delay, stamps = _delay(rows), rows.stamp_ns.copy()
     early = _early_delay(rows) - usual
-    if NOTABLE < abs(early) <= FAR:
+    if CLOCKS.notable < abs(early) <= CLOCKS.far:
         remarks.append(
             f"{rows.name}: its stamps are {abs(early):.2f} s {'behind' if early > 0 else 'ahead of'} the others' by "
             "the log times; they are used as they are."
         )
     for first, last in _stretches(delay):
-        offset = float(np.quantile(delay[first:last], PROMPT)) - usual
-        if abs(offset) <= FAR or last - first < FEW:
+        offset = float(np.quantile(delay[first:last], CLOCKS.prompt)) - usual
+        if abs(offset) <= CLOCKS.far or last - first < CLOCKS.few:
             continue
         stamps[first:last] += round(offset * NANOSECONDS)
         where = "" if last - first == len(delay) else f" of messages {first + 1} to {last} of {len(delay)}"
@@ -111,12 +104,12 @@ def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
 
 
 def _stretches(delay: Floats) -> list[tuple[int, int]]:
-    """Half-open ranges of messages between jumps of the delay; a few strays do not end one."""
-    breaks = [0, *(np.flatnonzero(np.abs(np.diff(delay)) > FAR) + 1).tolist(), len(delay)]
+    """Half-open ranges of messages between jumps of the delay; a few stray messages do not end a range."""
+    breaks = [0, *(np.flatnonzero(np.abs(np.diff(delay)) > CLOCKS.far) + 1).tolist(), len(delay)]
     pieces = [(first, last) for first, last in pairwise(breaks) if last > first]
     merged: list[tuple[int, int]] = []
     for first, last in pieces:
-        if merged and abs(np.median(delay[first:last]) - np.median(delay[slice(*merged[-1])])) <= FAR:
+        if merged and abs(np.median(delay[first:last]) - np.median(delay[slice(*merged[-1])])) <= CLOCKS.far:
             merged[-1] = (merged[-1][0], last)
         else:
             merged.append((first, last))
@@ -125,10 +118,10 @@ def _stretches(delay: Floats) -> list[tuple[int, int]]:
 
 def _without_strays(rows: TopicRows, usual: float, topics: Sequence[TopicRows], remarks: list[str]) -> TopicRows:
     delay = _delay(rows) - usual
-    far = np.abs(delay) > FAR
+    far = np.abs(delay) > CLOCKS.far
     if not far.any():
         return rows
-    good = np.concatenate([other.stamp_ns[np.abs(_delay(other) - usual) <= FAR] for other in topics])
+    good = np.concatenate([other.stamp_ns[np.abs(_delay(other) - usual) <= CLOCKS.far] for other in topics])
     inside = (rows.stamp_ns >= good.min()) & (rows.stamp_ns <= good.max()) if good.size else np.ones_like(far)
     strays = far & ((delay < 0.0) | ~inside)
     if strays.any():
@@ -144,20 +137,20 @@ def _selected(rows: TopicRows, chosen: Flags) -> TopicRows:
 
 
 def _skew(rows: TopicRows) -> Skew:
-    """From the slope of the prompt messages' delay over time; unknown where log times are made from stamps."""
+    """The slope of the prompt messages' delay over time; unknown where log times are copies of the stamps."""
     count = len(rows.stamp_ns)
     span = (rows.log_ns.max() - rows.log_ns.min()) / NANOSECONDS if count else 0.0
-    if count < SKEW_BLOCKS * FEWEST_IN_BLOCK or span < SHORTEST:
+    if count < CLOCKS.skew_blocks * CLOCKS.fewest_in_block or span < CLOCKS.shortest:
         return Skew()
     delay = _delay(rows) - float(np.median(_delay(rows)))
-    if np.ptp(delay) < 1e-6:
+    if np.ptp(delay) < CLOCKS.same_delay:
         return Skew()
     time = (rows.log_ns - rows.log_ns[0]) / NANOSECONDS
-    blocks = np.array_split(np.arange(count), SKEW_BLOCKS)
+    blocks = np.array_split(np.arange(count), CLOCKS.skew_blocks)
     moment = np.array([time[block].mean() for block in blocks])
-    prompt = np.array([np.quantile(delay[block], PROMPT) for block in blocks])
+    prompt = np.array([np.quantile(delay[block], CLOCKS.prompt) for block in blocks])
     moment = moment - moment.mean()
     spread = float((moment**2).sum())
     slope = float((moment * prompt).sum()) / spread
     left = prompt - prompt.mean() - slope * moment
-    return Skew(-slope, float(np.sqrt((left**2).sum() / (SKEW_BLOCKS - 2) / spread)))
+    return Skew(-slope, float(np.sqrt((left**2).sum() / (CLOCKS.skew_blocks - 2) / spread)))

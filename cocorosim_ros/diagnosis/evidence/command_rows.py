@@ -1,4 +1,4 @@
-"""ThrusterCommand messages as rows of the platform's actuators, by the thousand."""
+"""ThrusterCommand messages as rows of the platform's actuators, thousands of messages at once."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _ENCAPSULATION = 4
 
 @dataclass(frozen=True)
 class CommandRows:
-    """n messages in their order: header stamps (n,) [ns], fractions (n, actuators), which could be read (n,)."""
+    """Contents of n messages in their order: header stamps (n,) [ns], fractions (n, actuators), readable (n,)."""
 
     stamp_ns: Stamps
     values: Floats
@@ -27,7 +27,7 @@ class CommandRows:
 
 @dataclass(frozen=True)
 class _Layout:
-    """Messages that say the same but for stamp and numbers; `head` is what stands between these."""
+    """A layout of messages that differ in stamp and numbers alone; `head` holds the bytes between these."""
 
     length: int
     order: str
@@ -40,10 +40,10 @@ class _Layout:
 
 
 def read_command_rows(topic: str, messages: Sequence[bytes], actuators: tuple[str, ...]) -> CommandRows:
-    """What each actuator was asked for, by the order of `actuators`.
+    """Read the commands of each actuator, in the order of `actuators`.
 
-    As in the simulator an actuator is off where it is not named or its command is no number, and a command beyond 1
-    is cut to it; remarks say how often. Raises CocorosimError if the names are those of another platform.
+    As in the simulator, an actuator is off where a message does not name it or its command is no number, and a command
+    beyond 1 is cut to 1; remarks count these. Raises CocorosimError if the names are those of another platform.
     """
     stamps = np.zeros(len(messages), dtype=np.int64)
     values = np.full((len(messages), len(actuators)), np.nan)
@@ -61,10 +61,10 @@ def read_command_rows(topic: str, messages: Sequence[bytes], actuators: tuple[st
 
 
 def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -> list[str]:
-    """Sentences on names that only one side has.
+    """Sentences about actuators that only the messages or only the platform names.
 
-    Raises CocorosimError if they have none in common, or if each has names that the other lacks: what one of them
-    commanded would be missing from the model, and physics would be blamed for it.
+    Raises CocorosimError if no name is in both, or if each has a name that the other lacks: the model would then lack
+    the forces of a commanded actuator, and the diagnosis would explain them by missing physics.
     """
     names = list(dict.fromkeys(found))
     strange = [name for name in names if name not in actuators]
@@ -85,7 +85,7 @@ def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -
 
 
 def _usable(topic: str, values: Floats, readable: Flags, remarks: list[str]) -> Floats:
-    given = np.isfinite(values[readable]).any(axis=0)  # a column without any number was remarked on by its name
+    given = np.isfinite(values[readable]).any(axis=0)  # a column without any number already has a remark
     lost = np.count_nonzero(~np.isfinite(values[readable][:, given]).all(axis=1))
     if lost:
         remarks.append(f"{topic}: {lost} messages have a command that is no number; that actuator is taken to be off.")
@@ -114,7 +114,7 @@ def _by_layout(messages: Sequence[bytes]) -> list[tuple[_Layout, list[int]]]:
 
 
 def _layout_of(data: bytes) -> _Layout | None:
-    """How this message is laid out; None if it is not whole."""
+    """Find the layout of a message; None if the message is not whole."""
     order = ">" if data[1:2] == b"\0" else "<"
     try:
         place = FRAME_LENGTH + 4 + _number(data, FRAME_LENGTH, order)

@@ -1,4 +1,4 @@
-"""From recordings to evidence: every robot's streams and commands, clean, on one clock, with their noise."""
+"""Evidence made from recordings: streams and commands of every robot, clean, on one clock, with their noise."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 
 def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
-    """What these recordings say of robots of this platform.
+    """Read the evidence of robots of one platform from recordings.
 
-    Raises CocorosimError where a file cannot be used: it is no recording, holds no topic of any robot, commands
-    actuators that the platform does not have, or says the same as another one. Where a usable file merely says too
-    little, nothing is raised: see `reasons_to_abstain`. Of several recordings every remark names its own.
+    Raises CocorosimError for a file that cannot be used: it is no recording, holds no topic of any robot, commands
+    actuators that the platform does not have, or holds the same readings as another one. A usable file with too little
+    information raises nothing: see `reasons_to_abstain`. Of several recordings, every remark names its own.
     """
     recordings = [gather_recording(Path(bag), platform) for bag in bags]
     for one, other in itertools.combinations(recordings, 2):
@@ -39,12 +39,12 @@ def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
 
 
 def _is_same(one: Recording, other: Recording) -> bool:
-    """Whether two recordings hold the same robots with the same commands and readings."""
+    """Tell whether two recordings hold the same robots with the same commands and readings."""
     return [robot.name for robot in one.robots] == [robot.name for robot in other.robots] and all(
-        np.array_equal(mine.command, his.command)
-        and mine.streams.keys() == his.streams.keys()
-        and all(_is_same_stream(mine.streams[topic], his.streams[topic]) for topic in mine.streams)
-        for mine, his in zip(one.robots, other.robots, strict=True)
+        np.array_equal(mine.command, theirs.command)
+        and mine.streams.keys() == theirs.streams.keys()
+        and all(_is_same_stream(mine.streams[topic], theirs.streams[topic]) for topic in mine.streams)
+        for mine, theirs in zip(one.robots, other.robots, strict=True)
     )
 
 
@@ -53,7 +53,7 @@ def _is_same_stream(one: Stream, other: Stream) -> bool:
 
 
 def gather_recording(path: Path, platform: Platform) -> Recording:
-    """What one recording says of robots of this platform. Raises CocorosimError as `gather_evidence`."""
+    """Read one recording of robots of a platform. Raises CocorosimError as `gather_evidence` does."""
     bag = read_bag(path)
     try:
         topics, remarks = read_topic_rows(bag, platform.actuator_names)

@@ -1,4 +1,4 @@
-"""Tracks that are whose they are said to be: spikes out, exchanged robots back, the rest only as far as it is sure."""
+"""Tracks that belong to the robot of their name: without spikes, exchanged back, or cut to the part that is sure."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import EXCHANGES
 from cocorosim_ros.diagnosis.evidence.cleaning import gaps_of
 from cocorosim_ros.diagnosis.evidence.pose_jumps import Jump, find_jumps, reach, selected, without_spikes
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
@@ -16,16 +17,14 @@ from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.scenario.parts.platform import Platform
 
 YAW = 3
-CLOSE = 0.3  # hulls: robots are confused when they are close, and two that leap to each other's place leave no doubt
-TOGETHER = 1.0  # s: two robots are exchanged within that
 
 
 def with_true_identities(logs: Sequence[RobotLog], platform: Platform) -> tuple[list[RobotLog], list[str]]:
-    """The robots of one recording with tracks that do not leap, and what was done for it, in sentences.
+    """Repair the tracks of the robots of one recording until none leaps; also give a sentence about every repair.
 
-    Poses that are away for less than a second are left out. Where two tracks leap to each other's place at the same
-    time, they are exchanged back. Of a track that leaps for another reason the longest stretch without a leap is kept,
-    because nothing says whose the rest is.
+    Poses that are off the track for less than a second are left out. Where two tracks leap to each other's place at the
+    same time, they are exchanged back. Of a track that leaps for another reason the longest stretch without a leap is
+    kept, because the rest may belong to another robot.
     """
     remarks: list[str] = []
     robots = {log.name: _without_spikes(log, platform, remarks) for log in logs}
@@ -50,7 +49,7 @@ def _without_spikes(log: RobotLog, platform: Platform, remarks: list[str]) -> Ro
 
 def _exchange_back(robots: dict[str, RobotLog], platform: Platform, remarks: list[str]) -> None:
     """Exchange tracks that were exchanged, the earliest first, until none is left."""
-    for _ in range(sum(len(_jumps(log, platform, CLOSE)) for log in robots.values())):
+    for _ in range(sum(len(_jumps(log, platform, EXCHANGES.close)) for log in robots.values())):
         found = _first_exchange(robots, platform)
         if found is None:
             return
@@ -69,20 +68,20 @@ def _first_exchange(
 ) -> tuple[tuple[str, str], tuple[Jump, Jump]] | None:
     found = []
     for one, other in combinations(sorted(robots), 2):
-        for here in _jumps(robots[one], platform, CLOSE):
-            for there in _jumps(robots[other], platform, CLOSE):
+        for here in _jumps(robots[one], platform, EXCHANGES.close):
+            for there in _jumps(robots[other], platform, EXCHANGES.close):
                 if _exchanged(here, there, robots[one].streams["pose"], platform):
                     found.append(((one, other), (here, there)))
     return min(found, key=lambda pair: pair[1][0].after) if found else None
 
 
 def _exchanged(here: Jump, there: Jump, pose: Stream, platform: Platform) -> bool:
-    """Whether each reaches where the other has left, at the same time."""
-    if max(abs(here.before - there.before), abs(here.after - there.after)) > TOGETHER:
+    """Tell whether each of two leaps ends where the other began, at the same time."""
+    if max(abs(here.before - there.before), abs(here.after - there.after)) > EXCHANGES.together:
         return False
     duration = max(here.after, there.after) - min(here.before, there.before)
-    near = reach(pose, platform, CLOSE) + 2.0 * full_speed(platform) * duration
-    closer = 0.5 * min(here.distance, there.distance)
+    near = reach(pose, platform, EXCHANGES.close) + EXCHANGES.full_speeds * full_speed(platform) * duration
+    closer = EXCHANGES.closer * min(here.distance, there.distance)
     return all(
         np.hypot(*(reached - left)[:2]) < min(near, closer)
         for reached, left in ((here.reached, there.left), (there.reached, here.left))
@@ -90,7 +89,7 @@ def _exchanged(here: Jump, there: Jump, pose: Stream, platform: Platform) -> boo
 
 
 def _joined(log: RobotLog, own: Jump, other: RobotLog, others: Jump) -> RobotLog:
-    """The log with its own poses before its jump and the other's after that one's."""
+    """Join the poses of `log` before its own jump and the poses of `other` after the jump of `other`."""
     mine, theirs = log.streams["pose"], other.streams["pose"]
     before = selected(mine, mine.time <= own.before)
     after = selected(theirs, theirs.time >= others.after)

@@ -1,4 +1,4 @@
-"""The last step before physics: robots that can tell something, in the axes and units of the contract."""
+"""The last step before physics: robots with enough information, in the axes and units of the contract."""
 
 from __future__ import annotations
 
@@ -7,25 +7,25 @@ from dataclasses import dataclass, replace
 
 from cocorosim_ros.diagnosis.evidence.abstention import reasons_to_abstain, without_unusable
 from cocorosim_ros.diagnosis.evidence.consistency import speed_sentence
-from cocorosim_ros.diagnosis.evidence.frames.suspect import suspect_frames
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, corrected
+from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, corrected
+from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, told_apart
 from cocorosim_ros.scenario.parts.platform import Platform
 
 
 @dataclass(frozen=True)
 class Mixup:
-    """A stream of some robots that was in other axes, signs or units, and was put right."""
+    """The correction of a stream that some robots have in other axes, signs or units."""
 
     robots: tuple[str, ...]
-    suspicion: FrameSuspicion
+    correction: FrameCorrection
 
 
 @dataclass(frozen=True)
 class Intake:
-    """Evidence that physics may be asked of: usable robots alone, streams put right; what was found on the way.
+    """Evidence with usable robots alone and corrected streams, and the mix-ups that were corrected.
 
-    reasons: why no diagnosis can be made, in sentences; then `evidence` has no robot.
+    reasons: sentences if no diagnosis can be made; then `evidence` has no robot.
     """
 
     evidence: Evidence
@@ -34,15 +34,15 @@ class Intake:
 
 
 def take_in(evidence: Evidence) -> Intake:
-    """The evidence without robots that cannot tell anything, with frames and units of the contract.
+    """Leave out robots with too little information, and bring streams into the frames and units of the contract.
 
-    Every recording of a robot is judged alone, then all of them together: what one is too short to show. A stream that
-    cannot be put right is left out. The recordings' remarks say what was done.
+    Streams are compared in every recording of a robot alone, then in all its recordings together, for mix-ups that one
+    recording is too short to show. A stream that cannot be corrected is left out. Remarks report every change.
     """
     reasons = reasons_to_abstain(evidence)
     if reasons:
-        nobody = tuple(replace(recording, robots=()) for recording in evidence.recordings)
-        return Intake(replace(evidence, recordings=nobody), (), reasons)
+        without_robots = tuple(replace(recording, robots=()) for recording in evidence.recordings)
+        return Intake(replace(evidence, recordings=without_robots), (), reasons)
     recordings = list(without_unusable(evidence).recordings)
     found: list[Mixup] = []
     for name in sorted({robot.name for recording in recordings for robot in recording.robots}):
@@ -65,38 +65,38 @@ def _robot(recording: Recording, name: str) -> RobotLog | None:
 
 
 def _put_right(recordings: list[Recording], places: Sequence[int], name: str, platform: Platform) -> list[Mixup]:
-    """What these recordings of a robot show together; they are replaced by corrected ones."""
+    """Correct some recordings of a robot by what they show together, in place, and give the mix-ups."""
     logs = [log for log in (_robot(recordings[number], name) for number in places) if log]
-    suspicions = suspect_frames(logs, platform)
-    if suspicions:
+    corrections = needed_corrections(logs, platform)
+    if corrections:
         for number in places:
-            recordings[number] = _corrected(recordings[number], name, suspicions)
-    return [Mixup((name,), suspicion) for suspicion in suspicions]
+            recordings[number] = _corrected(recordings[number], name, corrections)
+    return [Mixup((name,), correction) for correction in corrections]
 
 
-def _corrected(recording: Recording, name: str, suspicions: Sequence[FrameSuspicion]) -> Recording:
-    robots = tuple(_without(corrected(robot, suspicions), suspicions) if robot.name == name else robot
+def _corrected(recording: Recording, name: str, corrections: Sequence[FrameCorrection]) -> Recording:
+    robots = tuple(_without(corrected(robot, corrections), corrections) if robot.name == name else robot
                    for robot in recording.robots)  # fmt: skip
     remarks = [
-        f"{name}/{suspicion.topic}: {suspicion.correction} ({suspicion.because}); "
-        + ("it was put right." if suspicion.matrix is not None else "it is not used.")
-        for suspicion in suspicions
+        f"{name}/{correction.topic}: {correction.wrong} ({correction.because}); "
+        + ("it was put right." if correction.matrix is not None else "it is not used.")
+        for correction in corrections
     ]
     return replace(recording, robots=robots, remarks=(*recording.remarks, *remarks))
 
 
-def _without(log: RobotLog, suspicions: Sequence[FrameSuspicion]) -> RobotLog:
-    hopeless = {suspicion.topic for suspicion in suspicions if suspicion.matrix is None}
+def _without(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog:
+    hopeless = {correction.topic for correction in corrections if correction.matrix is None}
     return replace(log, streams={topic: stream for topic, stream in log.streams.items() if topic not in hopeless})
 
 
 def _together(found: Sequence[Mixup]) -> tuple[Mixup, ...]:
-    """One mix-up for all robots and recordings that have the same, the strongest of its suspicions."""
+    """Merge mix-ups that several robots or recordings share into one, with the strongest of their corrections."""
     merged: dict[tuple[str, str], Mixup] = {}
     for mixup in found:
-        key = mixup.suspicion.topic, mixup.suspicion.correction
+        key = mixup.correction.topic, mixup.correction.wrong
         known = merged.get(key, mixup)
-        strongest = max(known.suspicion, mixup.suspicion, key=lambda suspicion: suspicion.nats)
+        strongest = max(known.correction, mixup.correction, key=lambda correction: correction.nats)
         robots = tuple(dict.fromkeys([*known.robots, *mixup.robots]))
         merged[key] = Mixup(robots, strongest)
-    return tuple(sorted(merged.values(), key=lambda mixup: -mixup.suspicion.nats))
+    return tuple(sorted(merged.values(), key=lambda mixup: -mixup.correction.nats))

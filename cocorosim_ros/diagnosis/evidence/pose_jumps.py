@@ -1,4 +1,4 @@
-"""Where a track of poses leaps farther than any robot swims: lost, confused with another robot, or moved by hand."""
+"""Leaps of a track farther than a robot can swim: it was lost, taken for another robot, or moved by hand."""
 
 from __future__ import annotations
 
@@ -6,18 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import JUMPS
 from cocorosim_ros.diagnosis.evidence.streams.log import Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
-
-NOISES = 10.0  # standard deviations of a reading
-OWN_SPEEDS, PLATFORM_SPEEDS = 3.0, 2.0  # times the track's usual top speed, and the platform's
-USUAL_TOP = 0.95  # quantile of the speeds
-OVER = 1.0  # s, over which speeds are taken
-SPIKE = 1.0  # s: who is back by then has not been away
-BURST = 2.0  # usual steps
-FEWEST = 10  # poses
 
 
 @dataclass(frozen=True)
@@ -31,20 +24,20 @@ class Jump:
 
     @property
     def distance(self) -> float:
-        """How far it is, horizontally [m]."""
+        """Horizontal distance [m] of the leap."""
         return float(np.hypot(*(self.reached - self.left)[:2]))
 
 
 def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Jump, ...]:
-    """All leaps of the track farther than noise, so many hulls and the top speed allow.
+    """All leaps of the track that are longer than noise, `hulls` lengths of the hull and the top speed allow.
 
     Stamps may lie closer together than the poses were taken, so that no step counts as shorter than two usual ones.
     """
-    if len(pose.time) < FEWEST:
+    if len(pose.time) < JUMPS.fewest:
         return ()
     place = pose.value[:, :3]
     steps = np.diff(pose.time)
-    steps = np.maximum(steps, BURST * np.median(steps))
+    steps = np.maximum(steps, JUMPS.burst * np.median(steps))
     leap = np.hypot(*np.diff(place[:, :2], axis=0).T)
     far = leap > reach(pose, platform, hulls) + _top_speed(pose, platform) * steps
     return tuple(
@@ -53,26 +46,26 @@ def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Ju
 
 
 def reach(pose: Stream, platform: Platform, hulls: float = 1.0) -> float:
-    """How far two poses of one moment may lie apart [m]: by noise, and by so many hulls."""
+    """Distance [m] that two poses of one moment may lie apart: noise, and `hulls` lengths of the hull."""
     noise = pose.noise[:2][np.isfinite(pose.noise[:2])]
-    return NOISES * float(noise.max(initial=0.0)) + hulls * platform.hull.length
+    return JUMPS.noises * float(noise.max(initial=0.0)) + hulls * platform.hull.length
 
 
 def _top_speed(pose: Stream, platform: Platform) -> float:
-    lag = max(round(OVER / float(np.median(np.diff(pose.time)))), 1)
+    lag = max(round(JUMPS.over / float(np.median(np.diff(pose.time)))), 1)
     own = 0.0
     if len(pose.time) > lag:
         way = np.hypot(*(pose.value[lag:, :2] - pose.value[:-lag, :2]).T)
-        own = float(np.quantile(way / (pose.time[lag:] - pose.time[:-lag]), USUAL_TOP))
-    return max(OWN_SPEEDS * own, PLATFORM_SPEEDS * full_speed(platform))
+        own = float(np.quantile(way / (pose.time[lag:] - pose.time[:-lag]), JUMPS.usual_top))
+    return max(JUMPS.own_speeds * own, JUMPS.platform_speeds * full_speed(platform))
 
 
 def without_spikes(pose: Stream, jumps: tuple[Jump, ...], platform: Platform) -> Stream:
-    """The track without poses that are away for less than a second and then back."""
+    """Leave out the poses between a leap and the leap back, where less than a second lies between."""
     kept = np.ones(len(pose.time), dtype=bool)
     for there in jumps:
         for back in jumps:
-            if not 0.0 <= back.before - there.after <= SPIKE:
+            if not 0.0 <= back.before - there.after <= JUMPS.spike:
                 continue
             way = np.hypot(*(back.reached - there.left)[:2])
             if way <= reach(pose, platform) + _top_speed(pose, platform) * (back.after - there.before):
@@ -82,5 +75,5 @@ def without_spikes(pose: Stream, jumps: tuple[Jump, ...], platform: Platform) ->
 
 
 def selected(pose: Stream, kept: Flags) -> Stream:
-    """The track at the chosen moments (n,)."""
+    """Keep the poses of the chosen moments (n,)."""
     return replace(pose, time=pose.time[kept], value=pose.value[kept])

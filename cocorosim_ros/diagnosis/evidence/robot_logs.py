@@ -1,4 +1,4 @@
-"""One robot's clean rows as its log: angles that go on counting, faulty readings out, the noise of each channel."""
+"""Logs made from clean rows: angles unwrapped, faulty readings left out, the noise of each channel estimated."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 HEADINGS = {"pose": 3, "compass": 0}  # column of the angle
-HORIZONTAL = 2  # the first columns of a pose, whose leaps are judged by speed and not reading by reading
+HORIZONTAL = 2  # the first columns of a pose, whose leaps are found by speed and not reading by reading
 
 
 def robot_log(
     name: str, topics: Sequence[tuple[TopicRows, Skew]], start_ns: int, actuators: int
 ) -> tuple[RobotLog, list[str]]:
-    """The log of a robot from its topics, time counting from `start_ns`, and what was left out, in sentences."""
+    """Make the log of a robot from its topics, time counting from `start_ns`; give remarks on what was left out."""
     commands = next((rows for rows, _ in topics if rows.topic == COMMAND and len(rows.stamp_ns)), None)
     streams = {
         rows.topic: Stream(seconds(rows, start_ns), rows.values, np.empty(0), skew.rate, skew.error)
@@ -44,7 +44,7 @@ def robot_log(
 
 
 def seconds(rows: TopicRows, start_ns: int) -> Floats:
-    """(n,) stamps [s] since `start_ns`."""
+    """Stamps (n,) [s] since `start_ns`."""
     return np.asarray((rows.stamp_ns - start_ns) / NANOSECONDS)
 
 
@@ -66,7 +66,7 @@ def _finished(name: str, topic: str, streams: Mapping[str, Stream], remarks: lis
 
 
 def _leave_out_leaps(name: str, time: Floats, heading: Floats, noise: float, remarks: list[str]) -> None:
-    """Write NaN over readings of a heading that leaps away and soon back."""
+    """Write NaN over the readings between a leap of a heading and the leap back soon after it."""
     wrong = away(time, heading, noise)
     if wrong.any():
         heading[wrong] = np.nan

@@ -1,4 +1,4 @@
-"""The messages of each robot's topics as rows of numbers, in recorded order, as they are."""
+"""Messages of each robot's topics as rows of numbers, unchanged and in recorded order."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ _RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sens
 
 @dataclass(frozen=True)
 class TopicRows:
-    """n messages of one topic of one robot: header stamps and log times (n,) [ns], values (n, columns).
+    """Contents of n messages of one topic of one robot: header stamps and log times (n,) [ns], values (n, columns).
 
-    columns are those of STREAMS, or the platform's actuators. remarks: what was left out, in sentences.
+    The columns are those of STREAMS, or the platform's actuators. remarks: a sentence for all that was left out.
     """
 
     robot: str
@@ -37,7 +37,7 @@ class TopicRows:
 
     @property
     def name(self) -> str:
-        """The topic as sentences call it: lily_01/pose."""
+        """The name of the topic in sentences: lily_01/pose."""
         return f"{self.robot}/{self.topic}" if self.robot else self.topic
 
 
@@ -47,10 +47,10 @@ class _Found(NamedTuple):
 
 
 def read_topic_rows(bag: Bag, actuators: tuple[str, ...]) -> tuple[list[TopicRows], list[str]]:
-    """The rows of every topic of every robot that the diagnosis can use, and what was noticed besides.
+    """Read the rows of every topic that the diagnosis can use, of every robot; also give remarks, as sentences.
 
-    A robot whose commands name none of the actuators is of another kind: it is left out, and said. Raises
-    CocorosimError if all are.
+    A robot whose commands name none of the actuators is of another kind: it is left out, with a remark. Raises
+    CocorosimError if all robots are of another kind.
     """
     wanted, remarks = _wanted(bag)
     found = {topic: _Found([], []) for topic in wanted}
@@ -60,21 +60,21 @@ def read_topic_rows(bag: Bag, actuators: tuple[str, ...]) -> tuple[list[TopicRow
             place.data.append(message.data)
             place.log_ns.append(message.log_time_ns)
     topics: list[TopicRows] = []
-    strangers: dict[str, CocorosimError] = {}
+    unusable: dict[str, CocorosimError] = {}
     for topic in wanted:
         if found[topic].data:
             try:
                 topics.append(_rows(topic, found[topic], actuators))
             except CocorosimError as error:
-                strangers[split_topic(topic)[0]] = error
-    if strangers and not any(rows.topic == COMMAND for rows in topics):
-        raise next(iter(strangers.values()))
-    remarks += [f"{robot} was left out: {error}" for robot, error in strangers.items()]
-    return [rows for rows in topics if rows.robot not in strangers], remarks
+                unusable[split_topic(topic)[0]] = error
+    if unusable and not any(rows.topic == COMMAND for rows in topics):
+        raise next(iter(unusable.values()))
+    remarks += [f"{robot} was left out: {error}" for robot, error in unusable.items()]
+    return [rows for rows in topics if rows.robot not in unusable], remarks
 
 
 def _wanted(bag: Bag) -> tuple[list[str], list[str]]:
-    """The topics to be read, and a sentence for each that has the name but not the type."""
+    """The topics to be read, and a sentence for each topic that has the right name but the wrong type."""
     wanted, remarks = [], []
     for recorded in bag.summary.topics:
         name = split_topic(recorded.topic)[1]

@@ -12,20 +12,20 @@ def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:
     """What was put right, but for what the platform's file knows of."""
     known = intake.evidence.platform.frame_corrections
     return tuple(
-        _effect(part) for part in intake.mixups if part.suspicion.correction not in known.get(part.suspicion.topic, "")
+        _effect(part) for part in intake.mixups if part.correction.wrong not in known.get(part.correction.topic, "")
     )
 
 
 def _effect(part: Mixup) -> FoundEffect:
-    suspicion = part.suspicion
+    correction = part.correction
     return FoundEffect(
         "frame_mixup",
-        f"mixed-up frame of {suspicion.topic}",
+        f"mixed-up frame of {correction.topic}",
         "right = matrix * recorded + offset",
         part.robots,
         "confirmed",
         {},
-        min(suspicion.nats, CERTAIN),
-        topic=suspicion.topic,
-        correction=suspicion.correction,
+        min(correction.nats, CERTAIN),
+        topic=correction.topic,
+        correction=correction.wrong,
     )

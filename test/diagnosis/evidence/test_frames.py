@@ -1,4 +1,4 @@
-"""Axes, signs and units that are mixed up are found and put right; clean recordings arouse no suspicion."""
+"""Axes, signs and units that are mixed up are found and put right; clean recordings need none."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.evidence.frames.agreement import nats_behind
-from cocorosim_ros.diagnosis.evidence.frames.suspect import suspect_frames
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import corrected
+from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
+from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.scenario.parts.platform import Platform
 
@@ -83,8 +83,8 @@ def test_a_mixup_among_all_streams(
     """Each is found alone, named, and put right, with five streams and the commands to compare."""
     clean = swum(swim(seed=3))
     wrong = mixed(clean, topic, change)
-    (found,) = suspect_frames(wrong, lily_platform)
-    assert found.topic == topic and words in found.correction
+    (found,) = needed_corrections(wrong, lily_platform)
+    assert found.topic == topic and words in found.wrong
     assert found.nats > 10.0
     right = corrected(wrong, [found])
     if topic == "thruster_command":
@@ -104,8 +104,8 @@ def _is_angle(topic: str) -> np.ndarray:
 def test_a_velocity_in_world_axes(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """It is turned into body axes by the yaw of the poses."""
     clean = swum(swim(seed=4))
-    (found,) = suspect_frames(in_world(clean), lily_platform)
-    assert found.topic == "velocity" and "world axes" in found.correction
+    (found,) = needed_corrections(in_world(clean), lily_platform)
+    assert found.topic == "velocity" and "world axes" in found.wrong
     right = corrected(in_world(clean), [found]).streams["velocity"].value
     np.testing.assert_allclose(right, clean.streams["velocity"].value, atol=1e-9)
 
@@ -137,63 +137,63 @@ def test_a_mixup_among_few_streams(
     """One or two streams and the commands are enough; the last one is mixed up."""
     topic = topics[-1]
     wrong = mixed(swum(swim(seed=5, topics=topics)), topic, change)
-    (found,) = suspect_frames(wrong, lily_platform)
-    assert found.topic == topic and words in found.correction
+    (found,) = needed_corrections(wrong, lily_platform)
+    assert found.topic == topic and words in found.wrong
 
 
 SUBSETS = [TOPICS, ("pose",), ("pose", "compass"), ("compass", "imu"), ("pressure", "imu"), ("pose", "imu", "velocity")]
 
 
 @pytest.mark.parametrize("seed", range(24))
-def test_no_suspicion_of_clean_logs(swum: Swum, swim: Any, lily_platform: Platform, seed: int) -> None:
+def test_clean_logs_need_no_correction(swum: Swum, swim: Any, lily_platform: Platform, seed: int) -> None:
     """Whatever the motion, the current, the length, the subset of topics: nothing is suspected."""
     rng = np.random.default_rng(seed)
     drift = tuple(rng.normal(0.0, 0.02, 2)) if seed % 3 == 0 else (0.0, 0.0)
     duration = float(rng.choice([60.0, 120.0, 300.0]))
     log = swum(swim(100 + seed, duration, drift, SUBSETS[seed % len(SUBSETS)], straight=seed % 5 == 4))
-    assert suspect_frames(log, lily_platform) == ()
+    assert needed_corrections(log, lily_platform) == ()
 
 
 def test_a_current_as_fast_as_the_robot_is_no_mixup(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """A robot that heads one way while the water carries it another one."""
     log = swum(swim(354, 600.0, (-0.022, -0.052), straight=True))
-    assert suspect_frames(log, lily_platform) == ()
+    assert needed_corrections(log, lily_platform) == ()
 
 
 def test_a_world_turned_as_a_whole_is_no_mixup(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Poses and compass by another east contradict nothing."""
     log = mixed(swum(swim(seed=6)), "pose", lambda v: [-v[1], v[0], v[2], v[3] + np.pi / 2])
-    assert suspect_frames(mixed(log, "compass", lambda v: [v[0] + np.pi / 2]), lily_platform) == ()
+    assert needed_corrections(mixed(log, "compass", lambda v: [v[0] + np.pi / 2]), lily_platform) == ()
 
 
-def test_too_little_motion_arouses_no_suspicion(swum: Swum, swim: Any, lily_platform: Platform) -> None:
+def test_too_little_motion_asks_for_no_correction(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Twenty seconds of a robot with a wrong compass are not enough to say so."""
     short = mixed(swum(swim(seed=7, duration=20.0)), "compass", lambda v: [-v[0]])
-    assert suspect_frames(short, lily_platform) == ()
+    assert needed_corrections(short, lily_platform) == ()
 
 
 def test_a_short_log_with_a_wrong_velocity(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Twelve seconds are not enough to accuse it."""
     short = mixed(swum(swim(seed=7, duration=12.0)), "velocity", lambda v: [-v[0], -v[1], v[2]])
-    assert suspect_frames(short, lily_platform) == ()
+    assert needed_corrections(short, lily_platform) == ()
 
 
 def test_a_heading_that_counts_on_is_not_in_degrees(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Radians that go beyond a turn, because somebody has unwrapped them, swing as fast as the poses turn."""
     log = swum(swim(seed=8))
     counting = {**log.streams, "compass": replace(log.streams["compass"], full_turn=360.0)}
-    assert suspect_frames(replace(log, streams=counting), lily_platform) == ()
+    assert needed_corrections(replace(log, streams=counting), lily_platform) == ()
     alone = replace(log, streams={"compass": counting["compass"]}, command_time=np.empty(0), command=np.empty((0, 3)))
-    assert names(suspect_frames(alone, lily_platform)) == ["compass"]
+    assert names(needed_corrections(alone, lily_platform)) == ["compass"]
 
 
 def test_gravity_upside_down_alone(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Where nothing shows how the horizontal axes lie, only the axis of gravity is put right."""
     log = swum(swim(seed=8, topics=("imu",)))
     log = replace(log, command_time=np.empty(0), command=np.empty((0, 3)))
-    (found,) = suspect_frames(mixed(log, "imu", lambda v: [v[0], v[1], v[2], -v[3]]), lily_platform)
-    assert found.correction == "the sign of its z axis is flipped"
-    assert suspect_frames(mixed(log, "imu", lambda v: [v[0], v[1], v[2], 0.5 * v[3]]), lily_platform) == ()
+    (found,) = needed_corrections(mixed(log, "imu", lambda v: [v[0], v[1], v[2], -v[3]]), lily_platform)
+    assert found.wrong == "the sign of its z axis is flipped"
+    assert needed_corrections(mixed(log, "imu", lambda v: [v[0], v[1], v[2], 0.5 * v[3]]), lily_platform) == ()
 
 
 @pytest.mark.parametrize(
@@ -206,13 +206,13 @@ def test_nats_behind(best: float, count: float, expected: float) -> None:
 
 
 def test_several_at_once(swum: Swum, swim: Any, lily_platform: Platform) -> None:
-    """A compass in degrees from north, pressure in hPa and an IMU upside down are three suspicions."""
+    """A compass in degrees from north, pressure in hPa and an IMU upside down are three corrections."""
     log = mixed(swum(swim(seed=8)), "compass", lambda v: [90.0 - v[0] * DEGREES])
     log = mixed(log, "pressure", lambda v: [v[0] / 100.0])
     log = mixed(log, "imu", lambda v: [-v[0], v[1], -v[2], -v[3]])
-    found = suspect_frames(log, lily_platform)
-    assert [suspicion.topic for suspicion in found] == ["compass", "pressure", "compass", "imu"]
-    assert suspect_frames(corrected(log, found), lily_platform) == ()
+    found = needed_corrections(log, lily_platform)
+    assert [correction.topic for correction in found] == ["compass", "pressure", "compass", "imu"]
+    assert needed_corrections(corrected(log, found), lily_platform) == ()
 
 
 def test_noise_is_corrected_too(swum: Swum, swim: Any, lily_platform: Platform) -> None:
@@ -221,26 +221,26 @@ def test_noise_is_corrected_too(swum: Swum, swim: Any, lily_platform: Platform) 
     wrong = mixed(log, "pose", lambda v: [1000 * v[1], 1000 * v[0], 1000 * v[2], v[3]])
     stream = wrong.streams["pose"]
     wrong = replace(wrong, streams={**wrong.streams, "pose": replace(stream, noise=np.array([2.0, 1.0, 3.0, 0.02]))})
-    right = corrected(wrong, suspect_frames(wrong, lily_platform)).streams["pose"].noise
+    right = corrected(wrong, needed_corrections(wrong, lily_platform)).streams["pose"].noise
     np.testing.assert_allclose(right, [0.001, 0.002, 0.003, 0.02], rtol=1e-9)
 
 
 def test_columns_that_are_not_given_stay_so(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """A camera without heading: the rest is put right, the yaw stays unknown."""
     log = mixed(swum(swim(seed=9)), "pose", lambda v: [v[0], v[1], -v[2], np.full(v.shape[1], np.nan)])
-    right = corrected(log, suspect_frames(log, lily_platform)).streams["pose"].value
+    right = corrected(log, needed_corrections(log, lily_platform)).streams["pose"].value
     assert np.isnan(right[:, 3]).all()
     assert np.isfinite(right[:, :3]).all() and (right[:, 2] < 0.0).any()
 
 
 def names(found: Sequence[Any]) -> list[str]:
-    """The topics of suspicions."""
-    return [suspicion.topic for suspicion in found]
+    """The topics of corrections."""
+    return [correction.topic for correction in found]
 
 
 def test_an_imu_on_its_side_is_said(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Gravity along x: said, but no matrix can help, because the rate about that axis was not read."""
     log = mixed(swum(swim(seed=9)), "imu", lambda v: [np.zeros(v.shape[1]), v[3], v[2], v[1]])
-    (found,) = suspect_frames(log, lily_platform)
+    (found,) = needed_corrections(log, lily_platform)
     assert found.topic == "imu" and "along its x axis" in found.because and found.matrix is None
     assert corrected(log, [found]) == log

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.evidence.frames.suspect import suspect_frames
+from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
 from cocorosim_ros.diagnosis.evidence.gather import gather_evidence, gather_recording
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -321,7 +321,7 @@ def test_recordings_of_a_few_messages(
     }
     evidence = gather_evidence([record(topics)], lily_platform)
     assert len(take_in(evidence).reasons) == 2
-    suspect_frames(evidence.recordings[0].robots[0], lily_platform)
+    needed_corrections(evidence.recordings[0].robots[0], lily_platform)
 
 
 def test_a_truncated_file(record: Record, circle: Any, lily_platform: Platform, is_said: Any) -> None:

@@ -41,7 +41,7 @@ def test_a_mixup_is_put_right_and_said(swum: Swum, swim: Any, lily_platform: Pla
     wrong = clockwise(good)
     intake = take_in(evidence(lily_platform, (wrong, replace(wrong, name="lily_02")), (replace(good, name="lily_03"),)))
     (mixup,) = intake.mixups
-    assert mixup.robots == ("lily_01", "lily_02") and mixup.suspicion.topic == "compass"
+    assert mixup.robots == ("lily_01", "lily_02") and mixup.correction.topic == "compass"
     first, second = intake.evidence.recordings
     for robot in (*first.robots, *second.robots):
         turn = robot.streams["compass"].value - good.streams["compass"].value
@@ -56,7 +56,7 @@ def test_short_recordings_show_a_mixup_together(swum: Swum, swim: Any, lily_plat
     assert take_in(evidence(lily_platform, logs[:1])).mixups == ()
     intake = take_in(evidence(lily_platform, *((log,) for log in logs)))
     (mixup,) = intake.mixups
-    assert mixup.suspicion.topic == "compass"
+    assert mixup.correction.topic == "compass"
     assert all(len(recording.remarks) == 1 for recording in intake.evidence.recordings)
 
 

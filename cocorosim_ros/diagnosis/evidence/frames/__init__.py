@@ -1,1 +1,1 @@
-"""Are the streams in the axes, signs and units of the contract? Asked before any physics is blamed."""
+"""Checks of axes, signs and units: streams that are not in those of the contract are corrected before any fit."""

@@ -1,4 +1,4 @@
-"""How well two things that should be the same agree, in numbers between -1 and 1 and in nats."""
+"""Agreement of two series that should be the same, as a number between -1 and 1 and in nats."""
 
 from __future__ import annotations
 
@@ -7,30 +7,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT
 from cocorosim_ros.foundation.arrays import Flags
-
-FEWEST = 8  # independent readings, below which nothing is concluded
-CLEAR = 0.36  # agreement of the best explanation (a correlation of 0.6), below which nothing is concluded
-MOST, EXTREME = 0.9, 2.0  # quantile, and how many of it no motion exceeds often
-FINEST = 0.02  # of 1 - agreement: models of frames are not better than that
 
 Numbers = NDArray[Any]
 
 
 def both_given(left: Numbers, right: Numbers) -> Flags:
-    """(n,) where both are numbers."""
+    """Mask (n,) of the moments at which both series have a number."""
     return np.asarray(np.isfinite(left) & np.isfinite(right))
 
 
 def independent(left: Numbers, right: Numbers, weight: float) -> float:
-    """How many independent readings the two have in common, if each is worth `weight` of one."""
+    """Number of independent readings in common, if each reading is worth `weight` of an independent one."""
     return float(np.count_nonzero(both_given(left, right)) * weight)
 
 
 def correlation(left: Numbers, right: Numbers) -> complex:
-    """Of real or complex numbers, their means taken away, extremes cut; 0 where either does not vary.
+    """Correlation of real or complex numbers without their means, extremes cut; 0 where either series is constant.
 
-    Its phase is the angle by which `left` is turned from `right`.
+    The phase of the correlation is the angle by which `left` is turned from `right`.
     """
     given = both_given(left, right)
     if np.count_nonzero(given) < 3:
@@ -41,14 +37,14 @@ def correlation(left: Numbers, right: Numbers) -> complex:
 
 
 def _tamed(values: Numbers) -> Numbers:
-    """The numbers with lengths cut to some times what most have, so that a few faults do not decide."""
+    """Cut numbers whose length is far above that of most others, so that a few faulty readings do not decide."""
     length = np.abs(values)
-    longest = EXTREME * float(np.quantile(length, MOST))
+    longest = AGREEMENT.extreme * float(np.quantile(length, AGREEMENT.most))
     return np.asarray(values * np.minimum(1.0, longest / np.maximum(length, 1e-300)))
 
 
 def slope(left: Numbers, right: Numbers) -> float:
-    """How often `right` goes into `left`, by the ratio of their spreads; the sign is the correlation's."""
+    """Ratio of the spreads of `left` and `right`, with the sign of their correlation."""
     given = both_given(left, right)
     if np.count_nonzero(given) < 3 or not np.std(right[given]) > 0.0:
         return float("nan")
@@ -57,14 +53,14 @@ def slope(left: Numbers, right: Numbers) -> float:
 
 
 def alignment(left: Numbers, right: Numbers) -> complex:
-    """Mean of exp(i (left - right)) of two angles: length 1 if their difference is constant, and that is its phase."""
+    """Mean of exp(i (left - right)) of two angles; its phase is their difference, its length 1 if that is constant."""
     given = both_given(left, right)
     return complex(np.exp(1j * (left[given] - right[given])).mean()) if given.any() else 0j
 
 
 def nats_behind(score: Numbers, best: float, count: float) -> Numbers:
-    """By how much explanations with these scores are worse than the best one: n/2 ln((1 - score)/(1 - best))."""
-    if best < CLEAR or count < FEWEST:
+    """Nats by which explanations with these scores are behind the best one: n/2 ln((1 - score)/(1 - best))."""
+    if best < AGREEMENT.clear or count < AGREEMENT.fewest:
         return np.zeros_like(score)
-    left = np.maximum(1.0 - np.maximum(score, 0.0), FINEST)
-    return np.asarray(0.5 * count * np.log(left / max(1.0 - best, FINEST)))
+    left = np.maximum(1.0 - np.maximum(score, 0.0), AGREEMENT.finest)
+    return np.asarray(0.5 * count * np.log(left / max(1.0 - best, AGREEMENT.finest)))

@@ -1,4 +1,4 @@
-"""What the commands let one expect of the motion, roughly: enough to tell signs, axes and powers of ten apart."""
+"""Rough motion under the recorded commands: exact enough to tell signs, axes and powers of ten apart."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ HEAVE, YAW = 2, 3
 class Expected:
     """Motion in still water: time (n,) [s]; push: horizontal force per mass, forward + i left (n,) [m/s^2; body].
 
-    dive (n,) [m/s; up] and spin (n,) [rad/s] of heave and yaw, each alone; drag: per mass [1/m].
+    dive: heave velocity (n,) [m/s; up] and spin: yaw rate (n,) [rad/s], each as if the robot moved in no other way.
+    drag: per mass [1/m].
     """
 
     time: Floats
@@ -31,10 +32,10 @@ class Expected:
     drag: float
 
     def course(self, angle: Floats, *, mirrored: bool = False) -> tuple[Complex, Complex]:
-        """(n,) velocity [m/s] and acceleration [m/s^2] x + iy [world] of a robot that heads along `angle` [rad].
+        """Velocity (n,) [m/s] and acceleration (n,) [m/s^2], x + iy [world], of a robot that heads along `angle` [rad].
 
-        m dV/dt = X - k |V| V with the force X that turns with the heading, and drag by the total speed. mirrored: left
-        and right of the force exchanged.
+        m dV/dt = X - k |V| V, with a force X that turns with the heading and drag by the total speed. mirrored: left
+        and right of the force are exchanged.
         """
         push = np.conj(self.push) if mirrored else self.push
         world = push * np.exp(1j * angle)
@@ -43,9 +44,9 @@ class Expected:
 
 
 def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
-    """The platform under the commands of a log; None without commands.
+    """Motion of the platform under the commands of a log; None without commands.
 
-    The mean of the vertical force is taken away, because a robot that keeps its depth is in balance, however it is
+    The mean of the vertical force is subtracted, because a robot that keeps its depth is in balance, however it is
     trimmed.
     """
     if not len(log.command_time):
@@ -70,7 +71,7 @@ def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
 
 
 def _free_run(push: Complex, drag: float, step: float) -> Complex:
-    """Velocity under `push` per mass with dV/dt = push - drag |V| V; the drag is implicit, so no step is too long."""
+    """Velocity under `push` per mass: dV/dt = push - drag |V| V; drag is implicit, so that no step is too long."""
     velocity, run = 0.0j, []
     for acceleration in push.tolist():
         velocity = (velocity + step * acceleration) / (1.0 + step * drag * abs(velocity))

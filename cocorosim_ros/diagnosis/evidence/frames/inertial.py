@@ -1,39 +1,39 @@
-"""How the axes of the IMU lie, by gravity, by the turning and by the accelerations that commands or poses show."""
+"""Axes of the IMU, from gravity, from the turning, and from the accelerations that commands or poses show."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
+from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, affine
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of
 
 CERTAIN = float("inf")
-MARGIN = 10.0  # nats
 MIRRORED: Turned = (1, 0)
 OPPOSITE: Turned = (0, 2)
 UP = 2  # axis
 
 
-def inertial_axes(motion: Motion, gravity: tuple[int, float], gyro_nats: float) -> FrameSuspicion | None:
-    """The axes of the IMU, if they are not forward-left-up.
+def inertial_axes(motion: Motion, gravity: tuple[int, float], gyro_nats: float) -> FrameCorrection | None:
+    """The correction of an IMU whose axes are not forward-left-up; None if they are.
 
-    gravity: the axis along which it is felt, -1 for none, and its reading. gyro_nats: by how much the yaw rate of the
-    opposite sign fits better, 0 if it does not.
+    gravity: the axis along which the accelerometer reads gravity, -1 for none, and the reading [m/s^2]. gyro_nats: nats
+    by which the opposite sign of the yaw rate fits better, 0 if it fits worse.
     """
     axis, reading = gravity
     if axis >= 0 and axis != UP:
         because = f"gravity is felt along its {'xyz'[axis]} axis, {reading:.2f} m/s^2"
         words = ("the IMU is mounted with another axis than z upwards; turn its readings into body axes", because)
-        return FrameSuspicion("imu", *words, CERTAIN, None, np.zeros(4))
+        return FrameCorrection("imu", *words, CERTAIN, None, np.zeros(4))
     over, backwards = axis == UP and reading < 0.0, gyro_nats > 0.0
     turned, nats = _horizontal(motion)
-    known = nats >= MARGIN or turned == SAME
+    known = nats >= AXES.margin or turned == SAME
     if not (over or backwards or (known and turned != SAME)):
         return None
-    if not known:  # what cannot be seen follows from what can: a whole turn over, or nothing
+    if not known:  # without motion that shows them: the IMU as a whole is upside down, or they are right
         turned = MIRRORED if over and backwards else SAME
     matrix = np.eye(4)
     matrix[0, 0], matrix[3, 3] = (-1.0 if backwards else 1.0), (-1.0 if over else 1.0)
@@ -65,7 +65,7 @@ def _words(turned: Turned, over: bool, backwards: bool) -> str:
 
 
 def _horizontal(motion: Motion) -> tuple[Turned, float]:
-    """How the horizontal axes have to be turned, and by how many nats that is better than leaving them."""
+    """The turn of the horizontal axes that fits best, and its lead [nats] over leaving them as they are."""
     seen = motion.force[:, 0] + 1j * motion.force[:, 1]
     shown = motion.shove if np.isfinite(motion.shove).any() else _body_acceleration(motion)
     scores = np.array([_score(seen, shown, turned) for turned in ALL_TURNED])
@@ -80,7 +80,7 @@ def _score(seen: Complex, shown: Complex, turned: Turned) -> float:
 
 
 def _body_acceleration(motion: Motion) -> Complex:
-    """(n,) [m/s^2; body] forward + i left, of the poses; over the same second as the mean of three readings."""
+    """Acceleration (n,) [m/s^2; body] of the poses, forward + i left, over the time of the mean of three readings."""
     result = np.full(len(motion.course), np.nan + 0.0j)
     result[1:-1] = (motion.course[2:] - motion.course[:-2]) / (2.0 * motion.width)
     return np.asarray(result * np.exp(-1j * motion.yaw))

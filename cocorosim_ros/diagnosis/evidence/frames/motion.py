@@ -1,4 +1,4 @@
-"""One robot's streams on one coarse grid of time, as velocities and rates that can be compared with each other."""
+"""Streams of one robot on one coarse grid of time, as velocities and rates that can be compared with each other."""
 
 from __future__ import annotations
 
@@ -8,26 +8,27 @@ from typing import Any
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex, Expected, expected_motion
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
-NARROW, NARROWEST, WIDEST = 0.15, 0.1, 2.0  # of a bin: coasting times; s; s
-MEMORY, LEAST_MEMORY = 2.0, 1.0  # coasting times; s: what lies closer together is not independent
-READINGS = 2.0  # in a bin, of the slowest stream that gives rates
+NARROW, NARROWEST, WIDEST = 0.15, 0.1, 2.0  # widths of a bin: coasting times; s; s
+READINGS = 2.0  # in a bin, of the slowest stream
 
 
 @dataclass(frozen=True)
 class Motion:
-    """Moments (n,) `width` apart [s], each worth `weight` of an independent one; NaN wherever a stream does not say.
+    """Motion at n moments `width` [s] apart, each worth `weight` of an independent one; NaN without a reading.
 
     course: velocity x + iy [world]; climb: of z; yaw [rad], turn: of yaw; heading [rad], swing: of the compass; gyro;
     force (n, 3): accelerometer; through: u + iv of the velocity stream, lift: its w; sinking: rate of the pressure.
 
-    Of the commands, with the heading that is known best: advance: u + iv, shove: its acceleration [body], dive: w,
-    spin: r; by_yaw and by_compass: course [world] under either heading, as commanded and with left and right exchanged.
+    Expected under the commands, with the heading that is known best: advance: u + iv, shove: its acceleration [body],
+    dive: w, spin: r; by_yaw and by_compass: course [world] under either heading, as commanded and with left and right
+    exchanged.
     """
 
     width: float
@@ -52,7 +53,7 @@ class Motion:
 
 
 def motion_of(log: RobotLog, platform: Platform) -> Motion:
-    """The motion as each stream of the log tells it."""
+    """The motion that each stream of a log shows."""
     bins = _Bins(log, NARROW * coasting_time(platform))
     pose, pose_rate = bins.stream(log, "pose")
     compass, compass_rate = bins.stream(log, "compass")
@@ -64,7 +65,7 @@ def motion_of(log: RobotLog, platform: Platform) -> Motion:
     unknown = np.full(bins.count, np.nan)
     return Motion(
         width=bins.width,
-        weight=bins.width / max(LEAST_MEMORY, MEMORY * coasting_time(platform)),
+        weight=bins.width / max(AGREEMENT.least_memory, AGREEMENT.memory * coasting_time(platform)),
         course=np.asarray(pose_rate[:, 0] + 1j * pose_rate[:, 1]),
         climb=pose_rate[:, 2],
         yaw=pose[:, 3],
@@ -86,7 +87,7 @@ def motion_of(log: RobotLog, platform: Platform) -> Motion:
 
 
 def motion_together(logs: Sequence[RobotLog], platform: Platform) -> Motion:
-    """The motions of several logs one behind the other."""
+    """The motions of several logs, one after the other."""
     motions = [motion_of(log, platform) for log in logs]
     if len(motions) == 1:
         return motions[0]
@@ -106,7 +107,7 @@ def _behind_each_other(parts: Sequence[Any]) -> Any:
 
 
 class _Bins:
-    """Bins of equal width over the whole log; what is compared stands at the edges between two of them."""
+    """Bins of equal width over a whole log; values to be compared stand at the edges between two bins."""
 
     def __init__(self, log: RobotLog, narrow: float) -> None:
         streams = list(log.streams.values())
@@ -118,7 +119,7 @@ class _Bins:
         self.count = max(int((end - self.start) / self.width), 1)
 
     def stream(self, log: RobotLog, topic: str) -> tuple[Floats, Floats]:
-        """(n, columns) the value and its rate at the edges; NaN if there is no such stream."""
+        """Values (n, columns) and rates (n, columns) at the edges; NaN if the log has no such stream."""
         if topic not in log.streams:
             nothing = np.full((self.count, len(STREAMS[topic])), np.nan)
             return nothing, nothing
@@ -127,11 +128,11 @@ class _Bins:
         return np.column_stack(means), np.column_stack(slopes)
 
     def mean(self, time: Floats, column: Floats) -> Floats:
-        """(n,) the value at the edges."""
+        """Values (n,) at the edges."""
         return self._edges(time, column)[0]
 
     def complex_mean(self, time: Floats, column: Complex) -> Complex:
-        """(n,) the value at the edges."""
+        """Complex values (n,) at the edges."""
         return np.asarray(self.mean(time, column.real) + 1j * self.mean(time, column.imag))
 
     def _edges(self, time: Floats, column: Floats) -> tuple[Floats, Floats]:
@@ -160,7 +161,7 @@ def _by_heading(
 
 
 def _in_body(bins: _Bins, log: RobotLog, expected: Expected | None) -> tuple[Complex, Complex]:
-    """Velocity and acceleration that the commands let expect, in body axes."""
+    """Expected velocity and acceleration under the commands, in body axes."""
     if expected is None:
         unknown = np.full(bins.count, np.nan) + 0j
         return unknown, unknown
@@ -174,7 +175,7 @@ def _in_body(bins: _Bins, log: RobotLog, expected: Expected | None) -> tuple[Com
 
 
 def _angle(log: RobotLog, expected: Expected | None, topic: str, column: int) -> Floats | None:
-    """(n,) the heading by a stream at the moments of the expected motion; None if the stream does not say."""
+    """Heading (n,) of a stream at the moments of the expected motion; None if the stream has no readings."""
     stream = log.streams.get(topic)
     if stream is None or expected is None:
         return None

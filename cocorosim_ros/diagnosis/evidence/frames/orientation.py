@@ -1,9 +1,9 @@
-"""Which horizontal axes and directions of turning the streams were recorded in: the fewest changes that reconcile all.
+"""Horizontal axes and directions of turning in which the streams were recorded: the fewest changes that make all agree.
 
-Five things can be turned or mirrored: the positions, the yaw of the poses, the compass, the gyroscope and the
-commands. Each has a few candidates: e(v) = i^k v, or i^k conj(v) for a mirrored one, of directions as complex numbers.
-Between any two of the five some relation must hold: the course follows the yaw when thrusting, the compass shows the
-yaw, rates have one sign. All combinations are compared: nats by which the relations fail, and a price for every change.
+Five sources can be turned or mirrored: the positions, the yaw of the poses, the compass, the gyroscope and the
+commands. Each has a few candidates: with directions as complex numbers v, i^k v, or i^k conj(v) for a mirrored source.
+Relations hold between any two of the five: the course follows the yaw under thrust, the compass shows the yaw, rates
+have one sign. All combinations are compared by the nats by which the relations fail, plus a price for every change.
 """
 
 from __future__ import annotations
@@ -14,30 +14,24 @@ from itertools import product
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import ORIENTATION
 from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
 from cocorosim_ros.foundation.arrays import Floats
 
-PRICE = 10.0  # nats, of a change
-MARGIN = 10.0  # nats, by which the changed streams must be better after paying for it
-# What makes one stream likelier to be at fault than another, in prices of a change.
-LIKELIHOOD = {"position": 1.05, "yaw": 1.0, "compass": 0.95, "gyro": 1.0, "command": 1.3, "pose": 1.0, "both": 2.2}
-ODD = 0.05  # a change that nobody makes on purpose costs so much more than a usual one
-USUAL: dict[str, tuple[Turned, ...]] = {
-    "position": (SWAPPED, (1, 0), (1, 2)),
-    "yaw": (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2)),
-    "compass": (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2)),
-    "pose": (SWAPPED, (1, 0)),
-}
+# Changes that conventions and mountings make, the most usual first.
+USUAL_POSITIONS: tuple[Turned, ...] = (SWAPPED, (1, 0), (1, 2))
+USUAL_ANGLES: tuple[Turned, ...] = (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2))
+USUAL_POSES: tuple[Turned, ...] = (SWAPPED, (1, 0))
 
 
 @dataclass(frozen=True)
 class Orientation:
-    """What must be done to each of the five; SAME and False for those that are right.
+    """A change for each of the five sources; SAME and False for a source that is right.
 
-    nats: by how much all relations together hold better after it, less the price of the changes.
+    nats: gain of all relations together by these changes, less the price of the changes.
     """
 
     position: Turned = SAME
@@ -49,21 +43,21 @@ class Orientation:
 
 
 def best_orientation(motion: Motion, *, upside_down: bool) -> Orientation:
-    """The changes that reconcile the streams, none if the data do not clearly ask for any.
+    """The changes that make the streams agree; none if the data do not clearly ask for a change.
 
-    upside_down: whether z has been found to point down, which makes north-east-down poses likelier.
+    upside_down: z was found to point down, which makes north-east-down poses likelier.
     """
     relations = _Relations(motion)
     nothing = relations.nats(Orientation())
-    if nothing < PRICE + MARGIN:
+    if nothing < ORIENTATION.price + ORIENTATION.margin:
         return Orientation()
     best, cost = Orientation(), nothing
     for candidate in _candidates(relations):
-        total = relations.nats(candidate) + PRICE * _changes(candidate, upside_down)
-        if total < cost - 1e-9:
+        total = relations.nats(candidate) + ORIENTATION.price * _changes(candidate, upside_down)
+        if total < cost - ORIENTATION.least_step:
             best, cost = candidate, total
     gain = nothing - cost
-    if gain < MARGIN:
+    if gain < ORIENTATION.margin:
         return Orientation()
     return Orientation(best.position, best.yaw, best.compass, best.gyro, best.command, gain)
 
@@ -79,28 +73,29 @@ def _candidates(relations: _Relations) -> Iterator[Orientation]:
 
 
 def _changes(candidate: Orientation, upside_down: bool) -> float:
-    """The price of the changes, in those of a usual one."""
+    """Sum of the prices of all changes; the unit is the price of a turned yaw."""
     price = 0.0
     if candidate.position == candidate.yaw != SAME:
-        price += _price("pose", candidate.yaw) - (0.5 if upside_down and candidate.yaw == SWAPPED else 0.0)
+        less = ORIENTATION.north_east_down if upside_down and candidate.yaw == SWAPPED else 0.0
+        price += ORIENTATION.pose + _rarity(candidate.yaw, USUAL_POSES) - less
     elif SAME not in (candidate.position, candidate.yaw):
-        price += LIKELIHOOD["both"]
+        price += ORIENTATION.both
     elif candidate.position != SAME:
-        price += _price("position", candidate.position)
+        price += ORIENTATION.position + _rarity(candidate.position, USUAL_POSITIONS)
     elif candidate.yaw != SAME:
-        price += _price("yaw", candidate.yaw)
+        price += ORIENTATION.yaw + _rarity(candidate.yaw, USUAL_ANGLES)
     if candidate.compass != SAME:
-        price += _price("compass", candidate.compass)
-    return price + candidate.gyro * LIKELIHOOD["gyro"] + (candidate.command != SAME) * LIKELIHOOD["command"]
+        price += ORIENTATION.compass + _rarity(candidate.compass, USUAL_ANGLES)
+    return price + candidate.gyro * ORIENTATION.gyro + (candidate.command != SAME) * ORIENTATION.command
 
 
-def _price(what: str, turned: Turned) -> float:
-    usual = USUAL[what]
-    return LIKELIHOOD[what] + ODD * (usual.index(turned) / len(usual) if turned in usual else 2.0)
+def _rarity(turned: Turned, usual: tuple[Turned, ...]) -> float:
+    """Additional price of a change that conventions and mountings seldom make."""
+    return ORIENTATION.rank * (usual.index(turned) / len(usual) if turned in usual else ORIENTATION.unusual)
 
 
 class _Relations:
-    """Nats by which the relations between the streams fail, for every combination of changes, computed once."""
+    """Tables of the nats by which the relations between the streams fail, for every combination of changes."""
 
     def __init__(self, motion: Motion) -> None:
         self.has_yaw, self.has_compass = _given(motion.yaw), _given(motion.heading)
@@ -116,7 +111,7 @@ class _Relations:
         self._rates = {(a, b): _rate_table(rates[a], rates[b], motion.weight) for a, b in pairs}
 
     def nats(self, turned: Orientation) -> float:
-        """By how much the relations fail under these changes, against the best that each could be."""
+        """Nats by which the relations fail under these changes, each against its own best combination."""
         total = 0.0
         for name, angle in (("yaw", turned.yaw), ("compass", turned.compass)):
             table = self._course[name]
@@ -138,9 +133,10 @@ def _given(values: Floats) -> bool:
 
 
 def _course_table(motion: Motion, expected: tuple[Complex, Complex]) -> Floats:
-    """(2, 2, 2, 4) by mirrored course, angle, commands, and quarter turns of the course against both others.
+    """Nats (2, 2, 2, 4) by mirrored course, mirrored angle, mirrored commands, and quarter turns between them.
 
-    Under a mirrored angle the expected course is the mirror image of that with left and right exchanged.
+    The quarter turns are those of the course against angle and commands. Under a mirrored angle the expected course is
+    the mirror image of the course with left and right exchanged.
     """
     scores = np.zeros((2, 2, 2, 4))
     for course, heading, command in product((0, 1), repeat=3):
@@ -153,7 +149,7 @@ def _course_table(motion: Motion, expected: tuple[Complex, Complex]) -> Floats:
 
 
 def _heading_table(motion: Motion) -> Floats:
-    """(2, 2, 4) by mirrored yaw, mirrored compass, and quarter turns of the yaw against the compass."""
+    """Nats (2, 2, 4) by mirrored yaw, mirrored compass, and quarter turns of the yaw against the compass."""
     scores = np.zeros((2, 2, 4))
     for yaw, compass in product((0, 1), repeat=2):
         found = alignment(-motion.yaw if yaw else motion.yaw, -motion.heading if compass else motion.heading)
@@ -162,7 +158,7 @@ def _heading_table(motion: Motion) -> Floats:
 
 
 def _rate_table(left: Floats, right: Floats, weight: float) -> Floats:
-    """(2,) for equal and for opposite signs."""
+    """Nats (2,) for equal and for opposite signs of two rates."""
     found = correlation(left, right).real
     scores = np.array([found, -found])
     return nats_behind(np.square(np.maximum(scores, 0.0)), found**2, independent(left, right, weight))

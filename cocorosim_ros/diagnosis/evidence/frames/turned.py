@@ -1,4 +1,4 @@
-"""Horizontal axes that are turned by quarters or mirrored: as a matrix, and in words."""
+"""Quarter turns and mirror images of horizontal axes, as matrices and in words."""
 
 from __future__ import annotations
 
@@ -35,24 +35,24 @@ _ANGLE = {
 
 
 def matrix_of(turned: Turned) -> Floats:
-    """(2, 2) the same as a matrix on x, y."""
+    """Matrix (2, 2) on x, y of a turn or mirror image."""
     mirrored, quarters = turned
     columns = [1j**quarters * (np.conj(axis) if mirrored else axis) for axis in (1.0 + 0.0j, 1.0j)]
     return np.array([[column.real for column in columns], [column.imag for column in columns]]).round()
 
 
 def on_angle(turned: Turned) -> tuple[float, float]:
-    """Factor and summand [rad] by which an angle becomes right."""
+    """Factor and summand [rad] by which a turn or mirror image changes an angle."""
     mirrored, quarters = turned
     summand = (quarters if quarters < 3 else -1) * np.pi / 2.0
     return (-1.0 if mirrored else 1.0), summand
 
 
 def position_words(turned: Turned) -> str:
-    """What is wrong with positions that this puts right."""
+    """Words for the fault of positions that this turn corrects."""
     return _POSITION[turned]
 
 
 def angle_words(turned: Turned) -> str:
-    """What is wrong with an angle that this puts right."""
+    """Words for the fault of an angle that this turn corrects."""
     return _ANGLE[turned]

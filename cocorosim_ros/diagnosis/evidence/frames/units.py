@@ -1,4 +1,4 @@
-"""Streams whose numbers are so large or small that they must be in another unit."""
+"""Corrections of streams whose numbers are so large or small that they must be in another unit."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import UNITS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, slope
+from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, affine, scaled
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine, scaled
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
 from cocorosim_ros.foundation.arrays import Floats
@@ -17,28 +18,15 @@ from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 
 CERTAIN = float("inf")
 DEGREE = np.pi / 180.0
-RELATED = 0.7  # correlation of two streams, from which their ratio says something about units
-FEWEST = 8  # independent readings
-# From where to where a factor between two streams can only be this unit; what is nearer to 1 may be physics.
-DEGREES_RATIO = (25.0, 130.0)
-LENGTHS = (("millimetres", 0.001, (250.0, 4000.0)), ("centimetres", 0.01, (30.0, 250.0)))
-# Median reading of a robot between the surface and 100 m of water, near sea level or in the mountains.
-PRESSURES = (
-    ("hectopascals (millibars)", 100.0, (700.0, 11000.0)),
-    ("kilopascals", 1000.0, (70.0, 700.0)),
-    ("bars", 1.0e5, (0.7, 12.0)),
-)
-ABSOLUTE = 70000.0  # Pa, less is no absolute pressure on earth
-DENSE = 100.0  # kg/m^3: more is a liquid, where pressure tells depth
 
 
-def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameSuspicion | None:
-    """Whether the compass counts 360 to the turn: by how fast it swings, else by readings beyond any radians."""
+def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameCorrection | None:
+    """The correction of a compass in degrees, which swings too fast or reads more than 2 pi; None for radians."""
     streams = [log.streams["compass"] for log in logs if "compass" in log.streams]
     words = "the heading is in degrees instead of radians"
     for rate, name in ((motion.turn, "the poses turn"), (motion.gyro, "the gyroscope says")):
         ratio = _ratio(motion.swing, rate, motion.weight)
-        if DEGREES_RATIO[0] < ratio < DEGREES_RATIO[1]:
+        if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
             return scaled("compass", (words, f"it swings {ratio:.3g} times as fast as {name}"), CERTAIN, [DEGREE])
         if np.isfinite(ratio):
             return None
@@ -47,11 +35,11 @@ def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameSuspici
     return scaled("compass", (words, "its readings go beyond a whole turn of 6.28 rad"), CERTAIN, [DEGREE])
 
 
-def rate_in_degrees(motion: Motion) -> FrameSuspicion | None:
-    """Whether the gyroscope counts degrees per second, by how fast the heading turns."""
+def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
+    """The correction of a gyroscope in degrees per second, by the rate of the heading; None for radians per second."""
     for rate, name in ((motion.turn, "the poses"), (motion.swing, "the compass")):
         ratio = _ratio(motion.gyro, rate, motion.weight)
-        if DEGREES_RATIO[0] < ratio < DEGREES_RATIO[1]:
+        if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
             because = f"its rate is {ratio:.3g} times that at which {name} turns"
             words = ("the angular rate is in degrees per second instead of radians", because)
             return scaled("imu", words, CERTAIN, [DEGREE, 1.0, 1.0, 1.0])
@@ -60,22 +48,22 @@ def rate_in_degrees(motion: Motion) -> FrameSuspicion | None:
     return None
 
 
-def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameSuspicion | None:
-    """Whether the pressure is in another unit than pascals, or counts from the surface."""
+def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameCorrection | None:
+    """The correction of a pressure that is not in pascals, or counts from the surface; None if it is absolute."""
     readings = [log.streams["pressure"].value[:, 0] for log in logs if "pressure" in log.streams]
-    if not readings or platform.water_density < DENSE:
+    if not readings or platform.water_density < UNITS.dense:
         return None
     level = float(np.median(np.concatenate(readings)))
-    if level >= ABSOLUTE:
+    if level >= UNITS.absolute:
         return None
     per_metre = _ratio(motion.sinking, motion.climb, motion.weight)
-    weight = platform.water_density * platform.gravity
-    for unit, factor, (low, high) in PRESSURES:
-        fits = np.isnan(per_metre) or 0.3 < per_metre * factor / weight < 3.0
+    weight, (shallow, steep) = platform.water_density * platform.gravity, UNITS.pressure_slope
+    for unit, factor, (low, high) in UNITS.pressures:
+        fits = np.isnan(per_metre) or shallow < per_metre * factor / weight < steep
         if low <= level < high and fits:
             because = f"its median is {level:.4g} where the surface alone makes {SURFACE_PRESSURE:.0f} Pa"
             return scaled("pressure", (f"the pressure is in {unit} instead of pascals", because), CERTAIN, [factor])
-    if not np.isnan(per_metre) and not 0.3 < per_metre / weight < 3.0:
+    if not np.isnan(per_metre) and not shallow < per_metre / weight < steep:
         return None
     because = f"its median is {level:.4g} Pa, less than the {SURFACE_PRESSURE:.0f} Pa of the air"
     words = ("the pressure counts from the surface instead of from vacuum", because)
@@ -83,30 +71,30 @@ def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) 
 
 
 def _ratio(left: Floats, right: Floats, weight: float) -> float:
-    """How many times as large `left` is as `right`, where they are clearly related; else NaN."""
-    related = abs(correlation(left, right).real) > RELATED and independent(left, right, weight) >= FEWEST
+    """Size of `left` in multiples of `right`, where the two are clearly related; else NaN."""
+    related = abs(correlation(left, right).real) > UNITS.related and independent(left, right, weight) >= UNITS.fewest
     return abs(slope(left, right)) if related else float("nan")
 
 
-def height_unit(motion: Motion, platform: Platform) -> FrameSuspicion | None:
-    """Whether the poses are in another unit of length, by the pressure."""
-    if platform.water_density < DENSE:
+def height_unit(motion: Motion, platform: Platform) -> FrameCorrection | None:
+    """The correction of poses in another unit than metres, by the pressure; None for metres."""
+    if platform.water_density < UNITS.dense:
         return None
     metres = motion.sinking / (platform.water_density * platform.gravity)
     ratio = _ratio(motion.climb, metres, motion.weight)
     return _length("pose", ratio, "the pressure lets")
 
 
-def length_unit(topic: str, measured: Floats, expected: Floats, motion: Motion, source: str) -> FrameSuspicion | None:
-    """Whether speeds `measured` (n,) are in another unit of length than those `expected` (n,) from `source`."""
+def length_unit(topic: str, measured: Floats, expected: Floats, motion: Motion, source: str) -> FrameCorrection | None:
+    """The correction of speeds `measured` (n,) in another unit of length than those `expected` (n,) from `source`."""
     given = np.isfinite(measured) & np.isfinite(expected)
-    if independent(measured, expected, motion.weight) < FEWEST or not np.any(expected[given] > 0.0):
+    if independent(measured, expected, motion.weight) < UNITS.fewest or not np.any(expected[given] > 0.0):
         return None
     return _length(topic, float(np.sqrt(np.mean(measured[given] ** 2) / np.mean(expected[given] ** 2))), source)
 
 
-def _length(topic: str, ratio: float, source: str) -> FrameSuspicion | None:
-    for unit, factor, (low, high) in LENGTHS:
+def _length(topic: str, ratio: float, source: str) -> FrameCorrection | None:
+    for unit, factor, (low, high) in UNITS.lengths:
         if low < ratio < high:
             because = f"its speeds are {ratio:.3g} times those that {source} one expect"
             columns = [factor] * 3 + [1.0] * (topic == "pose")

@@ -1,4 +1,4 @@
-"""Which way is up, by pressure, pump and gravity."""
+"""Direction of z in poses, velocities and the IMU, by pressure, pump and gravity."""
 
 from __future__ import annotations
 
@@ -6,51 +6,50 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
+from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, affine
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import FrameSuspicion, affine
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 CERTAIN = float("inf")
-MARGIN = 10.0  # nats
-NEAR = 0.2  # of gravity
 
 
 def height_upside_down(motion: Motion) -> float:
-    """Nats by which z pointing down fits pressure and commanded heave better than up; negative the other way."""
+    """Nats by which a z that points down fits pressure and commanded heave better; negative for a z that points up."""
     return _opposite(motion.climb, -motion.sinking, motion.weight) + _opposite(motion.climb, motion.dive, motion.weight)
 
 
 def lift_upside_down(motion: Motion) -> float:
-    """The same for the velocity stream, by the poses and the commands."""
+    """Nats by which a w that points down fits poses and commanded heave better; negative for a w that points up."""
     return _opposite(motion.lift, motion.climb, motion.weight) + _opposite(motion.lift, motion.dive, motion.weight)
 
 
 def gravity_of(logs: Sequence[RobotLog], platform: Platform) -> tuple[int, float]:
-    """The axis along which the accelerometer feels gravity, and what it reads there; (-1, 0) for none.
+    """The axis along which the accelerometer reads gravity, and the reading [m/s^2]; (-1, 0) for none.
 
-    By REP 145 it is the third, and it reads + 9.81 m/s^2 at rest.
+    By REP 145 the axis is the third, and the reading + 9.81 m/s^2 at rest.
     """
     mean = _mean_force(logs)
     axis = int(np.argmax(np.abs(mean))) if np.isfinite(mean).all() else -1
-    if axis < 0 or not abs(abs(mean[axis]) / platform.gravity - 1.0) < NEAR:
+    if axis < 0 or not abs(abs(mean[axis]) / platform.gravity - 1.0) < AXES.near_gravity:
         return -1, 0.0
     return axis, float(mean[axis])
 
 
-def force_unit(logs: Sequence[RobotLog], platform: Platform) -> FrameSuspicion | None:
-    """Whether the accelerometer counts in g, or leaves gravity out."""
+def force_unit(logs: Sequence[RobotLog], platform: Platform) -> FrameCorrection | None:
+    """The correction of an accelerometer that counts in g, or leaves gravity out; None for m/s^2 with gravity."""
     mean = _mean_force(logs)
     if not np.isfinite(mean).all() or gravity_of(logs, platform)[0] >= 0:
         return None
     total = float(np.sqrt((mean**2).sum()))
-    if abs(total - 1.0) < NEAR:
+    if abs(total - 1.0) < AXES.near_gravity:
         because = f"at rest it reads {total:.3g} where gravity makes {platform.gravity:.2f} m/s^2"
         factors = np.diag([1.0, *[platform.gravity] * 3])
         return affine("imu", ("accelerations are in g instead of m/s^2", because), CERTAIN, factors)
-    if total < NEAR * platform.gravity:
+    if total < AXES.near_gravity * platform.gravity:
         because = f"its mean is {total:.2g} m/s^2 where gravity makes {platform.gravity:.2f}"
         words = ("gravity is left out of the accelerations", because)
         return affine("imu", words, CERTAIN, np.eye(4), np.array([0.0, 0.0, 0.0, platform.gravity]))
@@ -58,7 +57,7 @@ def force_unit(logs: Sequence[RobotLog], platform: Platform) -> FrameSuspicion |
 
 
 def _mean_force(logs: Sequence[RobotLog]) -> Floats:
-    """(3,) medians of the accelerometer; NaN where it says nothing."""
+    """Medians (3,) of the accelerometer [its unit]; NaN without readings."""
     readings = [log.streams["imu"].value[:, 1:] for log in logs if "imu" in log.streams]
     if not readings:
         return np.full(3, np.nan)

@@ -1,1 +1,1 @@
-"""The clean streams of one robot, and what they say of its motion and noise."""
+"""The clean streams of one robot: noise, outliers, turning, and use of the commands."""

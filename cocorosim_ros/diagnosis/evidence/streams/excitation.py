@@ -1,4 +1,4 @@
-"""What the commands did with each actuator: the first hint at what a recording can show."""
+"""Use of each actuator by the commands: the first hint at what a recording can show."""
 
 from __future__ import annotations
 
@@ -7,13 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.evidence import EXCITATION
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.foundation.arrays import Floats
-
-STEP = 0.1  # of the maximum: a sudden change at least as large
-TINY = 5e-3  # of the maximum: a change that is none
-NEAR_ZERO = 0.1  # of the maximum
-LOOK_BACK = 5.0  # s: an actuator is being varied if it did something within that
 
 
 @dataclass(frozen=True)
@@ -34,7 +30,7 @@ class CommandUse:
 
 
 def command_use(robot: RobotLog, actuators: tuple[str, ...]) -> tuple[CommandUse, ...]:
-    """How the commands of a robot use each of its actuators, in their order; empty without commands."""
+    """The use of each actuator by the commands of a robot, in their order; empty without commands."""
     if not len(robot.command_time):
         return ()
     ends = [float(stream.time[-1]) for stream in robot.streams.values() if len(stream.time)]
@@ -55,21 +51,21 @@ def _use(name: str, time: Floats, column: Floats, share: Floats) -> CommandUse:
     size = np.abs(column)
     return CommandUse(
         name,
-        varied=float(share[since <= LOOK_BACK].sum()),
-        reversed=float(share[column < -TINY].sum()),
-        off=float(share[size <= TINY].sum()),
-        near_zero=float(share[(size > TINY) & (size <= NEAR_ZERO)].sum()),
-        steps=int(np.count_nonzero(np.abs(np.diff(column)) >= STEP)),
+        varied=float(share[since <= EXCITATION.look_back].sum()),
+        reversed=float(share[column < -EXCITATION.tiny].sum()),
+        off=float(share[size <= EXCITATION.tiny].sum()),
+        near_zero=float(share[(size > EXCITATION.tiny) & (size <= EXCITATION.near_zero)].sum()),
+        steps=int(np.count_nonzero(np.abs(np.diff(column)) >= EXCITATION.step)),
         lowest=float(column.min()),
         highest=float(column.max()),
     )
 
 
 def _changes(column: Floats) -> NDArray[np.intp]:
-    """Rows at which the command is more than a hair away from where it last changed, so that slow ramps count."""
+    """Rows at which the command differs noticeably from its last change, so that slow ramps count as changes."""
     rows, anchor = [], float(column[0])
     for row, value in enumerate(column.tolist()):
-        if abs(value - anchor) > TINY:
+        if abs(value - anchor) > EXCITATION.tiny:
             rows.append(row)
             anchor = value
     return np.array(rows, dtype=np.intp)

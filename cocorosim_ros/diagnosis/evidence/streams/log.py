@@ -1,4 +1,4 @@
-"""What one or several recordings say of each robot, cleaned and on one clock: the input of the diagnosis."""
+"""Records of the evidence: recordings, robots and streams, cleaned and on one clock, the input of the diagnosis."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ STREAMS: dict[str, tuple[str, ...]] = {
 class Stream:
     """One topic of one robot: stamps (n,) [s], ascending, and values (n, columns of STREAMS), NaN where not given.
 
-    noise (columns,): standard deviation of a single reading, estimated from differences; NaN where nothing is shown.
-    time counts from the start of the recording. skew [s/s], skew_error (standard deviation): how much faster these
-    stamps run than the median of the recording's topics, by the log times; NaN where the log times do not show it.
-    full_turn: what the angle among the columns counts for a turn, 360 where its readings go beyond any radians.
+    noise (columns,): standard deviation of a single reading, estimated from differences; NaN where it does not show.
+    time counts from the start of the recording. skew [s/s], skew_error (standard deviation): rate of these stamps above
+    the median of the recording's topics, by the log times; NaN where the log times do not show it.
+    full_turn: a full turn of the angle among the columns, 2 pi, or 360 where readings exceed any angle in radians.
     """
 
     time: Floats
@@ -39,20 +39,20 @@ class Stream:
 class RobotLog:
     """One robot of one recording.
 
-    command_time (m,) [s], ascending: from when the row of `command` (m, actuators) holds, fractions of the maximum in
-    the order of the platform's actuators.
+    command_time (m,) [s], ascending: start of each row of `command` (m, actuators), fractions of the maximum in the
+    order of the platform's actuators.
     """
 
     name: str
     command_time: Floats
     command: Floats
     streams: Mapping[str, Stream]
-    gaps: tuple[tuple[float, float], ...] = ()  # s: from when to when the poses are missing for long
+    gaps: tuple[tuple[float, float], ...] = ()  # s: start and end of each gap of the poses
 
 
 @dataclass(frozen=True)
 class Recording:
-    """One bag: its robots, how long it is [s], and what was noticed while it was read (sentences)."""
+    """One bag: its robots, its duration [s], and remarks about it, as sentences."""
 
     origin: str
     duration: float
@@ -62,14 +62,14 @@ class Recording:
 
 @dataclass(frozen=True)
 class Evidence:
-    """All that the diagnosis is given: recordings of robots of one platform."""
+    """The whole input of a diagnosis: recordings of robots of one platform."""
 
     platform: Platform
     recordings: tuple[Recording, ...]
 
 
 def told_apart(recordings: Sequence[Recording]) -> tuple[Recording, ...]:
-    """The recordings; where there are several, every remark begins with the one that it is about."""
+    """Begin every remark with the name of its recording, where there are several recordings."""
     if len(recordings) < 2:
         return tuple(recordings)
     return tuple(replace(each, remarks=tuple(_with_origin(each, remark) for remark in each.remarks))

@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import NOISE
 from cocorosim_ros.foundation.arrays import Floats
 
-LOW_ORDER, HIGH_ORDER = 4, 6  # polynomials of lower degree than the order leave no residual
+LOW_ORDER, HIGH_ORDER = 4, 6  # of differences, which vanish for polynomials of lower degree
 WITHIN_ONE_SIGMA = 0.6826894921370859  # share of a normal distribution
-WIDEST_SPAN = 1.6  # of a window, in medians: wider ones cross a gap, over which the motion shows
-MOTION_SHOWS = 0.93  # of the lower order's estimate: below, motion and not noise makes the difference
-QUIET_QUARTER = 0.25
-UNEVEN = 0.7  # of the whole's scale: no chance makes the quiet quarter of even noise so small
-BLOCKS = 24
-FEWEST = 30  # residuals
-REPEATED = 0.2  # share of readings equal to the one before, from which the sensor is slower than its messages
+BLOCKS = 24  # of the time, of which the quiet ones are sought
 
 
 def noise_of(time: Floats, value: Floats) -> float:
@@ -22,12 +17,12 @@ def noise_of(time: Floats, value: Floats) -> float:
 
     time (n,) [s] ascending, value (n,) with NaN where not given; angles unwrapped.
 
-    What is left of a reading when the polynomial of degree 3 (or 5) through its neighbours is taken away, at their
-    real stamps, is noise alone if the motion is smooth over five (seven) readings. The scale is that which holds 68 %
-    of these residuals, which jumps and spikes do not move; a reading in steps of q is uncertain by q / sqrt(12) at
-    least. Where readings merely repeat the last one because the sensor is slower, each counts once.
+    The residual of a reading from the polynomial of degree 3 (or 5) through its neighbours, at their real stamps, is
+    noise alone if the motion is smooth over five (seven) readings. The estimate is the size below which 68 % of these
+    residuals stay, which jumps and spikes do not move; a reading in steps of q is uncertain by q / sqrt(12) at least.
+    Where readings merely repeat the last one because the sensor is slower than its messages, each value counts once.
 
-    Readings so slow that the motion bends between them show that too: the estimate is then an upper bound.
+    Motion that bends between two readings adds to the residuals; the estimate is then an upper bound.
     """
     time, value = _informative(time, value)
     step = quantum_of(value)
@@ -35,19 +30,19 @@ def noise_of(time: Floats, value: Floats) -> float:
         return float("nan")
     low = contrast_residuals(time, value, LOW_ORDER)
     high = contrast_residuals(time, value, HIGH_ORDER)
-    if low.size < FEWEST:
+    if low.size < NOISE.fewest:
         return float("nan")
-    estimate, finer = _scale(low), _scale(high) if high.size >= FEWEST else np.inf
-    if finer < MOTION_SHOWS * estimate:
+    estimate, finer = _scale(low), _scale(high) if high.size >= NOISE.fewest else np.inf
+    if finer < NOISE.motion_shows * estimate:
         low, estimate = high, finer
     quiet = _quiet_scale(low)
-    if quiet < UNEVEN * estimate:
+    if quiet < NOISE.uneven * estimate:
         estimate = quiet
     return float(max(estimate, step / np.sqrt(12.0)))
 
 
 def contrast_residuals(time: Floats, value: Floats, order: int) -> Floats:
-    """(m,) residuals of unit gain for white noise, of all windows of order + 1 readings without a gap.
+    """Residuals (m,), of unit gain for white noise, of all windows of order + 1 readings without a gap.
 
     The weights c_j = 1 / prod_{k != j} (t_j - t_k) are the divided difference of this order (Newton), zero for every
     polynomial of lower degree.
@@ -58,7 +53,7 @@ def contrast_residuals(time: Floats, value: Floats, order: int) -> Floats:
     times = np.lib.stride_tricks.sliding_window_view(time, width)
     values = np.lib.stride_tricks.sliding_window_view(value, width)
     span = times[:, -1] - times[:, 0]
-    close = span <= WIDEST_SPAN * np.median(span)
+    close = span <= NOISE.widest_span * np.median(span)
     times, values = times[close] / span[close, None], values[close]
     apart = times[:, :, None] - times[:, None, :]
     apart[:, np.arange(width), np.arange(width)] = 1.0
@@ -68,29 +63,29 @@ def contrast_residuals(time: Floats, value: Floats, order: int) -> Floats:
 
 
 def quantum_of(value: Floats) -> float:
-    """The step of which all readings are multiples, up to a constant; 0 if there is none to be seen."""
+    """The step of which all readings are multiples, up to a constant; 0 if no step shows."""
     levels = np.unique(value)
     if levels.size < 2:
         return 0.0
     steps = np.diff(levels)
-    rounding = 1e-9 * max(float(np.abs(levels).max()), float(levels[-1] - levels[0]))
+    rounding = NOISE.rounding * max(float(np.abs(levels).max()), float(levels[-1] - levels[0]))
     steps = steps[steps > rounding]
     if not steps.size:
         return 0.0
     step = float(steps.min())
     whole = np.abs(steps / step - np.rint(steps / step))
-    seen_often = levels.size < 0.5 * value.size
-    return step if seen_often and bool((whole < 1e-3).all()) else 0.0
+    seen_often = levels.size < NOISE.most_levels * value.size
+    return step if seen_often and bool((whole < NOISE.whole).all()) else 0.0
 
 
 def _informative(time: Floats, value: Floats) -> tuple[Floats, Floats]:
-    """The readings that are given, without those that only repeat the one before, if a slow sensor makes many."""
+    """Leave out missing readings, and those that repeat the one before if a slow sensor makes many of these."""
     given = np.isfinite(value)
     time, value = time[given], value[given]
     if value.size < 2:
         return time, value
     fresh = np.append(True, np.diff(value) != 0.0)
-    if np.mean(~fresh) > REPEATED and quantum_of(value) == 0.0:
+    if np.mean(~fresh) > NOISE.repeated and quantum_of(value) == 0.0:
         return time[fresh], value[fresh]
     return time, value
 
@@ -101,5 +96,5 @@ def _scale(residuals: Floats) -> float:
 
 def _quiet_scale(residuals: Floats) -> float:
     """The scale in the quieter quarter of the time, where motion shows least."""
-    parts: list[Floats] = np.array_split(residuals, min(BLOCKS, residuals.size // FEWEST))
-    return float(np.quantile([_scale(part) for part in parts], QUIET_QUARTER))
+    parts: list[Floats] = np.array_split(residuals, min(BLOCKS, residuals.size // NOISE.fewest))
+    return float(np.quantile([_scale(part) for part in parts], NOISE.quiet_quantile))

@@ -1,60 +1,57 @@
-"""Readings that are far off those before and after them: no motion does that, a faulty sensor does."""
+"""Outliers: readings so far off those before and after them that no motion explains them, but a faulty sensor does."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import OUTLIERS
 from cocorosim_ros.diagnosis.evidence.streams.noise import WITHIN_ONE_SIGMA
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
-NEIGHBOURHOOD = 5  # readings: up to two in a row are told from the other three
-FAR = 12.0  # times the scale of what is usual, and the noise of a reading
-MOST, STEPS = 0.95, 3.0  # quantile of the steps between readings, and how many of them are motion
-RARE = 0.05  # share of the readings; what is more frequent is how this sensor is
-LONGEST = 0.5  # s that a heading may be away
-MOST_AWAY = 0.2  # share of the readings of a heading
+NEIGHBOURHOOD = 5  # readings: up to two faults in a row leave a median of the other three
 
 
 def outliers(value: Floats, noise: float) -> Flags:
-    """(n,) which readings lie farther from the median of five neighbours than noise and motion ever do.
+    """Mask (n,) of readings farther from the median of five neighbours than noise and motion ever are.
 
-    Where readings rise or fall steadily the median is the middle one, so that motion does not show. noise is that of a
-    single reading; none are found where it is NaN.
+    Where readings rise or fall steadily the median is the middle one, so that motion does not show. noise: standard
+    deviation of a single reading; no outliers are found where it is NaN.
     """
     found = np.zeros(value.shape, dtype=bool)
     given = np.flatnonzero(np.isfinite(value))
-    if given.size < 4 * NEIGHBOURHOOD or not noise > 0.0:
+    if given.size < OUTLIERS.fewest or not noise > 0.0:
         return found
     readings = value[given]
     padded = np.pad(readings, NEIGHBOURHOOD // 2, mode="edge")
     middle = np.median(np.lib.stride_tricks.sliding_window_view(padded, NEIGHBOURHOOD), axis=1)
     away = np.abs(readings - middle)
-    usual_step = float(np.quantile(np.abs(np.diff(readings)), MOST))
-    far = away > FAR * max(noise, float(np.quantile(away, WITHIN_ONE_SIGMA))) + STEPS * usual_step
-    if np.mean(far) <= RARE:
+    usual_step = float(np.quantile(np.abs(np.diff(readings)), OUTLIERS.most))
+    far = away > OUTLIERS.far * max(noise, float(np.quantile(away, WITHIN_ONE_SIGMA))) + OUTLIERS.steps * usual_step
+    if np.mean(far) <= OUTLIERS.rare:
         found[given[far]] = True
     return found
 
 
 def away(time: Floats, angle: Floats, noise: float) -> Flags:
-    """(n,) which readings of a heading belong to a leap and the leap back soon after it.
+    """Mask (n,) of readings of a heading between a leap and the leap back soon after it.
 
-    So leaps what a tracker says that confuses the marks on a robot. time (n,) [s], angle (n,) [rad], not wrapped. None
-    are found where they are too many for faults.
+    A tracker that mistakes one mark of a robot for another makes such leaps. time (n,) [s], angle (n,) [rad], not
+    wrapped. No reading is marked where there are too many such leaps for faults.
     """
     found = np.zeros(angle.shape, dtype=bool)
     given = np.flatnonzero(np.isfinite(angle))
-    if given.size < 4 * NEIGHBOURHOOD or not noise > 0.0:
+    if given.size < OUTLIERS.fewest or not noise > 0.0:
         return found
     moment, heading = time[given], angle[given]
     step = np.diff(heading)
-    usual = float(np.quantile(np.abs(step), MOST))
-    leaps = np.flatnonzero(np.abs(step) > FAR * noise + STEPS * usual)
+    usual = float(np.quantile(np.abs(step), OUTLIERS.most))
+    leaps = np.flatnonzero(np.abs(step) > OUTLIERS.far * noise + OUTLIERS.steps * usual)
     back = 0
     for leap in leaps:
-        soon = leaps[(leaps > leap) & (moment[leaps + 1] - moment[leap] <= LONGEST)] if leap >= back else leaps[:0]
-        near = np.abs(heading[soon + 1] - heading[leap]) <= FAR * noise + usual * (soon + 1 - leap)
+        within = moment[leaps + 1] - moment[leap] <= OUTLIERS.longest_leap
+        soon = leaps[(leaps > leap) & within] if leap >= back else leaps[:0]
+        near = np.abs(heading[soon + 1] - heading[leap]) <= OUTLIERS.far * noise + usual * (soon + 1 - leap)
         if near.any():
             back = int(soon[near][0]) + 1
             found[given[leap + 1 : back]] = True
-    return found if np.mean(found) <= MOST_AWAY else np.zeros(angle.shape, dtype=bool)
+    return found if np.mean(found) <= OUTLIERS.most_away else np.zeros(angle.shape, dtype=bool)

@@ -1,4 +1,4 @@
-"""Angles that go on counting where a reading jumps from one end of the circle to the other."""
+"""Unwrapping of angles: readings that jump from one end of the circle to the other go on counting."""
 
 from __future__ import annotations
 
@@ -6,30 +6,28 @@ from itertools import pairwise
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.evidence import TURNING
 from cocorosim_ros.diagnosis.evidence.streams.log import Stream
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
 FULL_TURN = 2.0 * np.pi
-CONTINUOUS = 0.2  # s between readings of a gyroscope that can be integrated
-STEP, FEWEST = 1.0, 10  # s over which turns are compared, how many of them
-FOLLOWS = 0.9  # correlation of gyroscope and heading, from which the one may bridge the other's gaps
-LONG = 0.5  # s without a reading, from which another stream is asked how far the robot turned
+STEP = 1.0  # s over which turns are compared
 
 
 def period_of(angle: Floats) -> float:
-    """Of a full turn in these readings: 2 pi, or 360 where they reach beyond any angle in radians."""
+    """A full turn in the unit of these readings: 2 pi, or 360 where they exceed any angle in radians."""
     given = angle[np.isfinite(angle)]
-    beyond = given.size > 0 and np.abs(given).max() > FULL_TURN + 0.1
+    beyond = given.size > 0 and np.abs(given).max() > FULL_TURN + TURNING.beyond_a_turn
     return 360.0 if beyond else FULL_TURN
 
 
 def unwrapped(
     time: Floats, angle: Floats, period: float = FULL_TURN, turned: tuple[Floats, Floats] | None = None
 ) -> Floats:
-    """(n,) the angle without jumps of a period; NaN where it is not given.
+    """Angle (n,) without jumps of a period; NaN where it is not given.
 
     turned: times (m,) and the continuous angle (m,) of another stream, same unit; over a gap of the readings the
-    number of turns is the one that comes closest to it. Without, it is the shortest way.
+    number of turns that comes closest to this stream is taken. Without it, the shortest way is taken.
     """
     result = np.full(angle.shape, np.nan)
     given = np.isfinite(angle)
@@ -38,7 +36,7 @@ def unwrapped(
     moments, wrapped = time[given], angle[given]
     expected = np.zeros(moments.size - 1)
     if turned is not None and len(turned[0]) > 1:
-        long = np.diff(moments) > LONG
+        long = np.diff(moments) > TURNING.long
         other = np.interp(moments, *turned)
         expected = np.where(long & _covered(moments, turned[0]), np.diff(other), 0.0)
     steps = np.diff(wrapped)
@@ -48,18 +46,18 @@ def unwrapped(
 
 
 def _covered(moments: Floats, other: Floats) -> Flags:
-    """(n-1,) whether the other stream has readings throughout the interval between two moments."""
+    """Mask (n-1,) of the intervals between two moments throughout which the other stream has readings."""
     first, last = np.searchsorted(other, moments[:-1]), np.searchsorted(other, moments[1:])
     inside = last - first
     longest = np.zeros(inside.size)
-    for index in np.flatnonzero((np.diff(moments) > LONG) & (inside > 1)):
+    for index in np.flatnonzero((np.diff(moments) > TURNING.long) & (inside > 1)):
         around = other[max(first[index] - 1, 0) : last[index] + 1]
         longest[index] = np.diff(around).max()
-    return np.asarray((inside > 1) & (longest < LONG))
+    return np.asarray((inside > 1) & (longest < TURNING.long))
 
 
 def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> tuple[Floats, Floats] | None:
-    """Times and the angle [unit of `angle`] by the gyroscope, if the two agree where the angle has no gaps."""
+    """Times (m,) and angle (m,) [unit of `angle`] from the gyroscope, if both agree where the angle has no gaps."""
     given = np.isfinite(angle)
     if imu is None or len(imu.time) < 3 or np.count_nonzero(given) < 3 or not np.isfinite(imu.value[:, 0]).all():
         return None
@@ -67,17 +65,18 @@ def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> tuple[Flo
     turned = _integral(imu)
     moments = np.arange(max(time[0], imu.time[0]), min(time[-1], imu.time[-1]), STEP)
     within = np.searchsorted(time, moments)
-    seen = np.array([np.diff(time[max(k - 1, 0) : m + 1]).max() < LONG for k, m in pairwise(within)], dtype=bool)
+    longest = [np.diff(time[max(k - 1, 0) : m + 1]).max() for k, m in pairwise(within)]
+    seen = np.array([gap < TURNING.long for gap in longest], dtype=bool)
     ours = np.diff(np.interp(moments, time, angle))[seen]
     theirs = np.diff(np.interp(moments, imu.time, turned))[seen]
-    if len(ours) < FEWEST or not ours.std() * theirs.std() > 0.0:
+    if len(ours) < TURNING.fewest or not ours.std() * theirs.std() > 0.0:
         return None
-    if abs(np.corrcoef(ours, theirs)[0, 1]) < FOLLOWS:
+    if abs(np.corrcoef(ours, theirs)[0, 1]) < TURNING.follows:
         return None
     return imu.time, float((ours * theirs).sum() / (theirs * theirs).sum()) * turned
 
 
 def _integral(imu: Stream) -> Floats:
     steps, rate = np.diff(imu.time), imu.value[:, 0]
-    turns = 0.5 * (rate[1:] + rate[:-1]) * np.where(steps < CONTINUOUS, steps, 0.0)
+    turns = 0.5 * (rate[1:] + rate[:-1]) * np.where(steps < TURNING.continuous, steps, 0.0)
     return np.concatenate([[0.0], np.cumsum(turns)])

@@ -1,4 +1,4 @@
-"""How fast a platform is, and how long its motions last, roughly."""
+"""Rough scales of a platform: its full speed, and the time over which it coasts."""
 
 from __future__ import annotations
 
@@ -14,6 +14,6 @@ def full_speed(platform: Platform) -> float:
 
 
 def coasting_time(platform: Platform) -> float:
-    """Time m / (k v) [s] in which it loses half of its full speed v; 0 where nothing pushes or nothing brakes."""
+    """Time m / (k v) [s] in which a platform loses half of its full speed v; 0 without thrust or without drag."""
     braking = platform.drag * full_speed(platform)
     return platform.mass / braking if braking > 0.0 else 0.0

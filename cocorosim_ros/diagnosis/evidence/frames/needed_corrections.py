@@ -1,4 +1,4 @@
-"""Which streams of a robot are in other axes, signs or units than the contract says, by how they fit each other."""
+"""Corrections of streams in other axes, signs or units than the contract's, found by comparing the streams."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames import units
+from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, FrameCorrection, affine, corrected
 from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.orientation import Orientation, best_orientation
-from cocorosim_ros.diagnosis.evidence.frames.suspicion import COMMAND, FrameSuspicion, affine, corrected
 from cocorosim_ros.diagnosis.evidence.frames.through_water import velocity_axes
 from cocorosim_ros.diagnosis.evidence.frames.turned import (
     SAME,
@@ -22,7 +23,6 @@ from cocorosim_ros.diagnosis.evidence.frames.turned import (
     position_words,
 )
 from cocorosim_ros.diagnosis.evidence.frames.upright import (
-    MARGIN,
     force_unit,
     gravity_of,
     height_upside_down,
@@ -32,34 +32,35 @@ from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
-Found = list[FrameSuspicion]
+Found = list[FrameCorrection]
 Logs = Sequence[RobotLog]
 
 
-def suspect_frames(logs: RobotLog | Sequence[RobotLog], platform: Platform) -> tuple[FrameSuspicion, ...]:
-    """Every suspicion that the data support by a clear margin, in the order in which `corrected` applies them.
+def needed_corrections(logs: RobotLog | Sequence[RobotLog], platform: Platform) -> tuple[FrameCorrection, ...]:
+    """Every correction that the data support by a clear margin, in the order in which `corrected` applies them.
 
-    Several logs are of robots that were recorded in the same way: what one is too short to show they show together.
+    Several logs must have been recorded in the same way: a correction that each of them is too short to show may show
+    in all together.
 
     Units come first, by magnitudes that no physics explains; then axes and directions of turning, by the fewest
-    changes that reconcile all streams with each other and with the commands. A world that is turned as a whole, poses
-    and compass alike, shows nowhere and is no error. Where two streams contradict each other and no third one is there
-    to decide, the likelier culprit is named.
+    changes that make all streams agree with each other and with the commands. A world that is turned as a whole, poses
+    and compass alike, shows nowhere and is no error. Where two streams contradict each other and no third one decides,
+    the stream that is wrong more often is corrected.
     """
     together = [logs] if isinstance(logs, RobotLog) else list(logs)
-    found = _suspicions(together, platform)
-    if len([suspicion for suspicion in found if suspicion.nats < np.inf]) < 2:
+    found = _corrections(together, platform)
+    if len([correction for correction in found if correction.nats < np.inf]) < 2:
         return tuple(found)
     # Several streams that contradict the commands in the same way are right, and the commands are not.
     for turned in ((1, 0), (0, 2), (1, 2)):
-        commands = _commands(Orientation(command=turned, nats=min(suspicion.nats for suspicion in found)), platform)
-        rest = _suspicions(_all_corrected(together, commands), platform)
+        commands = _commands(Orientation(command=turned, nats=min(correction.nats for correction in found)), platform)
+        rest = _corrections(_all_corrected(together, commands), platform)
         if commands[0].matrix is not None and len(rest) + 1 < len(found):
             found = [*commands, *rest]
     return tuple(found)
 
 
-def _suspicions(logs: Logs, platform: Platform) -> Found:
+def _corrections(logs: Logs, platform: Platform) -> Found:
     found = _units(logs, platform)
     found += _axes(_all_corrected(logs, found), platform)
     return found + _own_axes(_all_corrected(logs, found), platform)
@@ -82,14 +83,14 @@ def _units(logs: Logs, platform: Platform) -> Found:
         units.length_unit("velocity", np.abs(motion.through), expected, motion, "the commands let"),
         force_unit(logs, platform),
     ]
-    return [suspicion for suspicion in found if suspicion]
+    return [correction for correction in found if correction]
 
 
 def _axes(logs: Logs, platform: Platform) -> Found:
-    """What the streams say of each other: poses, compass, commands; the gyroscope is judged with the IMU."""
+    """Corrections of the axes of poses, compass and commands, and, after these, of the IMU."""
     motion = motion_together(logs, platform)
     down = height_upside_down(motion)
-    turned = best_orientation(motion, upside_down=down > MARGIN)
+    turned = best_orientation(motion, upside_down=down > AXES.margin)
     found = [*_pose(turned, down), *_compass(turned), *_commands(turned, platform)]
     motion = motion_together(_all_corrected(logs, found), platform)
     imu = inertial_axes(motion, gravity_of(logs, platform), _gyro_nats(turned))
@@ -97,7 +98,7 @@ def _axes(logs: Logs, platform: Platform) -> Found:
 
 
 def _own_axes(logs: Logs, platform: Platform) -> Found:
-    """The velocity stream, once everything else is right."""
+    """The correction of the velocity stream's axes, found after all other streams are right."""
     motion = motion_together(logs, platform)
     velocity = velocity_axes(motion, lift_upside_down(motion))
     return [velocity] if velocity else []
@@ -108,7 +109,7 @@ def _gyro_nats(turned: Orientation) -> float:
 
 
 def _pose(turned: Orientation, down: float) -> Found:
-    upside_down = down > MARGIN
+    upside_down = down > AXES.margin
     if turned.position == turned.yaw == SAME and not upside_down:
         return []
     matrix, offset = np.eye(4), np.zeros(4)
@@ -148,11 +149,11 @@ def _commands(turned: Orientation, platform: Platform) -> Found:
     exchange = _exchange(platform, forwards=bool(quarters), turning=bool(mirrored))
     because = "only so the robot moves as it is commanded"
     words = ", and ".join(parts) if parts else "the yaw moment is reversed"
-    return [FrameSuspicion(COMMAND, words, because, turned.nats, exchange, np.zeros(len(platform.actuators)))]
+    return [FrameCorrection(COMMAND, words, because, turned.nats, exchange, np.zeros(len(platform.actuators)))]
 
 
 def _exchange(platform: Platform, *, forwards: bool, turning: bool) -> Floats | None:
-    """Signed exchange of actuators that reverses surge or yaw moment and leaves the rest; None if there is none."""
+    """Signed exchange of actuators that reverses surge or yaw moment and leaves the rest; None if no exchange does."""
     wrenches = platform.actuator_wrenches() * platform.actuator_limits()[:, :1]
     count = len(wrenches)
     matrix = np.zeros((count, count))

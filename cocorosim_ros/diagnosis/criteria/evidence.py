@@ -1,0 +1,227 @@
+"""Thresholds of the evidence: what counts as a reading, one clock, an unbroken track, and enough of all of these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+
+@dataclass(frozen=True)
+class ExcitationCriteria:
+    """When an actuator counts as varied, reversed, off or near zero (`streams.excitation`)."""
+
+    step: float = 0.1
+    """[of the maximum] a change of the command that counts as sudden. Chosen, not measured."""
+    tiny: float = 5e-3
+    """[of the maximum] a command below which an actuator is off. Chosen, not measured; also catches slow ramps."""
+    near_zero: float = 0.1
+    """[of the maximum] a command in the range where dead bands and dry friction act. Chosen, not measured."""
+    look_back: float = 5.0
+    """[s] for which an actuator still counts as varied after a change. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class NoiseCriteria:
+    """When differences of readings show noise and not motion, a gap or a slow sensor (`streams.noise`)."""
+
+    widest_span: float = 1.6
+    """[of the median window] a wider window crosses a gap, over which motion shows. Chosen, not measured."""
+    motion_shows: float = 0.93
+    """[of the lower order's estimate] a higher order below it means that motion was left in. Chosen, not measured."""
+    quiet_quantile: float = 0.25
+    """[1] quantile of the blocks' scales that is taken as quiet. Chosen, not measured."""
+    uneven: float = 0.7
+    """[of the whole's scale] even noise never makes the quiet quarter so small by chance. Chosen, not measured."""
+    fewest: int = 30
+    """[residuals] fewer give no standard deviation to one digit. Chosen, not measured."""
+    repeated: float = 0.2
+    """[share of readings] equal to the one before: the sensor is slower than its messages. Chosen, not measured."""
+    rounding: float = 1e-9
+    """[of the largest reading] smaller steps come from binary fractions, not the sensor. Chosen, not measured."""
+    whole: float = 1e-3
+    """[steps] by which a multiple of the step may miss a whole number. Chosen, not measured."""
+    most_levels: float = 0.5
+    """[of the readings] more different values than that are no coarse steps. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class OutlierCriteria:
+    """When a reading is a fault of the sensor and not motion (`streams.outliers`)."""
+
+    fewest: int = 20
+    """[readings] fewer do not show what is usual: four neighbourhoods of five. Chosen, not measured."""
+    far: float = 12.0
+    """[of noise, or of the usual deviation] no normal noise reaches it. Chosen, not measured."""
+    most: float = 0.95
+    """[1] quantile of the steps between readings that still is motion. Chosen, not measured."""
+    steps: float = 3.0
+    """[of that quantile] a step by which motion alone may differ. Chosen, not measured."""
+    rare: float = 0.05
+    """[share of the readings] a deviation that is more frequent is usual for the sensor. Chosen, not measured."""
+    longest_leap: float = 0.5
+    """[s] within which a heading has to leap back; no robot turns there and back so fast. Chosen, not measured."""
+    most_away: float = 0.2
+    """[share of the readings] a heading that is away more often is no fault of a tracker. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class TurningCriteria:
+    """When an angle counts degrees, and when a gyroscope may bridge its gaps (`streams.turning`)."""
+
+    beyond_a_turn: float = 0.1
+    """[rad] by which an angle in radians, however it is wrapped, may exceed 2 pi. Chosen, not measured."""
+    continuous: float = 0.2
+    """[s] between readings of a gyroscope that can still be integrated. Chosen, not measured."""
+    fewest: int = 10
+    """[turns of a second] that heading and gyroscope must share to be compared. Chosen, not measured."""
+    follows: float = 0.9
+    """[1] correlation from which the gyroscope may bridge gaps of the heading. Chosen, not measured."""
+    long: float = 0.5
+    """[s] without a reading, after which the shortest way may not be the way turned. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class ClockCriteria:
+    """When stamps count from another zero, or run at another rate than the recorder's clock (`clocks`)."""
+
+    far: float = 1.0
+    """[s] no transport and no latency explains such an offset. Chosen, not measured."""
+    notable: float = 0.2
+    """[s] an offset that is reported and left to the diagnosis. Chosen, not measured."""
+    few: int = 10
+    """[messages] so few in a row with far stamps are faults of messages, no other clock. Chosen, not measured."""
+    early: float = 0.1
+    """[share of the messages] from which the offset is read, before a skew shows. Chosen, not measured."""
+    prompt: float = 0.1
+    """[1] quantile of the delays that belongs to messages that did not have to wait. Chosen, not measured."""
+    notable_skew: float = 2e-5
+    """[s/s] by which cheap quartz is off. Known of quartz; chosen, not measured."""
+    sure: float = 6.0
+    """[standard deviations] of a skew that is reported. Chosen, not measured."""
+    skew_blocks: int = 20
+    """[1] points of the line whose slope is the skew. Chosen, not measured."""
+    fewest_in_block: int = 10
+    """[messages] of a point; fewer have no prompt tenth. Chosen, not measured."""
+    shortest: float = 30.0
+    """[s] a shorter recording shows no skew of `notable_skew`. Chosen, not measured."""
+    same_delay: float = 1e-6
+    """[s] log times that differ from the stamps by less are made from them. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class SpacingCriteria:
+    """When readings have a gap, or come unevenly (`cleaning`)."""
+
+    gap_intervals: float = 5.0
+    """[usual intervals] a gap is longer than that, and than `gap_seconds`. Chosen, not measured."""
+    gap_seconds: float = 1.0
+    """[s] a gap is longer than that, and than `gap_intervals`. Chosen, not measured."""
+    jitter: float = 0.2
+    """[of the usual interval] from which the remark on timing gives the jitter. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class BurstCriteria:
+    """When readings were delivered in bursts (`bursts`)."""
+
+    at_once: float = 0.1
+    """[of the mean interval] no instrument takes two readings so close to each other. Chosen, not measured."""
+    many: float = 0.05
+    """[share of the intervals] that are so short, from which readings come in bursts. Chosen, not measured."""
+    in_a_row: int = 20
+    """[readings] over which the period is taken: long beside a burst. Chosen, not measured."""
+    swiftest: float = 0.05
+    """[1] quantile of the time that so many readings take: slower rows have lost readings. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class JumpCriteria:
+    """When a track leaps farther than the robot can swim (`pose_jumps`)."""
+
+    noises: float = 10.0
+    """[standard deviations of a reading] that two poses of one moment may lie apart. Chosen, not measured."""
+    own_speeds: float = 3.0
+    """[of the track's usual top speed] that no robot reaches, since currents add to thrust. Chosen, not measured."""
+    platform_speeds: float = 2.0
+    """[of the platform's full speed] that no robot reaches. Chosen, not measured."""
+    usual_top: float = 0.95
+    """[1] quantile of a track's speeds that is its usual top speed. Chosen, not measured."""
+    over: float = 1.0
+    """[s] over which a speed is taken, so that noise of poses does not count. Chosen, not measured."""
+    spike: float = 1.0
+    """[s] within which a track that leaps back has only been read wrongly. Chosen, not measured."""
+    burst: float = 2.0
+    """[usual steps] that two poses count as apart at least: stamps may lie closer. Chosen, not measured."""
+    fewest: int = 10
+    """[poses] fewer do not show a usual speed. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class ExchangeCriteria:
+    """When two tracks were exchanged with each other (`identities`)."""
+
+    close: float = 0.3
+    """[hulls] a leap that counts where a second one leaps to its place: robots that are mistaken for each other are
+    close. Chosen, not measured."""
+    together: float = 1.0
+    """[s] within which both tracks have to leap. Chosen, not measured."""
+    closer: float = 0.5
+    """[of the shorter leap] a track has to end nearer to the other's place than that. Chosen, not measured."""
+    full_speeds: float = 2.0
+    """[of the platform's full speed] that a robot may swim during the exchange. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class SpeedCriteria:
+    """When the velocity stream and the track contradict each other in size (`consistency`)."""
+
+    related: float = 0.7
+    """[1] correlation below which the two tell nothing of each other. Chosen, not measured."""
+    fewest: int = 8
+    """[independent readings] fewer tell nothing. Chosen, not measured."""
+    alike: tuple[float, float] = (0.85, 1.18)
+    """[1] quotients between which two speeds are of one size. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class SufficiencyCriteria:
+    """When a robot, or all recordings together, can tell anything at all (`abstention`)."""
+
+    shortest: float = 6.0
+    """[s] of commands and readings at the same time, of one recording. Chosen, not measured."""
+    time_constants: float = 4.0
+    """[coasting times] of commands and readings, of all recordings together. Chosen, not measured."""
+    least_in_all: float = 8.0
+    """[s] the same for vehicles that coast for less than two seconds. Chosen, not measured."""
+    fewest: int = 20
+    """[readings] of at least one stream. Chosen, not measured."""
+    still: float = 5.0
+    """[standard deviations of a mean over `over`] that noise alone never makes. Chosen, not measured."""
+    over: float = 1.0
+    """[s] over which readings are averaged before they are compared. Chosen, not measured."""
+    range_quantiles: tuple[float, float] = (0.02, 0.98)
+    """[1] between which means must spread, so that a few faulty readings are no motion. Chosen, not measured."""
+
+
+EXCITATION = ExcitationCriteria()
+NOISE = NoiseCriteria()
+OUTLIERS = OutlierCriteria()
+TURNING = TurningCriteria()
+CLOCKS = ClockCriteria()
+SPACING = SpacingCriteria()
+BURSTS = BurstCriteria()
+JUMPS = JumpCriteria()
+EXCHANGES = ExchangeCriteria()
+SPEEDS = SpeedCriteria()
+SUFFICIENCY = SufficiencyCriteria()
+LEAST_MOTION: Mapping[str, tuple[float, ...]] = MappingProxyType(
+    {
+        "pose": (0.005, 0.005, 0.005, 0.02),
+        "compass": (0.02,),
+        "pressure": (50.0,),
+        "imu": (0.01,),
+        "velocity": (0.002, 0.002, 0.002),
+    }
+)
+"""[m, m, m, rad; rad; Pa; rad/s; m/s] smaller motion is none, however exact the sensor is. Chosen, not measured."""

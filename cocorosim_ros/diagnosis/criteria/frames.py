@@ -1,0 +1,122 @@
+"""Thresholds of the frames: when streams contradict the axes, signs and units of the contract."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+
+@dataclass(frozen=True)
+class AgreementCriteria:
+    """When the agreement of two streams is worth a conclusion (`frames.agreement`)."""
+
+    fewest: int = 8
+    """[independent readings] fewer conclude nothing. Chosen, not measured."""
+    clear: float = 0.36
+    """[1] squared correlation of the best explanation, below which nothing is concluded: a correlation of 0.6. Chosen,
+    not measured."""
+    most: float = 0.9
+    """[1] quantile of the sizes from which extremes are judged. Chosen, not measured."""
+    extreme: float = 2.0
+    """[of that quantile] a size at which values are cut, so that a few faults do not decide. Chosen, not measured."""
+    finest: float = 0.02
+    """[1] of 1 - agreement: models of frames are no more exact than that. Chosen, not measured."""
+    memory: float = 2.0
+    """[coasting times] readings closer together are not independent: motion lasts. Chosen, not measured."""
+    least_memory: float = 1.0
+    """[s] the same for vehicles that coast for less than half a second. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class AxesCriteria:
+    """When axes or signs of a stream are taken to be exchanged (`frames.inertial`, `through_water`, `upright`)."""
+
+    margin: float = 10.0
+    """[nats] by which a correction has to fit better: odds of 22,000 to 1. Chosen, not measured."""
+    tied: float = 1.0
+    """[nats] corrections so close to the best count as equal; the simplest is taken. Chosen, not measured."""
+    near_gravity: float = 0.2
+    """[of gravity] by which a mean specific force may differ from gravity, by tilt and offset. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class OrientationCriteria:
+    """What changes of the horizontal axes cost against the relations that they mend (`frames.orientation`)."""
+
+    price: float = 10.0
+    """[nats] of one change. Chosen, not measured."""
+    margin: float = 10.0
+    """[nats] by which the changed streams fit better after the price is paid. Chosen, not measured."""
+    least_step: float = 1e-9
+    """[nats] by which one combination has to beat another, so that rounding does not decide. Chosen, not measured."""
+    position: float = 1.05
+    """[prices] of turned positions alone. Chosen, not measured: yaw is wrong more often than positions are."""
+    yaw: float = 1.0
+    """[prices] of a turned yaw of the poses alone. The unit of the prices."""
+    compass: float = 0.95
+    """[prices] of a turned compass. Chosen, not measured: conventions of compasses differ most."""
+    gyro: float = 1.0
+    """[prices] of a gyroscope of the other sign. Chosen, not measured."""
+    command: float = 1.3
+    """[prices] of exchanged commands. Chosen, not measured: the robot was steered with them."""
+    pose: float = 1.0
+    """[prices] of positions and yaw that are turned together. Chosen, not measured: one convention, one change."""
+    both: float = 2.2
+    """[prices] of positions and yaw that are turned differently. Chosen, not measured: more than two changes."""
+    rank: float = 0.05
+    """[prices] between the most and the least usual of the usual changes. Chosen, not measured."""
+    unusual: float = 2.0
+    """[ranks] that a change costs which is not in the list of usual ones. Chosen, not measured."""
+    north_east_down: float = 0.5
+    """[prices] less for swapped axes where z points down, as in north-east-down axes. Chosen, not measured."""
+
+
+class LengthUnit(NamedTuple):
+    """A unit of length, and the quotients of speeds that only this unit explains."""
+
+    name: str
+    metres: float
+    quotients: tuple[float, float]
+
+
+class PressureUnit(NamedTuple):
+    """A unit of pressure, and the medians that only this unit explains."""
+
+    name: str
+    pascals: float
+    medians: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class UnitCriteria:
+    """When numbers are so large or small that they must be in another unit (`frames.units`)."""
+
+    related: float = 0.7
+    """[1] correlation of two streams, from which their quotient tells of units. Chosen, not measured."""
+    fewest: int = 8
+    """[independent readings] fewer tell nothing. Chosen, not measured."""
+    degrees: tuple[float, float] = (25.0, 130.0)
+    """[1] quotients of rates that only degrees explain (57.3); nearer to 1 may be physics. Chosen, not measured."""
+    lengths: tuple[LengthUnit, ...] = (
+        LengthUnit("millimetres", 0.001, (250.0, 4000.0)),
+        LengthUnit("centimetres", 0.01, (30.0, 250.0)),
+    )
+    """[1] quotients of speeds that only a unit of length explains. Chosen, not measured."""
+    pressures: tuple[PressureUnit, ...] = (
+        PressureUnit("hectopascals (millibars)", 100.0, (700.0, 11000.0)),
+        PressureUnit("kilopascals", 1000.0, (70.0, 700.0)),
+        PressureUnit("bars", 1.0e5, (0.7, 12.0)),
+    )
+    """[that unit] medians from the surface, at sea level or in mountains, to 100 m of water. Reckoned from these."""
+    pressure_slope: tuple[float, float] = (0.3, 3.0)
+    """[of the water's weight] pressure per metre that poses show under the right unit. Chosen, not measured."""
+    absolute: float = 70000.0
+    """[Pa] less is no absolute pressure of the air where robots swim: 3000 m of height. Known of the atmosphere."""
+    dense: float = 100.0
+    """[kg/m^3] more is a liquid, in which pressure tells depth. Known of gases and liquids."""
+
+
+AGREEMENT = AgreementCriteria()
+AXES = AxesCriteria()
+ORIENTATION = OrientationCriteria()
+UNITS = UnitCriteria()
