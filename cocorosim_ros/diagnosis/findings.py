@@ -165,6 +165,6 @@ class Diagnosis:
     readings: tuple[ResidualReading, ...] = ()
     free_runs: tuple[FreeRun, ...] = ()
     remarks: tuple[str, ...] = ()
-    needed_nats: float = float("nan")  # evidence from which an effect is accused
+    needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
     manoeuvres: tuple[str, ...] = ()  # those that `next_manoeuvre` puts into words, by name

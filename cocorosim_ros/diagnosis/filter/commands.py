@@ -1,4 +1,4 @@
-"""From recorded commands to the mean force of every actuator between two grid points."""
+"""Mean force of every actuator between two grid points, from recorded commands."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from cocorosim_ros.world.vehicle_model.vehicles import Body
 def mean_forces(
     command_time: Floats, command: Floats, body: Body, grid: tuple[float, float, int]
 ) -> tuple[Floats, Floats]:
-    """(points, A) force [N] by actuator, averaged from each grid point to the next, and its rate of change [N/s].
+    """Force (points, A) [N] by actuator, averaged from each grid point to the next, and its rate of change [N/s].
 
-    command_time (m,) [s], ascending, command (m, A); before the first command everything is off. grid: first point [s],
-    step [s], points.
+    command_time (m,) [s], ascending, command (m, A); before the first command all actuators are off. grid: first point
+    [s], step [s], points.
     """
     begin, step, points = grid
     actuators = command.shape[1]

@@ -4,8 +4,8 @@ State: pose, velocity through `state_rate` of the simulator, and the random forc
 world axes), heave and yaw, each with the gust that drives it. The mean is carried by midpoint steps, the
 covariance to second order in the step, in two blocks (horizontal and vertical) that are taken as independent of each
 other. Readings between two steps are predicted by a Taylor series from the nearer one. A reading beyond GATE pulls as
-one at the gate would (Huber's function): were it left out, a model in error would lose its robot for good, at a moment
-that hangs on its numbers, and the likelihood would jump.
+one at the gate would (Huber's function): without its pull, a model in error would lose its robot for good, at a moment
+that depends on the model's numbers, and the likelihood would jump.
 
 Source: Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225; Jazwinski, Stochastic Processes and Filtering
 Theory (1970), section 8.3; Masreliez and Martin, IEEE Trans. Automatic Control 22 (1977) 361.
@@ -73,7 +73,7 @@ from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
 class Spread(NamedTuple):
-    """The covariance and how it moves: slopes, transitions, all flat."""
+    """The covariance with its slopes and transitions, all flat."""
 
     wide: Floats  # (HORIZONTAL, HORIZONTAL)
     wide_slope: Floats  # (HFX, HORIZONTAL)
@@ -87,7 +87,7 @@ class Spread(NamedTuple):
 
 @allocating_kernel
 def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
-    """As the standard deviation of the state (8,) and the random force (WATER_NOISE) have it."""
+    """Start the covariance from the standard deviation of the state (8,) and from the random force (WATER_NOISE)."""
     wide, high = np.zeros(HORIZONTAL * HORIZONTAL), np.zeros(VERTICAL * VERTICAL)
     places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
     for i in range(6):
@@ -110,7 +110,7 @@ def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
 
 @kernel
 def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: tuple[float, float, float]) -> None:
-    """Let variance into the force that stands at `at` of a matrix (size, size), and into its gust, `apart` further."""
+    """Add variance to the force at place `at` of a matrix (size, size), and to its gust, `apart` places further."""
     force, both, gust = new
     other = at + apart
     matrix[at * size + at] += rms * rms * force
@@ -121,7 +121,7 @@ def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: t
 
 @kernel
 def _add_force(parts: Spread, noise: Floats, new: tuple[float, float, float]) -> None:
-    """Let variance into the random forces; new: of force, of both and of gust, for an rms of 1."""
+    """Add variance to the random forces; new: variance of force, covariance, variance of gust, for an rms of 1."""
     _add_pair(parts.wide, HFX, HORIZONTAL, 3, noise[FORCE_XY], new)
     _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[FORCE_XY], new)
     _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[MOMENT_YAW], new)
@@ -160,7 +160,7 @@ def _correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: fl
 
 @kernel
 def _remember(motion: Motion, body: Body, parts: Spread, point: int, history: History) -> None:
-    """Write down what is believed before the readings of a grid point."""
+    """Write mean and covariance before the readings of a grid point into `history`."""
     _keep_mean(motion, body, history.before[point])
     _keep_wide(parts.wide, history.wide_before[point])
     _keep_wide(parts.wide_step, history.wide_step[point])
@@ -172,6 +172,7 @@ def _remember(motion: Motion, body: Body, parts: Spread, point: int, history: Hi
 
 @kernel
 def _remember_after(motion: Motion, body: Body, parts: Spread, point: int, history: History) -> None:
+    """Write mean and covariance after the readings of a grid point into `history`."""
     _keep_mean(motion, body, history.after[point])
     _keep_wide(parts.wide, history.wide_after[point])
     for i in range(VERTICAL):
@@ -199,7 +200,7 @@ def _keep_mean(motion: Motion, body: Body, mean: Floats) -> None:
 def _move(
     motion: Motion, parts: Spread, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body
 ) -> None:
-    """Carry mean and covariance from the grid point before to `point`, without what the random force adds."""
+    """Carry mean and covariance from the grid point before to `point`, without the variance of the random force."""
     time, step, fade = clock
     if point > 0:
         put_drive(motion.row, drive, point - 1, point - 1, body)
@@ -257,7 +258,7 @@ def _filter(
 def filter_pass(
     readings: Readings, drive: Drive, start: Floats, body: Body, numbers: tuple[Floats, Floats, Floats], belief: Belief
 ) -> None:
-    """The whole filter over a recording.
+    """Run the filter over a whole recording.
 
     start (2, 8): state at grid point 0 and its standard deviation. numbers: the sensors' (SENSOR_COLUMNS), the random
     force's (WATER_NOISE) and the variance of a single reading of each kind (KINDS,). Results are in `belief`.
@@ -283,7 +284,7 @@ def _slope(
                 relative_velocity(row, time, body, water)
             when = readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index]
             shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
-            # What is not believed pulls as far as it may, whatever the model.
+            # A reading beyond the gate pulls by the same amount under every model.
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
@@ -301,10 +302,10 @@ def slope_pass(
     past: Past,
     slope: Floats,
 ) -> None:
-    """The filter with the gains of another pass, its mean alone, at a fraction of the cost.
+    """Run the mean of the filter alone, with the gains of another pass, at a fraction of the cost.
 
-    numbers: the sensors', the random force's (WATER_NOISE), and by how much the numbers of this pass differ from those
-    of the past one. Writes (m,) the change of the innovations over that: what a number explains. 0 where not believed.
+    numbers: the sensors' (SENSOR_COLUMNS), the random force's (WATER_NOISE), and the step by which the changed number
+    differs from that of the past pass. Writes the slope (m,) of the innovations by this number; 0 beyond the gate.
     """
     sensor, noise, step = numbers
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])

@@ -1,4 +1,4 @@
-"""Where things stand in the arrays of the filter."""
+"""Layout of the arrays of the filter: states, kinds of readings, numbers of sensors and of the random force."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ HORIZONTAL = 12
 VZ, VW, VFZ, VGZ = range(4)
 VERTICAL = 4
 
-# What a single reading is of, in the order of streams.log.STREAMS.
+# Kinds of single readings, in the order of streams.log.STREAMS.
 (
     POSE_X,
     POSE_Y,

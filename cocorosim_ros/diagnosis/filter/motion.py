@@ -1,4 +1,4 @@
-"""How the mean of the filter moves: midpoint steps of the simulator's dynamics, and their slopes."""
+"""Motion of the filter's mean: midpoint steps of the simulator's dynamics, and their slopes."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, PATCH_FORCE_COLUMNS, Body
 
-FORCE = PATCH_FORCE_COLUMNS[0]  # world x, y, z force and yaw moment stand behind each other
+FORCE = PATCH_FORCE_COLUMNS[0]  # column of the world x force; y, z and the yaw moment follow
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
-AT_POINT = 2  # stages of a step before the rates at its end
-HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that are given
+AT_POINT = 2  # number of stages of a step before the rates at its end
+HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that stay as they are given
 
 
 class Motion(NamedTuple):
@@ -51,7 +51,7 @@ class Motion(NamedTuple):
 
 @allocating_kernel
 def make_motion(start: Floats, body: Body) -> Motion:
-    """At rest of all actuators in the state `start` (8,), without random forces."""
+    """Working space for a robot in the state `start` (8,), with all actuators off and without random forces."""
     size = STATE_SIZE + ROW_SHARE * body.actuator_wrench.shape[0]
     motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(4))
     motion.row[:STATE_SIZE] = start
@@ -61,7 +61,7 @@ def make_motion(start: Floats, body: Body) -> Motion:
 
 @kernel
 def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -> None:
-    """Write what acts into the row: the mean of the drive at two grid points (the same twice for that of one)."""
+    """Write forces and neighbours into the row: the mean of the drive at two grid points, which may be the same."""
     actuators = drive.force.shape[1]
     memory = STATE_SIZE + 2 * actuators
     for column in range(actuators):
@@ -76,7 +76,7 @@ def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -
 
 @kernel
 def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
-    """Write what the random forces will be at the end of the step; their mean over the step takes their place."""
+    """Write the random forces at the end of the step into `faded`, and their mean over the step in their own place."""
     for column in range(4):
         force, gust = body.parameters[FORCE + column], motion.gust[column]
         faded[column] = fade.kept * force + fade.fed * gust
@@ -86,7 +86,7 @@ def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
 
 @kernel
 def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
-    """From the rates just before and just behind a grid point to their mean and their difference."""
+    """Replace the rates just before and just behind a grid point by their mean and their difference."""
     for column in range(STATE_SIZE):
         before, behind = motion.leap[column], motion.rate[column]
         motion.rate[column], motion.leap[column] = 0.5 * (before + behind), behind - before
@@ -95,9 +95,9 @@ def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
 
 @kernel
 def advance(motion: Motion, clock: tuple[float, float, Fading], drive: Drive, point: int, body: Body) -> None:
-    """Carry the row from the grid point before to `point`, by one midpoint step over which what acts holds.
+    """Carry the row from the grid point before to `point`, by one midpoint step under constant forces.
 
-    clock: time [s] of `point`, step [s] and what becomes of random forces over it. From point 0 on, nothing moves.
+    clock: time [s] of `point`, step [s] and the fading of random forces over the step. At point 0 the row stays.
     """
     time, length, fade = clock
     row, trial, rate, leap, faded = motion.row, motion.trial, motion.rate, motion.leap, stack_array(4)
@@ -184,7 +184,7 @@ def write_slopes(motion: Motion, time: float, body: Body, response: Floats, acro
 def run_free(
     drive: Drive, start: Floats, body: Body, clock: tuple[float, float], span: tuple[int, int, Floats]
 ) -> Floats:
-    """(points, 8) the course of the model alone from `start` (8,).
+    """Course (points, 8) of the model alone from `start` (8,), without any reading.
 
     clock: time of grid point 0 and step [s]; span: first grid point, how many, and the random force that acts
     (points, 4), world x, y, z [N] and moment [N m], empty for none.

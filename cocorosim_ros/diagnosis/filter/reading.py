@@ -1,4 +1,4 @@
-"""What a reading shows, and how that depends on the state."""
+"""Expected readings, and their derivatives by the state."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ def expected(
     kind: int, when: tuple[float, float, float, float], row: Floats, rates: tuple[Floats, Floats], sensor: Floats,
     water: Floats,
 ) -> float:  # fmt: skip
-    """What a reading of this kind would show; `row` is the state at the grid point.
+    """Value that a reading of this kind would have without noise; `row` is the state at the grid point.
 
-    when: its stamp, how long after the grid point, how far from it [s] and on which side. rates: the mean of the rate
-    of the state on both sides of the grid point, and by how much it is greater behind it.
+    when: stamp of the reading [s], time after the grid point [s], distance from it [s], and its side. rates: the mean
+    rate of the state on both sides of the grid point, and the difference of the rate behind it and before it.
     """
     stamp, after, apart, side = when
     rate, leap = rates
@@ -80,7 +80,7 @@ def expected(
         if kind == POSE_YAW:
             return yaw
         straight = yaw + sensor[OFFSET]
-        if sensor[SINE] == 0.0 and sensor[COSINE] == 0.0:  # as nearly always
+        if sensor[SINE] == 0.0 and sensor[COSINE] == 0.0:  # the usual case
             return straight
         return straight + sensor[SINE] * math.sin(yaw) + sensor[COSINE] * math.cos(yaw)
     if kind == GYRO:
@@ -151,7 +151,7 @@ def sensitivity_upright(kind: int, after: float, sensor: Floats, upright: Floats
 
 @kernel
 def is_upright(kind: int) -> bool:
-    """Whether a reading of this kind is of the vertical block."""
+    """Tell whether a reading of this kind belongs to the vertical block."""
     return kind == POSE_Z or kind == PRESSURE or kind == ACCEL_Z or kind == VELOCITY_W  # noqa: PLR1714
 
 

@@ -1,4 +1,4 @@
-"""Under which keys of a platform file what was found is written, so that simulator and next diagnosis know it."""
+"""Keys of a platform file under which findings are written, so that simulator and next diagnosis read them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cocorosim_ros.world.terms.law_places import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
 BY_TOPIC = {"sensor_latency": "latency", "clock_skew": "skew"}
-"""Effects that each topic may have for itself: there the topic stands in place of the parameter."""
+"""Effects that each topic may have: in a platform file the topic stands in place of the parameter."""
 BESIDE = {"pressure_drift": {"offset": "pressure_offset"}}
 """Numbers that are found with an effect, and the effect below which a platform file has them."""
 UNKNOWN = "unknown:"
@@ -23,7 +23,7 @@ _FACTOR = re.compile(r"(\|?)([a-z_0-9]+)\|?(?:\^(-?[0-9.]+))?")
 
 
 def platform_effect(found: FoundEffect, known: Iterable[str]) -> str:
-    """The name of an effect in a platform file; a law outside the catalogue takes a place that is not taken.
+    """The name of an effect in a platform file; a law outside the catalogue takes a free place.
 
     known: the effects that are in the file. Raises CocorosimError if all places of laws are taken.
     """
@@ -99,7 +99,7 @@ def section_of(found: FoundEffect) -> str:
 
 
 def _powers_and_signs(product: str) -> tuple[Mapping[str, float], Mapping[str, bool]]:
-    """Of every regressor in a product: the power of its amount, and whether its sign counts."""
+    """Powers of the amounts of all regressors in a product, and flags that tell whether the signs count."""
     powers: dict[str, float] = {}
     signs: dict[str, bool] = {}
     for match in _FACTOR.finditer(product):

@@ -1,4 +1,4 @@
-"""How much each effect of the catalogue would explain, and how far the platform's numbers have moved."""
+"""Pictures of the evidence for each effect of the catalogue, and of the shifts of the platform's numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LEAST_NATS = 0.1  # bars begin here
 
 
 def bars_of_nats(diagnosis: Diagnosis) -> Markup:
-    """A bar per screened effect that explains anything, the strongest on top: found ones, their rivals, others."""
+    """Draw a bar per screened effect that explains anything, the strongest on top; colours: found, rival, other."""
     shown = sorted((each for each in diagnosis.screened if _nats(each) >= LEAST_NATS), key=lambda each: -_nats(each))
     if not shown:
         return Markup("")
@@ -46,12 +46,12 @@ def bars_of_nats(diagnosis: Diagnosis) -> Markup:
 
 
 def without_bars(diagnosis: Diagnosis) -> list[str]:
-    """The screened effects that explain nothing: too little for a bar."""
+    """The screened effects that explain too little for a bar."""
     return [each.id for each in diagnosis.screened if _nats(each) < LEAST_NATS]
 
 
 def shifts(parameters: Sequence[Recalibrated]) -> Markup:
-    """Each parameter's fitted value and 95 % interval as a percentage of its nominal value."""
+    """Draw each parameter's fitted value and 95 % interval as a percentage of its nominal value."""
     shown = [each for each in parameters if each.nominal and math.isfinite(each.nominal)]
     if not shown:
         return Markup("")

@@ -1,4 +1,4 @@
-"""What a sensor shows beside what the model expects it to show."""
+"""Picture of a sensor's deviation from the readings that the model expects."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _UNITS = {"yaw": "rad", "t": "s", "z": "m", "x": "m", "y": "m", "r": "rad/s", "u
 
 
 def reading_figure(reading: ResidualReading) -> Markup:
-    """Deviation of the readings over what it depends on, before and after."""
+    """Draw the deviation of the readings over the quantity that it depends on, before and after."""
     y_scale = handy_scale(largest(reading.before), reading.unit)
     x_scale = handy_scale(largest(reading.against), _UNITS.get(reading.regressor, "1"))
     x = reading.against * x_scale.factor

@@ -1,4 +1,4 @@
-"""What a residual may be proportional to, by the names of the contract: its values along a recording, and its unit."""
+"""Regressors of a residual by the names of the contract: values along a recording, and units."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _OF_WORLD = re.compile(r"(.+) \((world_[xyz])\)")
 
 
 def law_of(equation: str, regressor: str) -> tuple[str, str]:
-    """Equation and regressor; those along the world's axes are written 'x (world_x)' beside an equation of the body."""
+    """Split a law into equation and regressor; 'x (world_x)' beside an equation of the body means x in world_x."""
     match = _OF_WORLD.fullmatch(regressor)
     return (match[2], match[1]) if match else (equation, regressor)
 

@@ -40,8 +40,8 @@ from cocorosim_ros.diagnosis.report.words import (
 )
 from cocorosim_ros.study.pictures.page import page_template
 
-MOST_ROBOTS = 3  # whose pictures are shown
-MOST_LOCATED = 3  # whose residual is drawn against its regressor, per robot
+MOST_ROBOTS = 3  # with pictures
+MOST_LOCATED = 3  # per robot, with a picture of the residual against the regressor
 MOST_FREE_RUNS = 3
 MOST_READINGS = 4
 
@@ -83,7 +83,7 @@ def _where(diagnosis: Diagnosis, origin: Origin) -> Context:
 
 
 def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
-    """What tells the courses of these robots apart; a robot of several recordings comes in their order."""
+    """Titles that tell the courses of robots apart; a robot of several recordings appears in their order."""
     titles = []
     for place, robot in enumerate(robots):
         number, count = robots[:place].count(robot), robots.count(robot)
@@ -94,7 +94,7 @@ def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
 
 
 def _more(robots: Sequence[str]) -> str:
-    """Of whom there are no pictures; empty if there are of all."""
+    """The number of robots or recordings without pictures, in words; empty if all have pictures."""
     others = set(robots[MOST_ROBOTS:]) - set(robots[:MOST_ROBOTS])
     if others:
         return f"{len(others)} more robot{'s' if len(others) > 1 else ''}"
@@ -184,7 +184,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
 
 
 def _chosen_runs(runs: Sequence[FreeRun]) -> list[FreeRun]:
-    """A few stretches, of as many robots as possible."""
+    """Choose a few stretches, of as many robots as possible."""
     own = [sum(other.robot == run.robot for other in runs[:index]) for index, run in enumerate(runs)]
     order = sorted(range(len(runs)), key=lambda index: own[index])
     return [runs[index] for index in sorted(order[:MOST_FREE_RUNS])]

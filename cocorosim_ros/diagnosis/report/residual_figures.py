@@ -1,4 +1,4 @@
-"""Where the model lacks force: over time, against what it is proportional to, by heading, speed, depth and command."""
+"""Pictures of the missing force: over time, against regressors, and by heading, speed, depth and command."""
 
 from __future__ import annotations
 
@@ -54,18 +54,18 @@ class Pair:
 def pairs_of(diagnosis: Diagnosis) -> list[Pair]:
     """The residuals before and after, robot by robot; those with a finding come first."""
     after = list(diagnosis.residual_after)
-    accused = {robot for located in diagnosis.mismatch for robot in located.robots}
-    accused |= {robot for effect in diagnosis.effects for robot in effect.robots}
+    with_findings = {robot for located in diagnosis.mismatch for robot in located.robots}
+    with_findings |= {robot for effect in diagnosis.effects for robot in effect.robots}
     pairs = []
     for before in diagnosis.residual_before:
         match = next((each for each in after if each.robot == before.robot), None)
         after = [each for each in after if each is not match]
         pairs.append(Pair(before, match))
-    return sorted(pairs, key=lambda pair: pair.before.robot not in accused)
+    return sorted(pairs, key=lambda pair: pair.before.robot not in with_findings)
 
 
 def over_time(pair: Pair) -> Markup:
-    """A panel per degree of freedom that the recording shows: the residual with its 95 % band."""
+    """Draw a panel per degree of freedom that the recording shows: the residual with its 95 % band."""
     shown = [name for name, (column, _) in EQUATIONS.items() if largest(pair.before.force[:, column]) > 0.0]
     if not shown:
         return Markup("")
@@ -95,7 +95,7 @@ def _panel_over_time(axes: Axes, pair: Pair, equation: str) -> None:
 
 
 def against_regressor(pair: Pair, located: Located) -> Markup:
-    """The residual of an equation over what it is proportional to; empty if the recording's residual lacks either."""
+    """Draw the residual of an equation over its regressor; empty if the recording's residual lacks either."""
     law = law_of(located.equation, located.regressor)
     if _points(pair.before, *law) is None:
         return Markup("")
@@ -121,7 +121,7 @@ def _points(residual: ResidualForce, equation: str, regressor: str) -> tuple[Flo
 
 
 def _scatter(axes: Axes, points: tuple[Floats, str, Floats, str], law: tuple[str, str], colour: str) -> float:
-    """Draws a cloud, its means in classes, and gives the height that both panels need."""
+    """Draw a cloud and its means in classes, and give the height that both panels need."""
     along, along_unit, missing, unit = points
     x_scale, y_scale = _scale_along(law[1], along, along_unit), handy_scale(_size(missing), unit)
     x, y = along * x_scale.factor, missing * y_scale.factor
@@ -138,7 +138,7 @@ def _scatter(axes: Axes, points: tuple[Floats, str, Floats, str], law: tuple[str
 
 
 def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
-    """Mean residual of some equations by heading, speed, height and command, as far as they vary."""
+    """Draw the mean residual of some equations by heading, speed, height and command, as far as these vary."""
     columns = [name for name in _CONDITIONS if _varies(pair.before, name)]
     rows = [name for name in dict.fromkeys(equations) if residual_of(name, pair.before) is not None]
     if not rows or not columns:
@@ -185,7 +185,7 @@ def _draw_means(axes: Axes, x: Floats, y: Floats, colour: str, label: str | None
 
 
 def _scale_along(regressor: str, values: Floats, unit: str) -> Scale:
-    """Places are in metres on every picture, everything else in a unit that is handy."""
+    """The unit along an axis: metres for places on every picture, a handy unit for all else."""
     return Scale(1.0, unit) if regressor in ("x", "y", "z") else handy_scale(largest(values), unit)
 
 
@@ -195,6 +195,6 @@ def _varies(residual: ResidualForce, condition: str) -> bool:
 
 
 def _size(values: Floats) -> float:
-    """What nearly all values stay below, in magnitude."""
+    """Magnitude below which 99.5 % of the values stay."""
     finite = np.abs(values[np.isfinite(values)])
     return float(np.quantile(finite, 0.995)) if finite.size else 0.0
