@@ -1,4 +1,4 @@
-"""What a diagnosis has found: the content of diagnosis.json, typed, and what only the report shows beside it."""
+"""Findings of a diagnosis: the content of diagnosis.json, typed, and series that only the report shows."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Estimate:
     unit: str
 
     def holds(self, value: float) -> bool:
-        """Whether a value lies in the interval."""
+        """Tell whether a value lies in the interval."""
         return self.low <= value <= self.high
 
 
@@ -38,7 +38,7 @@ class Recalibrated:
 
 @dataclass(frozen=True)
 class Located:
-    """Where simulation and recording differ: which equation, in proportion to what, where and when."""
+    """A difference of simulation and recording: its equation, its regressor, its place and its time."""
 
     robots: tuple[str, ...]
     equation: str
@@ -119,9 +119,9 @@ class ResidualForce:
 
 @dataclass(frozen=True)
 class ResidualReading:
-    """What a stream shows less what the model expects there, over time; (n,) each.
+    """Deviation of a stream's readings from those that the model expects, over time; (n,) each.
 
-    against: what the deviation is drawn over, named `regressor`, such as the yaw [rad] for a compass.
+    against: the quantity `regressor` over which the deviation is drawn, such as the yaw [rad] for a compass.
     """
 
     robot: str
@@ -148,10 +148,10 @@ class FreeRun:
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """Everything that was found."""
+    """All findings of a diagnosis."""
 
     verdict: Verdict
-    sentence: str  # what an engineer would say
+    sentence: str  # the summary
     recalibrated: tuple[Recalibrated, ...]
     mismatch: tuple[Located, ...]
     effects: tuple[FoundEffect, ...]

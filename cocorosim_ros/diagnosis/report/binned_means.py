@@ -6,9 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.foundation.arrays import Flags, Floats
-
-_LEAST_VISITS = 3
 
 
 class BinnedMeans(NamedTuple):
@@ -41,7 +40,7 @@ def _class_mean(abscissa: Floats, values: Floats, inside: Flags) -> tuple[float,
     counts = np.bincount(visits)
     means = np.bincount(visits, weights=values[inside]) / counts
     mean = float(values[inside].mean())
-    if len(starts) < _LEAST_VISITS:
+    if len(starts) < REPORT.fewest_visits:
         return float(abscissa[inside].mean()), mean, float("nan")
     # Long visits weigh more in the mean, and therefore in its error.
     weights = counts / counts.sum()

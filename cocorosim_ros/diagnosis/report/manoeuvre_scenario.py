@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -17,7 +18,6 @@ LEAST_DURATION = 600.0  # s; ten minutes are good for a diagnosis
 LONG = 1800.0  # s
 DEPTH = 4.0  # m of water
 SIDE, LEAST_SIDE = 100.0, 6.0  # s at full speed; m
-ALONG_AXIS = 0.3  # of a thruster's direction that counts as pushing along an axis
 
 
 class Row(NamedTuple):
@@ -146,7 +146,7 @@ def _shares(platform: Platform) -> list[tuple[float, float, float]]:
         if isinstance(actuator, BuoyancyPump):
             shares.append((0.0, 0.0, 1.0))
             continue
-        ahead, rise = (math.copysign(1.0, part) if abs(part) > ALONG_AXIS else 0.0 for part in wrench[[0, 2]])
+        ahead, rise = (math.copysign(1.0, part) if abs(part) > REPORT.along_axis else 0.0 for part in wrench[[0, 2]])
         turn = math.copysign(1.0, wrench[3]) if wrench[3] else 0.0
         shares.append((float(ahead), turn, float(rise)))
     return shares

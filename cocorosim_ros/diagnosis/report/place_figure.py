@@ -7,6 +7,7 @@ from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import mean_map
 from cocorosim_ros.diagnosis.report.figure_style import INK, QUIET, Drawing, Margins, labelled, largest, style_axes
@@ -16,7 +17,6 @@ from cocorosim_ros.diagnosis.report.residual_figures import Pair
 from cocorosim_ros.foundation.arrays import Floats
 
 _CELLS = 12
-_LEAST_SAMPLES = 8
 _LEAST_EXTENT = 1e-3  # m
 # Transparent in the middle: a residual of zero shows the page, light or dark.
 _STRONG, _MIDDLE = 1.0, 0.6
@@ -77,7 +77,7 @@ def _map_of(residual: ResidualForce, equation: str, edges: tuple[Floats, Floats]
     along = found[0] if found else np.full(len(residual.time), np.nan)
     east, north = (residual_of(name, residual) for name in ("world_x", "world_y"))
     values = np.stack([along, east[0] if east else along, north[0] if north else along], axis=1)
-    return mean_map(residual.place[:, :2], values, edges, _LEAST_SAMPLES)
+    return mean_map(residual.place[:, :2], values, edges, REPORT.fewest_samples)
 
 
 def _arrows(axes: Axes, cells: Floats, edges: tuple[Floats, Floats], longest: float) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros import __version__
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
@@ -202,7 +203,7 @@ def _held_out(found: HeldOut) -> list[Context]:
             {
                 "value": number_with_unit(plain_number(value * scale.factor), scale.unit),
                 "interval": f"{plain_number(low)} to {plain_number(high)}" if math.isfinite(low + high) else "",
-                "best": len(errors) > 1 and value == errors[0] and value < 0.9 * errors[1],
+                "best": len(errors) > 1 and value == errors[0] and value < REPORT.clearly_best * errors[1],
             }
         )
     return cells

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, quantity_words
 
-CLEAR_GAIN = 0.95  # of the error that is left, for a gain worth telling
 MOST_NUMBERS = 4  # of an effect or of a platform that a sentence can carry
 
 
@@ -44,7 +44,7 @@ def _gain(table: Mapping[str, HeldOut]) -> str:
     """Words for the gain of the effects on the first channel where they gain anything."""
     for channel in ("position", "heading", "depth", "compass", "pressure", "imu"):
         row = table.get(channel)
-        if row is not None and row.augmented < CLEAR_GAIN * row.recalibrated:
+        if row is not None and row.augmented < REPORT.clear_gain * row.recalibrated:
             after, before, floor = (
                 quantity_words(value, row.unit) for value in (row.augmented, row.recalibrated, row.noise_floor)
             )
