@@ -1,1 +1,1 @@
-"""Where a recording and the simulation differ, what physics was left out, and how the fit improves with it."""
+"""Differences of recordings and simulation, the physics that was left out, and how the fit improves with it."""

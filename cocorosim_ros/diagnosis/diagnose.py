@@ -35,7 +35,7 @@ SURE = 0.01  # chance that a clear shift of the platform's numbers is none
 
 
 def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
-    """What the recordings say of the platform's model; `progress` is told what is done, and the share that is done."""
+    """Compare recordings with the platform's model; `progress` takes the present step in words, and the share done."""
     progress("checking the recordings", 0.0)
     intake = take_in(evidence)
     if intake.reasons:
@@ -96,13 +96,13 @@ def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeR
 
 
 def _is_worse(row: HeldOut) -> bool:
-    """Whether the model with its effects errs clearly more than the one without."""
+    """Tell whether the model with its effects errs clearly more than the model without."""
     clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
     return clear and row.augmented > WORSE * max(row.recalibrated, row.noise_floor)
 
 
 def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
-    """What is said where no model can be fitted at all."""
+    """The diagnosis of evidence to which no model can be fitted."""
     remarks = tuple(remark for recording in evidence.recordings for remark in recording.remarks)
     everything = ("frame_mixup", *IDS)
     manoeuvres = advised((), everything)
@@ -129,13 +129,13 @@ def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unse
 
 
 def _shifted(base: Fit) -> bool:
-    """Whether the platform's own numbers do not fit, all of them taken together."""
+    """Tell whether the platform's own numbers, taken together, do not fit."""
     gain = base.objective - nominal_fit(base).objective
     return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.unknowns)))
 
 
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:
-    """The number that moved most, of those whose interval leaves out the nominal, where only all together are clear."""
+    """The number that moved most, of those whose interval excludes the nominal; used where no number alone is clear."""
 
     def moved(part: Recalibrated) -> float:
         width = part.estimate.high - part.estimate.low

@@ -1,4 +1,4 @@
-"""What a diagnosis has found: the content of diagnosis.json, typed, and what only the report shows beside it."""
+"""Findings of a diagnosis: the content of diagnosis.json, typed, and series that only the report shows."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Estimate:
     unit: str
 
     def holds(self, value: float) -> bool:
-        """Whether a value lies in the interval."""
+        """Tell whether a value lies in the interval."""
         return self.low <= value <= self.high
 
 
@@ -41,7 +41,7 @@ class Recalibrated:
 
 @dataclass(frozen=True)
 class Located:
-    """Where simulation and recording differ: which equation, in proportion to what, where and when."""
+    """A difference of simulation and recording: its equation, its regressor, its place and its time."""
 
     robots: tuple[str, ...]
     equation: str
@@ -136,7 +136,7 @@ class ResidualForce:
 
 @dataclass(frozen=True)
 class ResidualReading:
-    """What a stream shows less what the model expects there, over time; (n,) each.
+    """Deviation of a stream's readings from those that the model expects, over time; (n,) each.
 
     against: what the deviation is drawn over, such as the yaw [rad] for a compass, named `regressor`.
     """
@@ -166,10 +166,10 @@ class FreeRun:
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """Everything that was found."""
+    """All findings of a diagnosis."""
 
     verdict: Verdict
-    sentence: str  # what an engineer would say
+    sentence: str  # the summary
     recalibrated: tuple[Recalibrated, ...]
     mismatch: tuple[Located, ...]
     effects: tuple[FoundEffect, ...]
@@ -183,6 +183,6 @@ class Diagnosis:
     readings: tuple[ResidualReading, ...] = ()
     free_runs: tuple[FreeRun, ...] = ()
     remarks: tuple[str, ...] = ()
-    needed_nats: float = float("nan")  # evidence from which an effect is accused
+    needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
     manoeuvres: tuple[str, ...] = ()  # those that `next_manoeuvre` puts into words, by name

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 @dataclass(frozen=True)
 class ExcitationCriteria:
-    """When an actuator counts as varied, reversed, off or near zero (`streams.excitation`)."""
+    """Limits at which an actuator counts as varied, reversed, off or near zero (`streams.excitation`)."""
 
     step: float = 0.1
     """[of the maximum] a change of the command that counts as sudden. Chosen, not measured."""
@@ -23,7 +23,7 @@ class ExcitationCriteria:
 
 @dataclass(frozen=True)
 class NoiseCriteria:
-    """When differences of readings show noise and not motion, a gap or a slow sensor (`streams.noise`)."""
+    """Limits within which differences of readings show noise, not motion, gaps or slow sensors (`streams.noise`)."""
 
     widest_span: float = 1.6
     """[of the median window] a wider window crosses a gap, over which motion shows. Chosen, not measured."""
@@ -47,7 +47,7 @@ class NoiseCriteria:
 
 @dataclass(frozen=True)
 class OutlierCriteria:
-    """When a reading is a fault of the sensor and not motion (`streams.outliers`)."""
+    """Limits beyond which a reading is a fault of the sensor and not motion (`streams.outliers`)."""
 
     fewest: int = 20
     """[readings] fewer do not show what is usual: four neighbourhoods of five. Chosen, not measured."""
@@ -67,7 +67,7 @@ class OutlierCriteria:
 
 @dataclass(frozen=True)
 class TurningCriteria:
-    """When an angle counts degrees, and when a gyroscope may bridge its gaps (`streams.turning`)."""
+    """Tests of an angle's unit, and of a gyroscope that may bridge the angle's gaps (`streams.turning`)."""
 
     beyond_a_turn: float = 0.1
     """[rad] by which an angle in radians, however it is wrapped, may exceed 2 pi. Chosen, not measured."""
@@ -83,7 +83,7 @@ class TurningCriteria:
 
 @dataclass(frozen=True)
 class ClockCriteria:
-    """When stamps count from another zero, or run at another rate than the recorder's clock (`clocks`)."""
+    """Limits beyond which stamps count from another zero, or run at another rate than the log times (`clocks`)."""
 
     far: float = 1.0
     """[s] no transport and no latency explains such an offset. Chosen, not measured."""
@@ -111,7 +111,7 @@ class ClockCriteria:
 
 @dataclass(frozen=True)
 class SpacingCriteria:
-    """When readings have a gap, or come unevenly (`cleaning`)."""
+    """Limits beyond which readings have a gap, or come unevenly (`cleaning`)."""
 
     gap_intervals: float = 5.0
     """[usual intervals] a gap is longer than that, and than `gap_seconds`. Chosen, not measured."""
@@ -123,7 +123,7 @@ class SpacingCriteria:
 
 @dataclass(frozen=True)
 class BurstCriteria:
-    """When readings were delivered in bursts (`bursts`)."""
+    """Signs of readings that were delivered in bursts (`bursts`)."""
 
     at_once: float = 0.1
     """[of the mean interval] no instrument takes two readings so close to each other. Chosen, not measured."""
@@ -137,7 +137,7 @@ class BurstCriteria:
 
 @dataclass(frozen=True)
 class JumpCriteria:
-    """When a track leaps farther than the robot can swim (`pose_jumps`)."""
+    """Limits of the distance that a robot can swim between two poses (`pose_jumps`)."""
 
     noises: float = 10.0
     """[standard deviations of a reading] that two poses of one moment may lie apart. Chosen, not measured."""
@@ -159,7 +159,7 @@ class JumpCriteria:
 
 @dataclass(frozen=True)
 class ExchangeCriteria:
-    """When two tracks were exchanged with each other (`identities`)."""
+    """Signs of two tracks that were exchanged with each other (`identities`)."""
 
     close: float = 0.3
     """[hulls] a leap that counts where a second one leaps to its place: robots that are mistaken for each other are
@@ -174,7 +174,7 @@ class ExchangeCriteria:
 
 @dataclass(frozen=True)
 class SpeedCriteria:
-    """When the velocity stream and the track contradict each other in size (`consistency`)."""
+    """Limits beyond which the velocity stream and the track contradict each other in size (`consistency`)."""
 
     related: float = 0.7
     """[1] correlation below which the two tell nothing of each other. Chosen, not measured."""
@@ -186,7 +186,7 @@ class SpeedCriteria:
 
 @dataclass(frozen=True)
 class SufficiencyCriteria:
-    """When a robot, or all recordings together, can tell anything at all (`abstention`)."""
+    """Least information that makes a robot, or all recordings together, worth a diagnosis (`abstention`)."""
 
     shortest: float = 6.0
     """[s] of commands and readings at the same time, of one recording. Chosen, not measured."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 @dataclass(frozen=True)
 class AgreementCriteria:
-    """When the agreement of two streams is worth a conclusion (`frames.agreement`)."""
+    """Limits from which the agreement of two streams is worth a conclusion (`frames.agreement`)."""
 
     fewest: int = 8
     """[independent readings] fewer conclude nothing. Chosen, not measured."""
@@ -29,7 +29,7 @@ class AgreementCriteria:
 
 @dataclass(frozen=True)
 class AxesCriteria:
-    """When axes or signs of a stream are taken to be exchanged (`frames.inertial`, `through_water`, `upright`)."""
+    """Evidence for exchanged axes or signs of a stream (`frames.inertial`, `through_water`, `upright`)."""
 
     margin: float = 10.0
     """[nats] by which a correction has to fit better: odds of 22,000 to 1. Chosen, not measured."""
@@ -41,7 +41,7 @@ class AxesCriteria:
 
 @dataclass(frozen=True)
 class OrientationCriteria:
-    """What changes of the horizontal axes cost against the relations that they mend (`frames.orientation`)."""
+    """Prices of changes of the horizontal axes, against the relations that the changes mend (`frames.orientation`)."""
 
     price: float = 10.0
     """[nats] of one change. Chosen, not measured."""
@@ -89,7 +89,7 @@ class PressureUnit(NamedTuple):
 
 @dataclass(frozen=True)
 class UnitCriteria:
-    """When numbers are so large or small that they must be in another unit (`frames.units`)."""
+    """Ranges of numbers so large or small that they must be in another unit (`frames.units`)."""
 
     related: float = 0.7
     """[1] correlation of two streams, from which their quotient tells of units. Chosen, not measured."""

@@ -1,4 +1,4 @@
-"""From recorded commands to the mean force of every actuator between two grid points."""
+"""Mean force of every actuator between two grid points, from recorded commands."""
 
 from __future__ import annotations
 

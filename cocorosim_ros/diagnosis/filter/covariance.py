@@ -1,4 +1,4 @@
-"""The covariance of the filter: how it spreads from step to step, and shrinks with each reading.
+"""The covariance of the filter, which spreads from step to step and shrinks with each reading.
 
 Matrices are flat. Rows of the horizontal ones are three vectors of four.
 """
@@ -13,7 +13,7 @@ from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import add_four, stack_array
 from cocorosim_ros.world.terms.blocks import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
 
-GATE = 6.0  # standard deviations beyond which a reading pulls no harder, nor makes anything surer
+GATE = 6.0  # standard deviations; a reading beyond pulls no harder, and leaves the covariance as it is
 
 
 @kernel
@@ -33,7 +33,7 @@ def _add_row(target: Floats, at: int, source: Floats, first: int, factor: float)
 def transition(slope: Floats, step: float, fade: Fading, ahead: Floats, back: Floats) -> None:
     """ahead = exp(slope step) to second order, back its transpose.
 
-    The random force fades by itself, and acts by its mean over the step.
+    The random force fades without the other states, and acts by its mean over the step.
     slope (HFX, HORIZONTAL), ahead and back (HORIZONTAL, HORIZONTAL).
     """
     for i in range(HFX):
@@ -83,9 +83,9 @@ def spread(covariance: Floats, ahead: Floats, back: Floats) -> None:
 
 @kernel
 def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: float) -> float:
-    """Variance of the innovation; writes the gain (HORIZONTAL,), shrinks the covariance unless the reading is doubted.
+    """Variance of the innovation; writes the gain (HORIZONTAL,), shrinks the covariance if the reading is within GATE.
 
-    gate: the innovation squared.
+    gate: the squared innovation.
     """
     for i in range(HORIZONTAL):
         gain[i] = 0.0
@@ -107,7 +107,7 @@ def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: f
 
 @kernel
 def transition_upright(slope: Floats, step: float, fade: Fading, ahead: Floats) -> None:
-    """The same of the vertical block: slope (VFZ, VERTICAL), ahead (VERTICAL, VERTICAL)."""
+    """Transition of the vertical block: slope (VFZ, VERTICAL), ahead (VERTICAL, VERTICAL)."""
     for i in range(VFZ):
         for j in range(VERTICAL):
             square = 0.0

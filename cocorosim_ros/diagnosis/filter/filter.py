@@ -4,8 +4,8 @@ State: pose, velocity through `state_rate` of the simulator, and the random forc
 world axes), heave and yaw, each with the gust that drives it. The mean is carried by midpoint steps, the
 covariance to second order in the step, in two blocks (horizontal and vertical) that are taken as independent of each
 other. Readings between two steps are predicted by a Taylor series from the nearer one. A reading beyond GATE pulls as
-one at the gate would (Huber's function): were it left out, a model in error would lose its robot for good, at a moment
-that hangs on its numbers, and the likelihood would jump.
+one at the gate would (Huber's function): without its pull, a model in error would lose its robot for good, at a moment
+that depends on the model's numbers, and the likelihood would jump.
 
 Source: Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225; Jazwinski, Stochastic Processes and Filtering
 Theory (1970), section 8.3; Masreliez and Martin, IEEE Trans. Automatic Control 22 (1977) 361.
@@ -90,7 +90,7 @@ from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
 class Spread(NamedTuple):
-    """The covariance and how it moves: slopes, transitions, all flat."""
+    """The covariance with its slopes and transitions, all flat."""
 
     wide: Floats  # (HORIZONTAL, HORIZONTAL)
     wide_slope: Floats  # (HFX, HORIZONTAL)
@@ -112,7 +112,7 @@ class NewVariance(NamedTuple):
 
 @allocating_kernel
 def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
-    """As the standard deviation of the state (8,) and the random force (WATER_NOISE) have it."""
+    """Start the covariance from the standard deviation of the state (8,) and from the random force (WATER_NOISE)."""
     wide, high = np.zeros(HORIZONTAL * HORIZONTAL), np.zeros(VERTICAL * VERTICAL)
     places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
     for i in range(6):
@@ -184,7 +184,7 @@ def _correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: fl
 
 @kernel
 def _remember(motion: Motion, body: Body, parts: Spread, point: int, history: History) -> None:
-    """Write down what is believed before the readings of a grid point."""
+    """Write mean and covariance before the readings of a grid point into `history`."""
     _keep_mean(motion, body, history.before[point])
     _keep_wide(parts.wide, history.wide_before[point])
     _keep_wide(parts.wide_step, history.wide_step[point])
@@ -196,6 +196,7 @@ def _remember(motion: Motion, body: Body, parts: Spread, point: int, history: Hi
 
 @kernel
 def _remember_after(motion: Motion, body: Body, parts: Spread, point: int, history: History) -> None:
+    """Write mean and covariance after the readings of a grid point into `history`."""
     _keep_mean(motion, body, history.after[point])
     _keep_wide(parts.wide, history.wide_after[point])
     for i in range(VERTICAL):
@@ -302,7 +303,7 @@ def _slope(
                 relative_velocity(row, time, body, water)
             when = readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index]
             shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
-            # What is not believed pulls as far as it may, whatever the model.
+            # A reading beyond the gate pulls by the same amount under every model.
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
@@ -320,7 +321,7 @@ def slope_pass(
     past: Past,
     slope: Floats,
 ) -> None:
-    """The filter with the gains of another pass, its mean alone, at a fraction of the cost.
+    """Run the mean of the filter alone, with the gains of another pass, at a fraction of the cost.
 
     start (8,). Writes (m,) the change of the innovations over the step by which a number of this pass differs from that
     of the past one: what the number explains. 0 where not believed.

@@ -1,4 +1,4 @@
-"""Where things stand in the arrays of the filter."""
+"""Layout of the arrays of the filter: states, kinds of readings, numbers of sensors and of the random force."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from cocorosim_ros.world.sensors import KINDS as KIND_TABLE
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS
 
-# What a single reading is of, in the order of streams.log.STREAMS.
+# Kinds of single readings, in the order of streams.log.STREAMS.
 (
     POSE_X,
     POSE_Y,

@@ -1,4 +1,4 @@
-"""How the mean of the filter moves: midpoint steps of the simulator's dynamics, and their slopes."""
+"""Motion of the filter's mean: midpoint steps of the simulator's dynamics, and their slopes."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ FORCE_X, FORCE_Y, FORCE_Z, MOMENT = PATCH_FORCE_COLUMNS  # world x, y, z [N] and
 FORCE = FORCE_X  # the first of the four
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
-AT_POINT = 2  # stages of a step before the rates at its end
-HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that are given
+AT_POINT = 2  # number of stages of a step before the rates at its end
+HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that stay as they are given
 
 
 class Clock(NamedTuple):
@@ -46,7 +46,7 @@ class Motion(NamedTuple):
 
 @allocating_kernel
 def make_motion(start: Floats, body: Body) -> Motion:
-    """At rest of all actuators in the state `start` (8,), without random forces."""
+    """Working space for a robot in the state `start` (8,), with all actuators off and without random forces."""
     size = STATE_SIZE + ROW_SHARE * body.actuator_wrench.shape[0]
     motion = Motion(np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(size), np.zeros(4))
     motion.row[:STATE_SIZE] = start
@@ -56,7 +56,7 @@ def make_motion(start: Floats, body: Body) -> Motion:
 
 @kernel
 def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -> None:
-    """Write what acts into the row: the mean of the drive at two grid points (the same twice for that of one)."""
+    """Write forces and neighbours into the row: the mean of the drive at two grid points, which may be the same."""
     actuators = drive.force.shape[1]
     memory = STATE_SIZE + 2 * actuators
     for column in range(actuators):
@@ -71,7 +71,7 @@ def put_drive(row: Floats, drive: Drive, point: int, earlier: int, body: Body) -
 
 @kernel
 def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
-    """Write what the random forces will be at the end of the step; their mean over the step takes their place."""
+    """Write the random forces at the end of the step into `faded`, and their mean over the step in their own place."""
     for column in range(4):
         force, gust = body.parameters[FORCE + column], motion.gust[column]
         faded[column] = fade.kept * force + fade.fed * gust
@@ -81,7 +81,7 @@ def _fade(motion: Motion, fade: Fading, faded: Floats, body: Body) -> None:
 
 @kernel
 def _compare(motion: Motion, drive: Drive, point: int, body: Body) -> None:
-    """From the rates just before and just behind a grid point to their mean and their difference."""
+    """Replace the rates just before and just behind a grid point by their mean and their difference."""
     for column in range(STATE_SIZE):
         before, behind = motion.leap[column], motion.rate[column]
         motion.rate[column], motion.leap[column] = 0.5 * (before + behind), behind - before

@@ -1,4 +1,4 @@
-"""Sums over all readings of products of slopes, by one thread and in one order, on every machine the same."""
+"""Sums of products of slopes over all readings, in one thread and one order, so that every machine finds the same."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
 
-CHUNK = 1024  # readings at a time, so that they stay in the cache
+CHUNK = 1024  # readings in a block, so that a block stays in the processor's cache
 LANES = 8
 
 
@@ -44,7 +44,7 @@ def _products(left: Floats, right: Floats, variance: Floats) -> Floats:
         for j in range(right.shape[0]):
             nothing[j] = _is_nothing(right[j, begin:end])
         for i in range(left.shape[0]):
-            if _is_nothing(left[i, begin:end]):  # as those of other robots are
+            if _is_nothing(left[i, begin:end]):  # slopes of other robots' numbers
                 continue
             for index in range(begin, end):
                 weighted[index - begin] = left[i, index] / variance[index]
@@ -55,7 +55,7 @@ def _products(left: Floats, right: Floats, variance: Floats) -> Floats:
 
 
 def weighted_products(left: Floats, right: Floats, variance: Floats) -> Floats:
-    """(a, b) left^T diag(1 / variance) right of left (m, a), right (m, b), variance (m,)."""
+    """Product (a, b) left^T diag(1 / variance) right of left (m, a), right (m, b), variance (m,)."""
     few, many = (left, right) if left.shape[1] <= right.shape[1] else (right, left)
     found: Floats = _products(np.ascontiguousarray(few.T), np.ascontiguousarray(many.T), variance)
     return found if few is left else found.T

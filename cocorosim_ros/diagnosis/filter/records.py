@@ -1,4 +1,4 @@
-"""What goes into the filter and what it leaves."""
+"""Input and output of the filter."""
 
 from __future__ import annotations
 
@@ -32,34 +32,34 @@ class Readings(NamedTuple):
 
     step: float  # s between grid points
     begin: float  # s, time of grid point 0
-    first: Integers  # (points + 1,) where the readings of each grid point begin
+    first: Integers  # (points + 1,) first reading of each grid point
     kind: Integers  # (m,)
     after: Floats  # (m,) s after the grid point, may be negative
-    apart: Floats  # (m,) s from the grid point, the mean over what was averaged
-    side: Floats  # (m,) -1 before the grid point, 1 behind it, the mean over what was averaged
+    apart: Floats  # (m,) s from the grid point, mean of averaged readings
+    side: Floats  # (m,) -1 before the grid point, 1 behind it, mean of averaged readings
     stamp: Floats  # (m,) s, as it stands in the recording
     value: Floats  # (m,)
     share: Floats  # (m,) variance as a share of that of a single reading of its kind
-    origin: Integers  # (m,) their numbers in the order of the track, in which all results are
+    origin: Integers  # (m,) place of each in the order of the track, which is that of all results
 
 
 class Drive(NamedTuple):
-    """What acts on the robot from each grid point to the next."""
+    """Forces and neighbours that act on the robot from each grid point to the next."""
 
     force: Floats  # (points, A) mean force of every actuator [N]
-    rate: Floats  # (points, A) at which it changes [N/s]
-    around: Floats  # (points, robots, NEIGHBOUR_SIZE) all robots as neighbours feel them; (1, 0, ...) if nobody asks
+    rate: Floats  # (points, A) rate of change of the force [N/s]
+    around: Floats  # (points, robots, NEIGHBOUR_SIZE) all robots as neighbours feel them; (1, 0, ...) if none does
 
 
 class History(NamedTuple):
-    """At every grid point, before and after its readings: x y z yaw u v w r, force x y z, moment, their gusts."""
+    """State at every grid point, before and after its readings: x y z yaw u v w r, force x y z, moment, their gusts."""
 
     before: Floats  # (points, 16)
     after: Floats  # (points, 16)
     wide_before: Floats  # (points, HORIZONTAL, HORIZONTAL) covariance of the horizontal block
     wide_after: Floats
     wide_step: Floats  # (points, HORIZONTAL, HORIZONTAL) transition from the grid point before
-    high_before: Floats  # (points, VERTICAL, VERTICAL) the same of the vertical block
+    high_before: Floats  # (points, VERTICAL, VERTICAL) covariance of the vertical block
     high_after: Floats
     high_step: Floats
 
@@ -95,7 +95,7 @@ class Stretch(NamedTuple):
 
 
 class Belief(NamedTuple):
-    """What the filter leaves for each reading, and for each grid point after its readings."""
+    """Results of the filter for each reading, and for each grid point."""
 
     innovation: Floats  # (m,)
     variance: Floats  # (m,) of the innovation
@@ -104,7 +104,7 @@ class Belief(NamedTuple):
 
 
 class Past(NamedTuple):
-    """What is kept of a pass of the filter, by reading."""
+    """Results of a pass of the filter that a pass for slopes needs, by reading."""
 
     innovation: Floats  # (m,)
     gain: Floats  # (m, HORIZONTAL)

@@ -1,1 +1,1 @@
-"""What a diagnosis has found, for people and for programs: diagnosis.json, model.yaml, report.html."""
+"""Files about a diagnosis, for people and for programs: diagnosis.json, model.yaml, report.html."""

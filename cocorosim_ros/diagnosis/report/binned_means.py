@@ -1,4 +1,4 @@
-"""Means of a residual in classes of something else, with honest error bars."""
+"""Means of a residual in classes of another quantity, with intervals that count separate visits alone."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.foundation.arrays import Flags, Floats
-
-_LEAST_VISITS = 3
 
 
 class BinnedMeans(NamedTuple):
-    """Per class: mean of the abscissa, mean of the values, half width of its 95 % interval (NaN: too few visits)."""
+    """Means of abscissa and values by class, and the half width of their 95 % interval (NaN: too few visits)."""
 
     centre: Floats
     mean: Floats
@@ -22,8 +21,8 @@ class BinnedMeans(NamedTuple):
 def binned_means(abscissa: Floats, values: Floats, classes: int = 12) -> BinnedMeans:
     """The means in classes of about equal numbers of samples.
 
-    Neighbouring samples of a smoothed residual are no independent ones: what counts is how often the robot came into
-    a class, so the interval is that of the mean over visits.
+    Neighbouring samples of a smoothed residual are not independent: the interval is that of the mean over the separate
+    visits of the robot to a class.
     """
     good = np.isfinite(abscissa) & np.isfinite(values)
     abscissa, values = abscissa[good], values[good]
@@ -41,16 +40,16 @@ def _class_mean(abscissa: Floats, values: Floats, inside: Flags) -> tuple[float,
     counts = np.bincount(visits)
     means = np.bincount(visits, weights=values[inside]) / counts
     mean = float(values[inside].mean())
-    if len(starts) < _LEAST_VISITS:
+    if len(starts) < REPORT.fewest_visits:
         return float(abscissa[inside].mean()), mean, float("nan")
-    # Long visits weigh more in the mean, and so they do in its error.
+    # Long visits weigh more in the mean, and therefore in its error.
     weights = counts / counts.sum()
     error = float(np.sqrt(np.sum(weights**2 * (means - mean) ** 2) * len(starts) / (len(starts) - 1)))
     return float(abscissa[inside].mean()), mean, 1.96 * error
 
 
 def mean_map(place: Floats, values: Floats, edges: tuple[Floats, Floats], least: int = 1) -> Floats:
-    """(rows along y, columns along x, ...) means of values (n, ...) in a grid of places (n, 2).
+    """Means (rows along y, columns along x, ...) of values (n, ...) in a grid of places (n, 2).
 
     NaN in cells with fewer than `least` samples.
     """

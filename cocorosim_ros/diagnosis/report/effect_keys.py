@@ -1,4 +1,4 @@
-"""Under which keys of a platform file what was found is written, so that simulator and next diagnosis know it."""
+"""Keys of a platform file under which findings are written, so that simulator and next diagnosis read them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ BESIDE = {
 
 
 def platform_effect(found: FoundEffect, known: Iterable[str]) -> str:
-    """The name of an effect in a platform file; a law outside the catalogue takes a place that is not taken.
+    """The name of an effect in a platform file; a law outside the catalogue takes a free place.
 
     known: the effects that are in the file. Raises CocorosimError if all places of laws are taken.
     """

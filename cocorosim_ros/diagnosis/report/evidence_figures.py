@@ -1,4 +1,4 @@
-"""How much each effect of the catalogue would explain, and how far the platform's numbers have moved."""
+"""Pictures of the evidence for each effect of the catalogue, and of the shifts of the platform's numbers."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from collections.abc import Sequence
 from markupsafe import Markup
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, Recalibrated, ScreenedEffect
 from cocorosim_ros.diagnosis.report.figure_style import AFTER, BEFORE, INK, QUIET, Drawing, Margins, style_axes
 from cocorosim_ros.diagnosis.report.number_text import plain_number
 
-LEAST_NATS = 0.1  # bars begin here
-
 
 def bars_of_nats(diagnosis: Diagnosis) -> Markup:
-    """A bar per screened effect that explains anything, the strongest on top: found ones, their rivals, others."""
-    shown = sorted((each for each in diagnosis.screened if _nats(each) >= LEAST_NATS), key=lambda each: -_nats(each))
+    """Draw a bar per screened effect that explains anything, the strongest on top; colours: found, rival, other."""
+    explaining = [each for each in diagnosis.screened if _nats(each) >= REPORT.least_nats]
+    shown = sorted(explaining, key=lambda each: -_nats(each))
     if not shown:
         return Markup("")
     found = {each.id for each in diagnosis.effects}
@@ -27,7 +27,7 @@ def bars_of_nats(diagnosis: Diagnosis) -> Markup:
         for place, each in enumerate(shown):
             nats = _nats(each)
             colour = BEFORE if each.id in found else AFTER if each.id in rivals else QUIET
-            axes.barh(place, nats - LEAST_NATS, left=LEAST_NATS, color=colour, height=0.7)
+            axes.barh(place, nats - REPORT.least_nats, left=REPORT.least_nats, color=colour, height=0.7)
             words = plain_number(nats, 3 if nats >= 10.0 else 2)
             axes.annotate(words, (nats, place), (4, 0), textcoords="offset points", va="center", fontsize=8)
         style_axes(axes)
@@ -35,7 +35,7 @@ def bars_of_nats(diagnosis: Diagnosis) -> Markup:
         axes.xaxis.set_major_locator(LogLocator())
         axes.xaxis.set_minor_locator(NullLocator())
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,g}"))
-        axes.set_xlim(LEAST_NATS, 4 * max(10.0, *(_nats(each) for each in shown)))
+        axes.set_xlim(REPORT.least_nats, 4 * max(10.0, *(_nats(each) for each in shown)))
         axes.set_yticks(range(len(shown)), [each.id.replace("_", " ") for each in shown])
         axes.set_ylim(len(shown) - 0.4, -0.6)
         axes.grid(visible=False, axis="y")
@@ -46,12 +46,12 @@ def bars_of_nats(diagnosis: Diagnosis) -> Markup:
 
 
 def without_bars(diagnosis: Diagnosis) -> list[str]:
-    """The screened effects that explain nothing: too little for a bar."""
-    return [each.id for each in diagnosis.screened if _nats(each) < LEAST_NATS]
+    """The screened effects that explain too little for a bar."""
+    return [each.id for each in diagnosis.screened if _nats(each) < REPORT.least_nats]
 
 
 def shifts(parameters: Sequence[Recalibrated]) -> Markup:
-    """Each parameter's fitted value and 95 % interval as a percentage of its nominal value."""
+    """Draw each parameter's fitted value and 95 % interval as a percentage of its nominal value."""
     shown = [each for each in parameters if each.nominal and math.isfinite(each.nominal)]
     if not shown:
         return Markup("")

@@ -1,4 +1,4 @@
-"""How all figures of a report look, and how they become part of its page."""
+"""Style of all figures of a report, and their form inside its page."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from cocorosim_ros.foundation.arrays import Floats
 WIDTH = 9.6  # inches
 BEFORE, AFTER, NOMINAL, MEASURED = "#d9792b", "#2f7fc1", "#a05195", "#808a94"
 QUIET = "#8a94a0"
-# Becomes the colour of the page's text, which is dark on light or light on dark.
+# Replaced by the colour of the page's text, which is dark on light or light on dark.
 INK = "#010203"
 MOST_POINTS = 400
 _STYLE: dict[Any, Any] = {
@@ -59,7 +59,7 @@ USUAL = Margins()
 class Drawing:
     """A figure in the style of the reports: `with Drawing(rows, columns, height) as drawing: drawing.axes[0, 0]...`.
 
-    height [inches] of all of it; afterwards `svg` is the figure's text for the page.
+    height [inches] of the whole figure; after the block `svg` is its text for the page.
     """
 
     def __init__(self, rows: int, columns: int, height: float, margins: Margins = USUAL) -> None:
@@ -83,7 +83,7 @@ class Drawing:
             self._context.__exit__(None, None, None)
 
     def legend(self) -> None:
-        """Above the panels, to the right: what the lines of the first panel are."""
+        """Draw the names of the lines of the first panel above the panels, to the right."""
         handles, labels = self.axes[0, 0].get_legend_handles_labels()
         top = 1.0 - 0.02 / self._shape[2]
         self.figure.legend(
@@ -107,7 +107,7 @@ class Drawing:
 
 
 def style_axes(axes: Axes, ticks: int = 5) -> None:
-    """Few ticks in plain numbers, along x about `ticks`, a pale grid, no box."""
+    """Give axes few ticks in plain numbers, along x about `ticks`, a pale grid and no box."""
     for axis, most in ((axes.xaxis, ticks), (axes.yaxis, 5)):
         axis.set_major_locator(MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]))
         axis.set_major_formatter(FuncFormatter(_tick))

@@ -1,4 +1,4 @@
-"""Stretches of the recording that no fit saw, and what each model makes of them from their beginning alone."""
+"""Free runs of each model through held-out stretches of the recording, from the first state of the stretch alone."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ MODEL_WORDS = {"nominal": "platform file", "recalibrated": "recalibrated", "augm
 
 
 def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmented: bool) -> Markup:
-    """A row per stretch: seen from above, and the error of every channel that the recording shows."""
+    """Draw a row per stretch: the paths from above, and the error of every channel that the recording shows."""
     shown = [name for name in CHANNEL_UNITS if name in channels]
     if not runs or not shown:
         return Markup("")

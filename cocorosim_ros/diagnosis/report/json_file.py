@@ -55,7 +55,7 @@ def _effect(found: FoundEffect) -> dict[str, Any]:
         tree["topic"] = found.topic
     parameters = {name: _estimate(estimate) for name, estimate in found.parameters.items()}
     if found.correction is not None:
-        # Words have neither interval nor unit, but whoever reads the file finds the same keys everywhere.
+        # Words have neither interval nor unit; every parameter has the same keys all the same.
         parameters["correction"] = {"value": found.correction, "ci95": [None, None], "unit": None}
     rivals = [{"id": rival.id, "nats_behind": _finite(rival.nats_behind)} for rival in found.ambiguous_with]
     return tree | {

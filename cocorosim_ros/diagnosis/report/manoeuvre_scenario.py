@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -17,11 +18,10 @@ LEAST_DURATION = 600.0  # s; ten minutes are good for a diagnosis
 LONG = 1800.0  # s
 DEPTH = 4.0  # m of water
 SIDE, LEAST_SIDE = 100.0, 6.0  # s at full speed; m
-ALONG_AXIS = 0.3  # of a thruster's direction that counts as pushing along an axis
 
 
 class Row(NamedTuple):
-    """For `seconds`: how strongly to go ahead, turn counter-clockwise and rise, -1..1."""
+    """Commands for `seconds`: ahead, counter-clockwise turn and rise, each in -1..1."""
 
     seconds: float
     ahead: float = 0.0
@@ -58,12 +58,12 @@ RAMPED = ("ramps_through_zero", "pump_triangle")
 
 
 def can_be_driven(platform: Platform) -> bool:
-    """Whether the controller `programme` can command all of its actuators."""
+    """Tell whether the controller `programme` can command all actuators of a platform."""
     return len(platform.actuators) <= DIRECT_LIMIT
 
 
 def scenario_of(name: str, platform: Platform, reference: str) -> str:
-    """YAML of a scenario that drives a manoeuvre; `reference` is how it names the platform: a name or a file.
+    """YAML of a scenario that drives a manoeuvre; `reference` is its platform, by name or by file.
 
     Raises CocorosimError for a platform with more actuators than can be commanded directly.
     """
@@ -112,13 +112,13 @@ recording:
 
 
 def _duration(name: str) -> float:
-    """Whole rounds of the programme that last long enough [s]."""
+    """Duration [s] of the fewest whole rounds of the programme that last long enough."""
     once = sum(row.seconds for row in PROGRAMMES[name])
     return once * math.ceil((LONG if name == "repeat_at_end" else LEAST_DURATION) / once)
 
 
 def _places(name: str, platform: Platform, side: float) -> list[tuple[float, float]]:
-    """Where robots start [m; world]: one in the middle, and whoever the manoeuvre needs beside it."""
+    """Starting places of the robots [m; world]: one in the middle, and those that the manoeuvre needs beside it."""
     length = platform.hull.length
     if name == "along_wall":
         return [(0.0, 0.0), (0.0, 0.5 * side - length)]
@@ -140,13 +140,13 @@ def _overrides(name: str, platform: Platform) -> dict[str, str]:
 
 
 def _shares(platform: Platform) -> list[tuple[float, float, float]]:
-    """By actuator: which command -1, 0 or 1 makes the robot go ahead, turn counter-clockwise, rise."""
+    """Commands -1, 0 or 1, by actuator, that make the robot go ahead, turn counter-clockwise, and rise."""
     shares = []
     for actuator, wrench in zip(platform.actuators, platform.actuator_wrenches(), strict=True):
         if isinstance(actuator, BuoyancyPump):
             shares.append((0.0, 0.0, 1.0))
             continue
-        ahead, rise = (math.copysign(1.0, part) if abs(part) > ALONG_AXIS else 0.0 for part in wrench[[0, 2]])
+        ahead, rise = (math.copysign(1.0, part) if abs(part) > REPORT.along_axis else 0.0 for part in wrench[[0, 2]])
         turn = math.copysign(1.0, wrench[3]) if wrench[3] else 0.0
         shares.append((float(ahead), turn, float(rise)))
     return shares

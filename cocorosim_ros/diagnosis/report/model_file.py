@@ -29,7 +29,7 @@ PLATFORM_KEYS = {"inertia": "yaw_inertia"}
 
 @dataclass(frozen=True)
 class Origin:
-    """What a model comes from: the platform that was diagnosed, the recordings, the robots in them.
+    """Origin of a model: the diagnosed platform, the recordings, the robots in them.
 
     duration: of the longest recording [s].
     """
@@ -41,7 +41,7 @@ class Origin:
 
     @property
     def source(self) -> str:
-        """What stands in the file as the source of the numbers that were found."""
+        """The source that the file gives for the numbers that were found."""
         return f"diagnosis of {', '.join(Path(recording).name for recording in self.recordings)}"
 
 
@@ -53,8 +53,8 @@ def model_yaml(diagnosis: Diagnosis, origin: Origin) -> str:
 def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     """The platform file as nested plain values.
 
-    What holds for every robot of the recordings stands at the top; what was found for some of them alone stands
-    below `robots`, by name. Of what each robot has numbers of its own for, the top holds the mean.
+    Numbers of every robot of the recordings stand at the top; numbers of some robots alone stand below `robots`, by
+    name. Where each robot has a number of its own, the top holds the mean.
     """
     platform = origin.platform
     tree = sourced_tree(Path(platform.origin))
@@ -93,7 +93,7 @@ def _put_effects(found: Sequence[FoundEffect], origin: Origin, tree: Tree, robot
     shared = [each for each in found if _of_all(each.robots, origin)]
     for each in shared:
         key = section_of(each)
-        # What a robot has of its own replaces what all have in common, so it holds that too.
+        # A robot's own section replaces the common one, so it must hold the common effects too.
         for part in [tree, *(part for part in robots.values() if key in part)]:
             part[key] = _with_effect(part.get(key, {}), each, origin)
     own = [each for each in found if each not in shared]
@@ -133,7 +133,7 @@ def _with_effect(known: Tree, found: FoundEffect, origin: Origin) -> Tree:
 
 
 def _known_effects(effects: Effects, written: Tree) -> Tree:
-    """The effects that the diagnosis took as known, with the source that their file gives, if it is this one."""
+    """The effects that the diagnosis took as known, with the source from their file where the file gives one."""
     known: Tree = {}
     for effect, parameters in effects.items():
         known[effect] = {}

@@ -1,4 +1,4 @@
-"""Numbers as people read them: in the unit that makes them handy, with as many digits as they are certain."""
+"""Numbers as people read them: in a handy unit, with the digits that are certain."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def quantity_words(value: float, unit: str) -> str:
 
 
 def estimate_words(estimate: Estimate) -> tuple[str, str]:
-    """The value with its unit, and its 95 % interval in the same unit; as certain digits as there are."""
+    """The value with its unit, and its 95 % interval in the same unit, both with the digits that are certain."""
     width = abs(estimate.high - estimate.low)
     scale = _scale_of(estimate)
     decimals = _decimals(width * scale.factor / 2, 2) if math.isfinite(width) and width > 0 else None

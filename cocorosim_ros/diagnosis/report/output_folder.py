@@ -1,4 +1,4 @@
-"""The folder of a diagnosis: its files appear together and whole, or not at all."""
+"""The folder of a diagnosis, whose files appear together and whole, or not at all."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
 
 
 def check_folder(folder: Path, *, force: bool) -> None:
-    """Nothing, if the files of a diagnosis can go there.
+    """Check that the files of a diagnosis can be written into a folder.
 
     Raises CocorosimError if the folder is a file or holds a diagnosis already (without `force`).
     """
@@ -59,7 +59,7 @@ def _take_away(partial: Mapping[Path, Path], made: list[Path]) -> None:
         try:
             path.unlink(missing_ok=True)
         except OSError:
-            continue  # it was never there: the folder is none
+            continue  # the folder was never made
     for folder in made:
         if folder.is_dir() and not any(folder.iterdir()):
             folder.rmdir()

@@ -7,6 +7,7 @@ from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import mean_map
 from cocorosim_ros.diagnosis.report.figure_style import INK, QUIET, Drawing, Margins, labelled, largest, style_axes
@@ -16,9 +17,8 @@ from cocorosim_ros.diagnosis.report.residual_figures import Pair
 from cocorosim_ros.foundation.arrays import Floats
 
 _CELLS = 12
-_LEAST_SAMPLES = 8
 _LEAST_EXTENT = 1e-3  # m
-# Transparent in the middle: nothing missing shows as the page itself, light or dark.
+# Transparent in the middle: a residual of zero shows the page, light or dark.
 _STRONG, _MIDDLE = 1.0, 0.6
 _COLOURS = LinearSegmentedColormap.from_list(
     "missing",
@@ -33,14 +33,14 @@ _COLOURS = LinearSegmentedColormap.from_list(
 
 
 def over_place(pair: Pair, equation: str) -> Markup:
-    """Colours: mean residual of the equation in cells of the tank; arrows: of the horizontal force, world axes."""
+    """Draw mean residuals in cells of the tank: of the equation as colours, of the horizontal force as arrows."""
     edges = _cells(pair.before)
     if edges is None:
         return Markup("")
     maps = [(_map_of(residual, equation, edges), label) for residual, _, label in pair.both]
     found = residual_of(equation, pair.before)
     scale = handy_scale(largest(maps[0][0][..., 0]), found[2] if found else "N")
-    # What lies within the error bands is to look pale and short.
+    # Residuals within the error bands must look pale and short.
     longest = max(_usual_length(maps[0][0]), 1.96 * float(np.median(pair.before.spread[:, 0])))
     top = max(largest(maps[0][0][..., 0]), 1.96 * float(np.median(found[1])) if found else 0.0) * scale.factor or 1.0
     with Drawing(1, len(maps), 4.2, Margins(right=1.05)) as drawing:
@@ -58,7 +58,7 @@ def over_place(pair: Pair, equation: str) -> Markup:
 
 
 def _cells(residual: ResidualForce) -> tuple[Floats, Floats] | None:
-    """Edges of square cells along x and y over where the robot was; None if it was nowhere."""
+    """Edges of square cells along x and y over the robot's places; None if no place is known."""
     place = residual.place[np.isfinite(residual.place[:, :2]).all(axis=1), :2]
     if not len(place):
         return None
@@ -72,12 +72,12 @@ def _cells(residual: ResidualForce) -> tuple[Floats, Floats] | None:
 
 
 def _map_of(residual: ResidualForce, equation: str, edges: tuple[Floats, Floats]) -> Floats:
-    """(rows, columns, 3) mean residual of the equation, and of the force along x and y of the world."""
+    """Mean residuals (rows, columns, 3): of the equation, and of the force along x and y of the world."""
     found = residual_of(equation, residual)
     along = found[0] if found else np.full(len(residual.time), np.nan)
     east, north = (residual_of(name, residual) for name in ("world_x", "world_y"))
     values = np.stack([along, east[0] if east else along, north[0] if north else along], axis=1)
-    return mean_map(residual.place[:, :2], values, edges, _LEAST_SAMPLES)
+    return mean_map(residual.place[:, :2], values, edges, REPORT.fewest_samples)
 
 
 def _arrows(axes: Axes, cells: Floats, edges: tuple[Floats, Floats], longest: float) -> None:
@@ -92,7 +92,7 @@ def _arrows(axes: Axes, cells: Floats, edges: tuple[Floats, Floats], longest: fl
 
 
 def _usual_length(cells: Floats) -> float:
-    """What nine of ten arrows stay below."""
+    """Length below which nine of ten arrows stay."""
     lengths = np.hypot(cells[..., 1], cells[..., 2])
     known = lengths[np.isfinite(lengths)]
     return float(np.quantile(known, 0.9)) if known.size else 0.0

@@ -1,4 +1,4 @@
-"""What a sensor shows beside what the model expects it to show."""
+"""Picture of a sensor's deviation from the readings that the model expects."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _DOTS = 600
 
 
 def reading_figure(reading: ResidualReading) -> Markup:
-    """Deviation of the readings over what it depends on, before and after."""
+    """Draw the deviation of the readings over the quantity that it depends on, before and after."""
     y_scale = handy_scale(largest(reading.before), reading.unit)
     x_scale = handy_scale(largest(reading.against), reading.against_unit)
     x = reading.against * x_scale.factor

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros import __version__
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
@@ -47,8 +48,8 @@ from cocorosim_ros.diagnosis.report.words import (
 from cocorosim_ros.study.pictures.page import page_template
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-MOST_ROBOTS = 3  # whose pictures are shown
-MOST_LOCATED = 3  # whose residual is drawn against its regressor, per robot
+MOST_ROBOTS = 3  # with pictures
+MOST_LOCATED = 3  # per robot, with a picture of the residual against the regressor
 MOST_FREE_RUNS = 3
 MOST_READINGS = 4
 
@@ -113,7 +114,7 @@ def _readings_left_out(diagnosis: Diagnosis) -> list[str]:
 
 
 def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
-    """What tells the courses of these robots apart; a robot of several recordings comes in their order."""
+    """Titles that tell the courses of robots apart; a robot of several recordings appears in their order."""
     titles = []
     for place, robot in enumerate(robots):
         number, count = robots[:place].count(robot), robots.count(robot)
@@ -124,7 +125,7 @@ def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
 
 
 def _more(robots: Sequence[str]) -> str:
-    """Of whom there are no pictures; empty if there are of all."""
+    """The number of robots or recordings without pictures, in words; empty if all have pictures."""
     others = set(robots[MOST_ROBOTS:]) - set(robots[:MOST_ROBOTS])
     if others:
         return f"{len(others)} more robot{'s' if len(others) > 1 else ''}"
@@ -221,7 +222,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
 
 
 def _chosen_runs(runs: Sequence[FreeRun]) -> list[FreeRun]:
-    """A few stretches, of as many robots as possible."""
+    """Choose a few stretches, of as many robots as possible."""
     own = [sum(other.robot == run.robot for other in runs[:index]) for index, run in enumerate(runs)]
     order = sorted(range(len(runs)), key=lambda index: own[index])
     return [runs[index] for index in sorted(order[:MOST_FREE_RUNS])]
@@ -239,7 +240,7 @@ def _held_out(found: HeldOut) -> list[Context]:
             {
                 "value": number_with_unit(plain_number(value * scale.factor), scale.unit),
                 "interval": f"{plain_number(low)} to {plain_number(high)}" if math.isfinite(low + high) else "",
-                "best": len(errors) > 1 and value == errors[0] and value < 0.9 * errors[1],
+                "best": len(errors) > 1 and value == errors[0] and value < REPORT.clearly_best * errors[1],
             }
         )
     return cells

@@ -1,4 +1,4 @@
-"""Where the model lacks force: over time, against what it is proportional to, by heading, speed, depth and command."""
+"""Pictures of the missing force: over time, against regressors, and by heading, speed, depth and command."""
 
 from __future__ import annotations
 
@@ -60,14 +60,14 @@ class Pair:
 def pairs_of(diagnosis: Diagnosis) -> list[Pair]:
     """The residuals before and after, robot by robot; those with a finding come first."""
     after = list(diagnosis.residual_after)
-    accused = {robot for located in diagnosis.mismatch for robot in located.robots}
-    accused |= {robot for effect in diagnosis.effects for robot in effect.robots}
+    with_findings = {robot for located in diagnosis.mismatch for robot in located.robots}
+    with_findings |= {robot for effect in diagnosis.effects for robot in effect.robots}
     pairs = []
     for before in diagnosis.residual_before:
         match = next((each for each in after if each.robot == before.robot), None)
         after = [each for each in after if each is not match]
         pairs.append(Pair(before, match))
-    return sorted(pairs, key=lambda pair: pair.before.robot not in accused)
+    return sorted(pairs, key=lambda pair: pair.before.robot not in with_findings)
 
 
 def over_time(pair: Pair) -> Markup:
@@ -158,7 +158,7 @@ def _scatter(axes: Axes, points: tuple[Along, Missing], law: tuple[str, str], co
 
 
 def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
-    """Mean residual of some equations by heading, speed, height and command, as far as they vary."""
+    """Draw the mean residual of some equations by heading, speed, height and command, as far as these vary."""
     columns = [name for name in _CONDITIONS if _varies(pair.before, name)]
     rows = [name for name in dict.fromkeys(equations) if residual_of(name, pair.before) is not None]
     if not rows or not columns:
@@ -205,7 +205,7 @@ def _draw_means(axes: Axes, x: Floats, y: Floats, colour: str, label: str | None
 
 
 def _scale_along(regressor: str, values: Floats, unit: str) -> Scale:
-    """Places are in metres on every picture, everything else in a unit that is handy."""
+    """The unit along an axis: metres for places on every picture, a handy unit for all else."""
     return Scale(1.0, unit) if regressor in ("x", "y", "z") else handy_scale(largest(values), unit)
 
 
@@ -214,6 +214,6 @@ def _varies(residual: ResidualForce, condition: str) -> bool:
 
 
 def _size(values: Floats) -> float:
-    """What nearly all values stay below, in magnitude."""
+    """Magnitude below which 99.5 % of the values stay."""
     finite = np.abs(values[np.isfinite(values)])
     return float(np.quantile(finite, 0.995)) if finite.size else 0.0

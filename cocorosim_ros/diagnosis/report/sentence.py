@@ -1,20 +1,20 @@
-"""What an engineer would say of a diagnosis, in a sentence or two."""
+"""The summary of a diagnosis in a sentence or two."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, quantity_words
 
-CLEAR_GAIN = 0.95  # of the error that is left, for a gain worth telling
 MOST_NUMBERS = 4  # of an effect or of a platform that a sentence can carry
 
 
 def sentence_of(
     verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], table: Mapping[str, HeldOut]
 ) -> str:
-    """One plain sentence by verdict; for a mismatch what is missing, its size, its rivals and what the fit gains."""
+    """One plain sentence; for a mismatch the missing effects, their sizes, their rivals and the gain of the fit."""
     if verdict == "insufficient":
         return "These recordings do not excite the vehicle enough to tell what its model lacks."
     if verdict == "consistent":
@@ -25,8 +25,8 @@ def sentence_of(
             for part in moved
         ]
         return f"Nothing is missing from the model, but its numbers have shifted: {_shortened(names)}."
-    whose = {effect.robots for effect in effects}
-    common = f" of {', '.join(effects[0].robots)}" if len(whose) == 1 and effects[0].robots else ""
+    groups = {effect.robots for effect in effects}
+    common = f" of {', '.join(effects[0].robots)}" if len(groups) == 1 and effects[0].robots else ""
     missing = ", and ".join(_effect(effect, named=not common) for effect in effects)
     return f"Missing from the model{common}: {missing}{_gain(table)}"
 
@@ -36,15 +36,15 @@ def _effect(effect: FoundEffect, *, named: bool) -> str:
     told = [effect.correction] if effect.correction else [_shortened(numbers)] if numbers else []
     if effect.ambiguous_with:
         told.append(f"or else {' or '.join(_plain(rival.id) for rival in effect.ambiguous_with)}")
-    who = f" of {', '.join(effect.robots)}" if named and effect.robots else ""
-    return f"{effect.name}{who} ({'; '.join(told)})" if told else f"{effect.name}{who}"
+    robots = f" of {', '.join(effect.robots)}" if named and effect.robots else ""
+    return f"{effect.name}{robots} ({'; '.join(told)})" if told else f"{effect.name}{robots}"
 
 
 def _gain(table: Mapping[str, HeldOut]) -> str:
-    """What the effects gain on the first channel where they gain anything."""
+    """Words for the gain of the effects on the first channel where they gain anything."""
     for channel in ("position", "heading", "depth", "compass", "pressure", "imu"):
         row = table.get(channel)
-        if row is not None and row.augmented < CLEAR_GAIN * row.recalibrated:
+        if row is not None and row.augmented < REPORT.clear_gain * row.recalibrated:
             after, before, floor = (
                 quantity_words(value, row.unit) for value in (row.augmented, row.recalibrated, row.noise_floor)
             )

@@ -1,4 +1,4 @@
-"""A diagnosis in the terminal: what was found, with its numbers, and how much better the model is now."""
+"""A diagnosis in the terminal: the findings with their numbers, and the gain of the model."""
 
 from __future__ import annotations
 

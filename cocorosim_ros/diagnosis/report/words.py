@@ -1,4 +1,4 @@
-"""What the report says in words: verdicts, and what to look at on the robot for each effect of the catalogue."""
+"""Words of the report: verdicts, and checks on the robot for each effect of the catalogue."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def parameter_unit(effect: str, parameter: str) -> str:
 
 
 def odds_words(nats: float) -> str:
-    """How much less likely a rival is that many nats behind."""
+    """Words for the odds of a rival that is `nats` behind."""
     if not math.isfinite(nats):
         return "\u2013"
     factor = math.exp(min(nats, 20.0))
@@ -88,7 +88,7 @@ def odds_words(nats: float) -> str:
 
 
 def nothing_missing_words(diagnosis: Diagnosis) -> str:
-    """Why there is no effect in this diagnosis."""
+    """The reason, as a sentence, for a diagnosis without effects."""
     if diagnosis.verdict == "insufficient":
         return "Nothing could be tested, because the recording holds too little information."
     return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."
