@@ -8,13 +8,15 @@ from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, in_words
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
 from cocorosim_ros.diagnosis.fitting.recalibration import RECALIBRATED, base_fit, nominal_fit
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
-from cocorosim_ros.diagnosis.naming.naming import THRESHOLD, Naming, name_effects, without_weakest
+from cocorosim_ros.diagnosis.naming.naming import Naming, name_effects, without_weakest
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
@@ -26,8 +28,6 @@ from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 
 Progress = Callable[[str, float], None]
-WORSE = 1.1
-SURE = 0.01  # chance that a clear shift of the platform's numbers is none
 
 
 def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
@@ -76,7 +76,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(base, naming.fit, (courses, final_courses), effects),
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
-        needed_nats=THRESHOLD,
+        needed_nats=NAMING.threshold,
         manoeuvres=manoeuvres,
         noise=noise_levels(naming.fit),
     )
@@ -94,7 +94,7 @@ def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeR
 def _is_worse(row: HeldOut) -> bool:
     """Tell whether the model with its effects errs clearly more than the model without."""
     clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
-    return clear and row.augmented > WORSE * max(row.recalibrated, row.noise_floor)
+    return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
 
 
 def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
@@ -127,7 +127,7 @@ def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unse
 def _shifted(base: Fit) -> bool:
     """Tell whether the platform's own numbers, taken together, do not fit."""
     gain = base.objective - nominal_fit(base).objective
-    return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.laws)))
+    return 2.0 * gain > float(chi2.ppf(1.0 - VERDICT.sure, len(base.laws)))
 
 
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:

@@ -7,12 +7,8 @@ from collections.abc import Mapping
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
+from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
 
-CROSSED = 0.1  # m above and below a layer that have to be visited
-PUMP_TICK = 0.04  # s: below, a pump answers at once, and what is late is somebody's clock
-THRUST_TICK = 0.02  # s: the same of thrusters, which move the robot more sharply
-PLAY = 0.002  # of a full command: below, a linkage has no play
-CLOCK_TICK = 0.01  # s, a tenth of the filter's step: delays below, and skews that make less of it on average, are none
 LATE = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)  # of what is large: delays of up to 0.6 s
 TOPICS_THAT_LAG = ("pose", "compass", "pressure", "imu", "velocity")
 
@@ -31,7 +27,7 @@ def _times(scene: Scene) -> list[float]:
 
 def _depths(scene: Scene) -> list[float]:
     """Depths that were crossed: a layer that is never clearly above or below is as good as a part of the trim."""
-    deepest, highest = scene.lower[2] + CROSSED, scene.upper[2] - CROSSED
+    deepest, highest = scene.lower[2] + CATALOGUE.crossed, scene.upper[2] - CATALOGUE.crossed
     return [-value for value in _spread(deepest, highest, 12)] if deepest < highest else []
 
 
@@ -202,7 +198,7 @@ ENTRIES: tuple[Entry, ...] = (
                 0.3,
                 0.05,
                 0.0,
-                negligible=_within(THRUST_TICK),
+                negligible=_within(CATALOGUE.thrust_tick),
                 searched=LATE,
             ),
         ),
@@ -287,8 +283,10 @@ ENTRIES: tuple[Entry, ...] = (
         "tau dZ/dt = Z_command - Z, with backlash",
         "heave",
         (
-            Amplitude("pump_lag.time_constant", "time_constant", "s", 1.0, 0.1, 0.0, negligible=_within(PUMP_TICK)),
-            Amplitude("pump_lag.backlash", "backlash", "1", 0.06, 0.1, 0.0, negligible=_within(PLAY)),
+            Amplitude(
+                "pump_lag.time_constant", "time_constant", "s", 1.0, 0.1, 0.0, negligible=_within(CATALOGUE.pump_tick)
+            ),
+            Amplitude("pump_lag.backlash", "backlash", "1", 0.06, 0.1, 0.0, negligible=_within(CATALOGUE.play)),
         ),
         group="late pump",
         of_pump=True,
@@ -395,7 +393,7 @@ ENTRIES: tuple[Entry, ...] = (
                     0.15,
                     0.05,
                     0.0,
-                    negligible=_within(CLOCK_TICK),
+                    negligible=_within(CATALOGUE.clock_tick),
                     searched=LATE,
                 ),
             ),
@@ -412,7 +410,7 @@ ENTRIES: tuple[Entry, ...] = (
             f"clock of {topic} that runs wrong",
             "stamp = t0 + (1 + skew) (t - t0)",
             "clock",
-            (Amplitude(f"clock_skew.{topic}", "skew", "s/s", 5e-4, 0.05, adds_up=2.0 * CLOCK_TICK),),
+            (Amplitude(f"clock_skew.{topic}", "skew", "s/s", 5e-4, 0.05, adds_up=2.0 * CATALOGUE.clock_tick),),
             group=_LATE,
             topic=topic,
             manoeuvre="repeat_at_end",

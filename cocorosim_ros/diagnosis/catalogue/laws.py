@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from cocorosim_ros.diagnosis.catalogue.catalogue import PUMP_TICK
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
 from cocorosim_ros.diagnosis.catalogue.law_forms import (
     Factor,
@@ -23,11 +22,8 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
 )
 from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
+from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
 from cocorosim_ros.world.terms.law_places import EQUATIONS
-
-LARGE_SHARE = 0.1  # of the full force of an equation
-TURNING = 0.01  # of the mass: the filter's steps follow turning axes no better
-LEAST_FORCE = 0.002  # of the full force: below, it may be what the filter's steps leave
 
 
 def _powers(name: str) -> tuple[Law, ...]:
@@ -149,11 +145,11 @@ def _negligible(size: float, scene: Scene, equation: str, law: Law) -> tuple[flo
 
     size: the coefficient that is `typical`.
     """
-    least = LEAST_FORCE / LARGE_SHARE * size
+    least = CATALOGUE.least_force / CATALOGUE.large_share * size
     if (equation, law.regressor) == ("heave", "pump_rate"):
-        return -PUMP_TICK, least
+        return -CATALOGUE.pump_tick, least
     if (equation, law.regressor) in (("surge", "v*r"), ("sway", "u*r")):
-        least = max(least, TURNING * scene.scales["mass"])
+        least = max(least, CATALOGUE.turning * scene.scales["mass"])
     return -least, least
 
 
@@ -199,7 +195,7 @@ def typical(scene: Scene, equation: str, law: Law) -> float:
     force = scene.scales[
         {"heave": "heave_force", "world_z": "heave_force", "yaw": "yaw_force"}.get(equation, "surge_force")
     ]
-    return LARGE_SHARE * force / law.size(scene)
+    return CATALOGUE.large_share * force / law.size(scene)
 
 
 def _unit(equation: str, law: Law) -> str:

@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_centre, prior_precision, write_values
 from cocorosim_ros.diagnosis.tracks.track import Pass, Track
@@ -23,8 +24,6 @@ from cocorosim_ros.foundation.arrays import Floats
 
 LARGEST_NOISE_STEP = 1.0  # of a logarithm
 NOISE_STEP = 0.02
-LEAST_GAIN = 0.02  # nats below which an iteration has converged
-SETTLED = 0.1  # nats
 HALVINGS = 4
 DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
 
@@ -175,7 +174,7 @@ def improved(fit: Fit, rounds: int) -> Fit:
         if not fit.laws:
             return fit
         better = _laws_step(fit)
-        if better is None or better.objective - fit.objective < LEAST_GAIN:
+        if better is None or better.objective - fit.objective < CONVERGENCE.least_gain:
             return better if better is not None else fit
         fit = better
     return fit
@@ -211,7 +210,7 @@ def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit
             return fit
         gain = better.objective - fit.objective
         fit = better
-        if gain < LEAST_GAIN:
+        if gain < CONVERGENCE.least_gain:
             return fit
     return fit
 
@@ -284,9 +283,9 @@ def settled(fit: Fit, rounds: int) -> Fit:
     """
     for _ in range(rounds):
         stepped = with_noise(fit, 1)
-        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > LEAST_GAIN else stepped
+        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > CONVERGENCE.least_gain else stepped
         fit = improved(noisy, 3)
-        if fit.objective - stepped.objective < SETTLED:
+        if fit.objective - stepped.objective < CONVERGENCE.settled:
             break
     return fit
 

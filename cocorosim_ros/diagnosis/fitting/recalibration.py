@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import RANDOM_FORCE, RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit, settled, with_noise
@@ -41,22 +42,21 @@ RECALIBRATED: dict[str, tuple[str, str]] = {
     "yaw_inertia": ("inertia", "kg m^2"),
     "buoyancy_gain": ("buoyancy_gain", "1"),
 }
-PRIOR = 0.2  # of the logarithm of a number that the platform gives without a range
-SHUT = 0.2  # share of readings beyond belief
 MOST_DOUBLINGS = 12
 MOST_ROUNDS = 10  # of a fit that a good start ends after two or three
 FIRST_DISTURBANCE = 0.01  # of full thrust
 FIRST_CORRELATION = 2.5  # s
 FIRST_SMOOTHNESS = 0.4
-LEAST_SMOOTHNESS = 0.04  # one rate is a hundred times the other
-MOST_CORRELATION = 60.0  # s: what lasts longer is no chance but a force, which an effect has to explain
 # Of the logarithms: standard deviation and bounds, both from where the fit begins.
 WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.force": (3.0, (-7.0, 7.0)),
     "random.heave_force": (3.0, (-7.0, 7.0)),
     "random.moment": (3.0, (-7.0, 7.0)),
-    "random.correlation": (0.7, (-7.0, math.log(MOST_CORRELATION / FIRST_CORRELATION))),
-    "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
+    "random.correlation": (0.7, (-7.0, math.log(RANDOM_FORCE.most_correlation / FIRST_CORRELATION))),
+    "random.smoothness": (
+        1.0,
+        (math.log(RANDOM_FORCE.least_smoothness / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS)),
+    ),
 }
 SHARED_NOISE = ("random.correlation", "random.smoothness")
 # What the filter's steps are off by at least, however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
@@ -66,8 +66,6 @@ LEAST_READING_NOISE = {
 }  # fmt: skip
 INERTIAL = ("reading.gyro_z", "reading.accel")
 # By how much the logarithms move for the further starts.
-DOUBT = math.log(20.0)
-COARSE = math.log(10.0)
 AT_RANDOM = {
     "random.force": math.log(10.0),
     "random.heave_force": math.log(10.0),
@@ -140,7 +138,7 @@ def _prior(column: str, ranges: Ranges) -> float:
     wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
     found = [part for key, part in ranges.items() if key.endswith(wanted) and part.low > 0.0]
     widths = [math.log(part.high / part.low) / 4.0 for part in found]
-    return max([PRIOR, *widths])
+    return max([RECALIBRATION.prior, *widths])
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
@@ -196,14 +194,16 @@ def base_fit(evidence: Evidence) -> Fit:
 
 def _at_random(fit: Fit) -> Fit:
     """The fit with strong and quick random forces, and coarse readings: each is then heeded a little."""
-    coarse = [COARSE if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
+    coarse = [RECALIBRATION.coarse if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
     moves = np.array([AT_RANDOM.get(part.column, other) for part, other in zip(fit.noise, coarse, strict=True)])
     return _with_moved_noise(fit, moves)
 
 
 def _without_inertial(fit: Fit) -> Fit:
     """The fit with inertial readings so coarse that they hardly count."""
-    return _with_moved_noise(fit, np.array([DOUBT if part.column in INERTIAL else 0.0 for part in fit.noise]))
+    return _with_moved_noise(
+        fit, np.array([RECALIBRATION.doubt if part.column in INERTIAL else 0.0 for part in fit.noise])
+    )
 
 
 def _with_moved_noise(fit: Fit, moves: Floats) -> Fit:
@@ -228,7 +228,7 @@ def _is_shut(fit: Fit, noise: Unknown) -> bool:
     kinds = np.flatnonzero(COLUMN[noise.column] == READING_COLUMNS)
     for number in noise.tracks:
         chosen = np.isin(fit.tracks[number].readings.kind, kinds)
-        if chosen.any() and np.mean(fit.passes[number].believed[chosen]) < 1.0 - SHUT:
+        if chosen.any() and np.mean(fit.passes[number].believed[chosen]) < 1.0 - RECALIBRATION.shut:
             return True
     return False
 

@@ -8,12 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
-from cocorosim_ros.diagnosis.naming.naming import THRESHOLD
-
-MEDIUM = 0.5  # of large
-BLIND = 0.45  # share of the catalogue that is not shown, from which on a silent recording cannot tell
 
 
 def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]:
@@ -35,7 +32,7 @@ def _smallest(part: Screened) -> dict[str, float]:
     for index, amplitude in enumerate(part.candidate.entry.amplitudes):
         known = float(part.information[index, index])
         found[amplitude.name] = (
-            part.candidate.large(amplitude) * math.sqrt(2.0 * THRESHOLD / known) if known > 0.0 else math.inf
+            part.candidate.large(amplitude) * math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
         )
     return found
 
@@ -47,10 +44,12 @@ def expected_nats(part: Screened, size: float) -> float:
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
     """Identifiers of effects that even at medium size would not be seen."""
-    seen = {part.candidate.entry.id for part in screened if expected_nats(part, MEDIUM) >= THRESHOLD}
+    seen = {
+        part.candidate.entry.id for part in screened if expected_nats(part, DETECTABILITY.medium) >= NAMING.threshold
+    }
     return tuple(name for name in IDS if name not in seen and name != "frame_mixup")
 
 
 def is_blind(unseen: Sequence[str]) -> bool:
     """Whether so little of the catalogue could be seen that silence says nothing."""
-    return len(unseen) > BLIND * len(IDS)
+    return len(unseen) > DETECTABILITY.blind * len(IDS)

@@ -1,12 +1,11 @@
 """Which effects are missing: a contest of catalogue and laws, step by step, then pruned.
 
-An effect is accused if its evidence passes THRESHOLD (7 nats for 14 entries, more for a longer catalogue), if it also
-foretells what its fit did not see, and if no rival explains more. What comes within AMBIGUITY nats is named with it.
+An effect is accused if its evidence passes the threshold (7 nats for 14 entries, more for a longer catalogue), if it
+also foretells what its fit did not see, and if no rival explains more. Rivals within the ambiguity are named too.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -15,6 +14,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS, Amplitude, Scene
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, improved, information, settled, with_noise
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain, held_out_gain
@@ -24,23 +24,6 @@ from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
 
-THRESHOLD = 7.0 + math.log(40 / 14)  # nats
-AMBIGUITY = 3.0  # nats
-WORTH_REFINING = 2.0  # nats of the screening
-HOPELESS = 0.1  # of the leader's nats below which refining a candidate does not make it the leader
-PROMISING = 0.5  # of the leader's nats with noise held, and
-CLOSE = 20.0  # nats behind it: who has less of both is put off
-SETTLING = 4  # turns of noise and laws after each addition, lest the next one's merit be an unfinished fit
-LEAST_SHARE = 0.01  # of what is large: below, it may be what the filter's steps leave, whatever exact readings say
-KEPT = 0.01  # of the screening's nats that a fit of the candidate has to find
-LEADERS = 4
-MOST_REFINED = 8
-MOST_EFFECTS = 4
-CHECKED = 60.0  # nats below which an accusation is checked against a model that was fitted anew
-FORM_SHARE = 0.025  # of what an effect explains may be left over, because its law is not quite the sea's
-LAW_REST = 0.1  # the same for laws outside the catalogue, which fill what any form leaves
-LAW_SHARE = 0.4  # and for laws of readings beside effects of motion, which they follow
-LAW_MARGIN = 3.0  # nats by which a law has to beat the catalogue
 Progress = Callable[[str, float], None]
 
 
@@ -77,14 +60,14 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
     accused: tuple[Accused, ...] = ()
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
-    for round_number in range(MOST_EFFECTS):
-        progress("looking for what is missing", round_number / MOST_EFFECTS)
+    for round_number in range(SEARCH.most_effects):
+        progress("looking for what is missing", round_number / SEARCH.most_effects)
         scene = scene_of(fit.tracks, smoothed_tracks(fit))
         screen = Screen(fit, scene)
         taken = {key for part in accused for key in _keys(part.candidate)}
         entries: list[Candidate] = [part for part in expand(ENTRIES, fit.tracks, fit.rows) if not taken & _keys(part)]
         tested = _ranked(screen, entries)
-        water = any(part.candidate.entry.water and part.nats > WORTH_REFINING for part in tested)
+        water = any(part.candidate.entry.water and part.nats > SEARCH.worth_refining for part in tested)
         found_laws = [part.candidate.entry for part in accused]
         laws = expand(open_set(scene, found_laws, base.rows, water=water), fit.tracks, base.rows)
         tested_laws = _ranked(screen, [part for part in laws if not taken & _keys(part)])
@@ -93,7 +76,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         found = _best(fit, accused, screen, tested, tested_laws)
         if found is None:
             break
-        fit, accused = settled(found[0], SETTLING), found[1]
+        fit, accused = settled(found[0], SEARCH.settling), found[1]
     fit, accused = _pruned(fit, accused, base)
     return Naming(base, fit, accused, first, first_laws)
 
@@ -110,7 +93,7 @@ def _best(
     fit: Fit, accused: tuple[Accused, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
 ) -> tuple[Fit, tuple[Accused, ...]] | None:
     """The fit with the best addition, or None if none passes."""
-    begun = _begun(fit, screen.scene, tested, [part for part in laws[:2] if part.nats > WORTH_REFINING])
+    begun = _begun(fit, screen.scene, tested, [part for part in laws[:2] if part.nats > SEARCH.worth_refining])
     if not begun:
         return None
     base_evidence = log_evidence(fit)
@@ -132,7 +115,7 @@ def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], laws: Sequence[Sc
     while True:
         chosen = [part for part in (*_worth_refining(tested), *laws) if id(part) not in begun]
         begun |= {id(part): begin(fit, part, scene) for part in chosen}
-        empty = {_fault(part) for part in chosen if begun[id(part)].gain < KEPT * part.nats}
+        empty = {_fault(part) for part in chosen if begun[id(part)].gain < SEARCH.kept * part.nats}
         tested, before = [part for part in tested if _fault(part) not in empty], tested
         if len(tested) == len(before):
             return list(begun.values())
@@ -146,7 +129,7 @@ def _fault(screened: Screened) -> tuple[str, str | None]:
 def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
     """Those that may become the leader or its rival once noise is let loose, and the rest."""
     gains = [part.gain - part.candidate.entry.prior_nats for part in begun]
-    needed = min(PROMISING * max(gains), max(gains) - CLOSE)
+    needed = min(SEARCH.promising * max(gains), max(gains) - SEARCH.close)
     chosen: tuple[list[Begun], list[Begun]] = ([], [])
     for part, gain in zip(begun, gains, strict=True):
         chosen[gain < needed].append(part)
@@ -162,7 +145,7 @@ def _first_believed(
         needed = _needed(accused, best)
         if _standing(best) < needed:
             return None
-        if best.nats < CHECKED and _regained(best, fit) < needed:
+        if best.nats < NAMING.checked and _regained(best, fit) < needed:
             continue
         if _is_tiny(best):
             negligible.append(best.candidate)
@@ -173,7 +156,9 @@ def _first_believed(
         if gain.total > 0.0:
             rivals = [(part.candidate, best.nats - part.nats) for part in refined if part is not best]
             near = tuple(
-                (part, max(0.0, behind)) for part, behind in rivals if behind <= AMBIGUITY and part.entry.law is None
+                (part, max(0.0, behind))
+                for part, behind in rivals
+                if behind <= NAMING.ambiguity and part.entry.law is None
             )
             added = Accused(best.candidate, best.first, best.count, best.nats, near, gain)
             return best.fit, (*accused, added)
@@ -202,7 +187,7 @@ def _is_tiny(part: Refined) -> bool:
 
 
 def _is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:
-    least = max(LEAST_SHARE * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
+    least = max(NAMING.least_share * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
     low, high = amplitude.negligible
     return min(low, -least) < value - amplitude.neutral < max(high, least)
 
@@ -230,15 +215,17 @@ def _needed(accused: tuple[Accused, ...], part: Refined) -> float:
     others = [each for each in accused if each.candidate.key != candidate.key]
     of_sensor, is_law = candidate.entry.channel in SENSOR_CHANNELS, candidate.entry.law is not None
     if of_sensor and not is_law:
-        return THRESHOLD
+        return NAMING.threshold
     shares = [
-        (LAW_REST if is_law else min(FORM_SHARE, _likeness(part, each))) * each.nats
+        (NAMING.law_rest if is_law else min(NAMING.form_share, _likeness(part, each))) * each.nats
         for each in others
         if _side(each.candidate) == _side(candidate)
     ]
     if of_sensor:
-        shares += [LAW_SHARE * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS]
-    return max([THRESHOLD, *shares])
+        shares += [
+            NAMING.law_share * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS
+        ]
+    return max([NAMING.threshold, *shares])
 
 
 def _likeness(part: Refined, other: Accused) -> float:
@@ -258,7 +245,7 @@ def _side(candidate: Candidate) -> str:
 
 def _standing(part: Refined) -> float:
     """Evidence; a law outside the catalogue is believed only if it is clearly better than what is known."""
-    return part.nats - (LAW_MARGIN if part.candidate.entry.law is not None else 0.0)
+    return part.nats - (NAMING.law_margin if part.candidate.entry.law is not None else 0.0)
 
 
 def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
@@ -268,15 +255,16 @@ def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
     """The leaders, and of their groups whoever explains something."""
-    needed = max(WORTH_REFINING, HOPELESS * tested[0].nats) if tested else WORTH_REFINING
-    leaders = [part for part in tested[:LEADERS] if part.nats > needed]
+    needed = max(SEARCH.worth_refining, SEARCH.hopeless * tested[0].nats) if tested else SEARCH.worth_refining
+    leaders = [part for part in tested[: SEARCH.leaders] if part.nats > needed]
     groups = {part.candidate.entry.group for part in leaders if part.candidate.entry.group}
     more = [
         part
-        for part in tested[LEADERS:]
-        if part.candidate.entry.group in groups and part.nats > min(WORTH_REFINING, 0.1 * leaders[0].nats)
+        for part in tested[SEARCH.leaders :]
+        if part.candidate.entry.group in groups
+        and part.nats > min(SEARCH.worth_refining, SEARCH.group_share * leaders[0].nats)
     ]
-    return [*leaders, *more][:MOST_REFINED]
+    return [*leaders, *more][: SEARCH.most_refined]
 
 
 def _pruned(fit: Fit, accused: tuple[Accused, ...], base: Fit) -> tuple[Fit, tuple[Accused, ...]]:

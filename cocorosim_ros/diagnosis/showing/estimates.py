@@ -8,17 +8,17 @@ import numpy as np
 from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.recalibration import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
-from cocorosim_ros.diagnosis.naming.naming import THRESHOLD, Accused
+from cocorosim_ros.diagnosis.naming.naming import Accused
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 
 Z95 = float(norm.ppf(0.975))
-SURE = 0.05  # chance of a clear number among all recalibrated ones where nothing has moved
-CONFIRMED = THRESHOLD + 4.0  # nats
 NUMERICAL = 1e-3
 """Of a value, how far midpoint steps h of 0.1 s may be off: (h l)^2 / 6 for a rate l of 0.77 / s, at which Lilys turn.
 
@@ -55,7 +55,7 @@ def recalibrated(fit: Fit) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated
     order = np.argsort(chances)
     moved = set()
     for rank, index in enumerate(order):
-        if chances[index] > SURE / (len(order) - rank):
+        if chances[index] > ESTIMATES.sure / (len(order) - rank):
             break
         moved.add(int(index))
     return tuple(every), tuple(part for index, part in enumerate(every) if index in moved)
@@ -90,7 +90,8 @@ def _found(fit: Fit, part: Accused, robots: tuple[str, ...], number: int, spread
         for candidate, behind in part.rivals
         if candidate.entry.id != entry.id
     )
-    tier: Tier = "confirmed" if part.nats >= CONFIRMED and part.held_out.p < SURE and not rivals else "suspected"
+    clear = part.nats >= NAMING.threshold + ESTIMATES.beyond_threshold and part.held_out.p < ESTIMATES.held_out_p
+    tier: Tier = "confirmed" if clear and not rivals else "suspected"
     return FoundEffect(
         entry.id, entry.name, entry.equation, robots, tier, parameters, part.nats, rivals, entry.topic,
         held_out_nats=part.held_out.total,

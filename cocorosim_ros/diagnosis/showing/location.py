@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
-from cocorosim_ros.diagnosis.catalogue.laws import LARGE_SHARE
+from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
+from cocorosim_ros.diagnosis.criteria.showing import LOCATION
 from cocorosim_ros.diagnosis.findings import Located
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
@@ -17,23 +18,18 @@ from cocorosim_ros.diagnosis.tracks.track import Smoothed
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
 
-CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
-MOST = 6
-CONCENTRATED = 0.7  # of the evidence, for a regime to be told
-EVERYWHERE = 0.9  # of the moments: a regime that holds them is none
-
 
 def locate(
     fit: Fit, screened: Sequence[Screened], laws: Sequence[Screened], courses: Sequence[Smoothed]
 ) -> tuple[Located, ...]:
     """What stands out, the clearest first: laws of force by the scan, sensors by the catalogue."""
     sensed = [part for part in screened if part.candidate.entry.channel in SENSOR_CHANNELS]
-    standing = [part for part in (*laws, *sensed) if np.abs(part.z).max() >= CLEAR and part.nats > 0.0]
+    standing = [part for part in (*laws, *sensed) if np.abs(part.z).max() >= LOCATION.clear and part.nats > 0.0]
     standing.sort(key=lambda part: -part.nats)
     found: list[Located] = []
     for part in standing:
         equation, regressor = _named(part)
-        if len(found) < MOST and not any(
+        if len(found) < LOCATION.most and not any(
             equation == other.equation and regressor == other.regressor for other in found
         ):
             found.append(_located(fit, part, courses))
@@ -62,7 +58,7 @@ def _located(fit: Fit, part: Screened, courses: Sequence[Smoothed]) -> Located:
         name = entry.id.removeprefix("unknown:").partition("~")[0]
         scales = scene_of(fit.tracks, courses).scales
         force = scales[{"heave": "heave_force", "yaw": "yaw_force"}.get(name, "surge_force")]
-        size, unit = float(abs(part.q[0])) * LARGE_SHARE * force, "N m" if name == "yaw" else "N"
+        size, unit = float(abs(part.q[0])) * CATALOGUE.large_share * force, "N m" if name == "yaw" else "N"
     else:
         strongest = int(np.abs(part.z).argmax())
         amplitude = entry.amplitudes[strongest % len(entry.amplitudes)]
@@ -123,7 +119,7 @@ def _where(part: Screened, time: Floats, gained: Floats, courses: Sequence[Smoot
     shares = {
         words: float(gained[chosen].sum()) / total
         for words, chosen in regimes.items()
-        if chosen.mean() < EVERYWHERE  # as where a vehicle has one depth alone
+        if chosen.mean() < LOCATION.everywhere  # as where a vehicle has one depth alone
     }
     words, share = max(shares.items(), key=lambda entry: entry[1], default=("", 0.0))
-    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > CONCENTRATED else "throughout"
+    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > LOCATION.concentrated else "throughout"
