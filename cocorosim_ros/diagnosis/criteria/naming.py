@@ -24,11 +24,11 @@ class SearchCriteria:
     """[of the screening's nats] a fit that finds less shows a slope at a kink, which no model reaches. Chosen, not
     measured."""
     leaders: int = 4
-    """[candidates] that are refined as leaders. Chosen, not measured."""
+    """[candidates] that are refined as leaders: each costs a fit. Chosen, not measured."""
     most_refined: int = 8
-    """[candidates] that are refined in a round, those of the leaders' groups among them. Chosen, not measured."""
+    """[candidates] that are refined in a round, leaders and their groups: each costs a fit. Chosen, not measured."""
     most_effects: int = 4
-    """[effects] that are named at most. Chosen, not measured."""
+    """[effects] that are named at most: each costs a round of fits. Chosen, not measured."""
     settling: int = 4
     """[turns of noise and laws] after each addition. Measured: in one sealed recording an unfinished fit was taken for
     the next effect; the number of turns was chosen."""
