@@ -8,6 +8,8 @@ from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, in_words
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
@@ -17,7 +19,6 @@ from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
-from cocorosim_ros.diagnosis.naming.needed_evidence import THRESHOLD
 from cocorosim_ros.diagnosis.naming.pruning import without_weakest
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
@@ -30,8 +31,6 @@ from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
 
 Progress = Callable[[str, float], None]
-WORSE = 1.1
-SURE = 0.01  # chance that a clear shift of the platform's numbers is none
 
 
 def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
@@ -80,7 +79,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(base, naming.fit, (courses, final_courses), effects),
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
-        needed_nats=THRESHOLD,
+        needed_nats=NAMING.threshold,
         manoeuvres=manoeuvres,
         noise=noise_levels(naming.fit),
     )
@@ -98,7 +97,7 @@ def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeR
 def _is_worse(row: HeldOut) -> bool:
     """Tell whether the model with its effects errs clearly more than the model without."""
     clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
-    return clear and row.augmented > WORSE * max(row.recalibrated, row.noise_floor)
+    return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
 
 
 def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
@@ -131,7 +130,7 @@ def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unse
 def _shifted(base: Fit) -> bool:
     """Tell whether the platform's own numbers, taken together, do not fit."""
     gain = base.objective - nominal_fit(base).objective
-    return 2.0 * gain > float(chi2.ppf(1.0 - SURE, len(base.unknowns)))
+    return 2.0 * gain > float(chi2.ppf(1.0 - VERDICT.sure, len(base.unknowns)))
 
 
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:

@@ -74,7 +74,7 @@ def test_the_sources_keep_every_contract(copy: Path) -> None:
 @pytest.mark.parametrize(
     ("file", "line", "contract"),
     [
-        ("scenario/planted.py", "import cocorosim_ros.world.tick", "Data flows one way"),
+        ("scenario/parts/planted.py", "import cocorosim_ros.world.tick", "Data flows one way"),
         ("novelties/planted.py", "", "Data flows one way"),
         ("world/state/planted.py", "import cocorosim_ros.world.tick", "Rooms of the world"),
         ("world/sensors/planted.py", "import cocorosim_ros.world.links", "Rooms of the world"),

@@ -21,13 +21,10 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     typical_size,
 )
 from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
+from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSORS
-
-LARGE_SHARE = 0.1  # of the full force of an equation
-TURNING = 0.01  # of the mass: the filter's steps follow turning axes no better
-LEAST_FORCE = 0.002  # of the full force: below, it may be what the filter's steps leave
 
 
 def _powers(name: str) -> tuple[Product, ...]:
@@ -147,11 +144,11 @@ def _negligible(size: float, scene: Scene, law: Law) -> tuple[float, float]:
 
     size: the coefficient that is `typical`.
     """
-    least = LEAST_FORCE / LARGE_SHARE * size
+    least = CATALOGUE.least_force / CATALOGUE.large_share * size
     if law == PUMP_BEHIND:
         return -PUMP_TICK, least
     if law in TURNING_AXES:
-        least = max(least, TURNING * scene.scales["mass"])
+        least = max(least, CATALOGUE.turning * scene.scales["mass"])
     return -least, least
 
 
@@ -193,4 +190,4 @@ def typical(scene: Scene, law: Law) -> float:
     force = scene.scales[
         {"heave": "heave_force", "world_z": "heave_force", "yaw": "yaw_force"}.get(law.of, "surge_force")
     ]
-    return LARGE_SHARE * force / typical_size(law.product, scene)
+    return CATALOGUE.large_share * force / typical_size(law.product, scene)

@@ -12,13 +12,13 @@ class ExcitationCriteria:
     """Limits at which an actuator counts as varied, reversed, off or near zero (`streams.excitation`)."""
 
     step: float = 0.1
-    """[of the maximum] a change of the command that counts as sudden. Chosen, not measured."""
+    """[of the maximum] a change of the command that is sudden enough to start a motion. Chosen, not measured."""
     tiny: float = 5e-3
-    """[of the maximum] a command below which an actuator is off. Chosen, not measured; also catches slow ramps."""
+    """[of the maximum] smaller commands are off, smaller changes none; slow ramps still count. Chosen, not measured."""
     near_zero: float = 0.1
     """[of the maximum] a command in the range where dead bands and dry friction act. Chosen, not measured."""
     look_back: float = 5.0
-    """[s] for which an actuator still counts as varied after a change. Chosen, not measured."""
+    """[s] for which an actuator counts as varied after a change, since motions last. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -98,9 +98,9 @@ class ClockCriteria:
     notable_skew: float = 2e-5
     """[s/s] by which cheap quartz is off. Known of quartz; chosen, not measured."""
     sure: float = 6.0
-    """[standard deviations] of a skew that is reported. Chosen, not measured."""
+    """[standard deviations] of a skew that is reported, which chance never makes. Chosen, not measured."""
     skew_blocks: int = 20
-    """[1] points of the line whose slope is the skew. Chosen, not measured."""
+    """[1] points of the line whose slope is the skew: enough to estimate its error. Chosen, not measured."""
     fewest_in_block: int = 10
     """[messages] of a point; fewer have no prompt tenth. Chosen, not measured."""
     shortest: float = 30.0
@@ -114,11 +114,11 @@ class SpacingCriteria:
     """Limits beyond which readings have a gap, or come unevenly (`cleaning`)."""
 
     gap_intervals: float = 5.0
-    """[usual intervals] a gap is longer than that, and than `gap_seconds`. Chosen, not measured."""
+    """[usual intervals] a gap is longer than that: a few lost readings are none. Chosen, not measured."""
     gap_seconds: float = 1.0
-    """[s] a gap is longer than that, and than `gap_intervals`. Chosen, not measured."""
+    """[s] a gap is longer than that too: fast streams may pause for a moment. Chosen, not measured."""
     jitter: float = 0.2
-    """[of the usual interval] from which the remark on timing gives the jitter. Chosen, not measured."""
+    """[of the usual interval] of jitter from which a remark gives it; drivers make less. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -140,11 +140,11 @@ class JumpCriteria:
     """Limits of the distance that a robot can swim between two poses (`pose_jumps`)."""
 
     noises: float = 10.0
-    """[standard deviations of a reading] that two poses of one moment may lie apart. Chosen, not measured."""
+    """[standard deviations of a reading] between two poses of one moment; noise makes less. Chosen, not measured."""
     own_speeds: float = 3.0
     """[of the track's usual top speed] that no robot reaches, since currents add to thrust. Chosen, not measured."""
     platform_speeds: float = 2.0
-    """[of the platform's full speed] that no robot reaches. Chosen, not measured."""
+    """[of the platform's full speed] that no robot reaches, even carried by water. Chosen, not measured."""
     usual_top: float = 0.95
     """[1] quantile of a track's speeds that is its usual top speed. Chosen, not measured."""
     over: float = 1.0
@@ -165,11 +165,11 @@ class ExchangeCriteria:
     """[hulls] a leap that counts where a second one leaps to its place: robots that are mistaken for each other are
     close. Chosen, not measured."""
     together: float = 1.0
-    """[s] within which both tracks have to leap. Chosen, not measured."""
+    """[s] within which both tracks have to leap, as a tracker may lose both for a moment. Chosen, not measured."""
     closer: float = 0.5
     """[of the shorter leap] a track has to end nearer to the other's place than that. Chosen, not measured."""
     full_speeds: float = 2.0
-    """[of the platform's full speed] that a robot may swim during the exchange. Chosen, not measured."""
+    """[of the platform's full speed] of a robot during the exchange, carried by water too. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -181,7 +181,7 @@ class SpeedCriteria:
     fewest: int = 8
     """[independent readings] fewer tell nothing. Chosen, not measured."""
     alike: tuple[float, float] = (0.85, 1.18)
-    """[1] quotients between which two speeds are of one size. Chosen, not measured."""
+    """[1] quotients beyond which a current, or a wrong scale, makes two speeds differ. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -189,13 +189,13 @@ class SufficiencyCriteria:
     """Least information that makes a robot, or all recordings together, worth a diagnosis (`abstention`)."""
 
     shortest: float = 6.0
-    """[s] of commands and readings at the same time, of one recording. Chosen, not measured."""
+    """[s] of commands and readings at once, of one recording: less holds no whole manoeuvre. Chosen, not measured."""
     time_constants: float = 4.0
-    """[coasting times] of commands and readings, of all recordings together. Chosen, not measured."""
+    """[coasting times] of all recordings together: motions have to begin and to die out. Chosen, not measured."""
     least_in_all: float = 8.0
     """[s] the same for vehicles that coast for less than two seconds. Chosen, not measured."""
     fewest: int = 20
-    """[readings] of at least one stream. Chosen, not measured."""
+    """[readings] of one stream at least; fewer show no motion beside their noise. Chosen, not measured."""
     still: float = 5.0
     """[standard deviations of a mean over `over`] that noise alone never makes. Chosen, not measured."""
     over: float = 1.0

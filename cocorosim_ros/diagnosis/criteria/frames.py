@@ -50,15 +50,15 @@ class OrientationCriteria:
     least_step: float = 1e-9
     """[nats] by which one combination has to beat another, so that rounding does not decide. Chosen, not measured."""
     position: float = 1.05
-    """[prices] of turned positions alone. Chosen, not measured: yaw is wrong more often than positions are."""
+    """[prices] of turned positions alone. Chosen, not measured: taken as rarer than a turned yaw."""
     yaw: float = 1.0
     """[prices] of a turned yaw of the poses alone. The unit of the prices."""
     compass: float = 0.95
-    """[prices] of a turned compass. Chosen, not measured: conventions of compasses differ most."""
+    """[prices] of a turned compass. Chosen, not measured: taken as the most frequent change."""
     gyro: float = 1.0
     """[prices] of a gyroscope of the other sign. Chosen, not measured."""
     command: float = 1.3
-    """[prices] of exchanged commands. Chosen, not measured: the robot was steered with them."""
+    """[prices] of exchanged commands. Chosen, not measured: taken as rarer than changed streams."""
     pose: float = 1.0
     """[prices] of positions and yaw that are turned together. Chosen, not measured: one convention, one change."""
     both: float = 2.2

@@ -21,6 +21,14 @@ class ReportCriteria:
     """[of a thruster's force] a share along an axis, from which a manoeuvre uses it there. Chosen, not measured."""
     fewest_samples: int = 8
     """[samples] of a cell of the map of places; cells with fewer stay empty. Chosen, not measured."""
+    most_robots: int = 3
+    """[robots] with pictures of their own. Chosen, not measured."""
+    most_located: int = 3
+    """[findings] of a robot with a picture of the residual against the regressor. Chosen, not measured."""
+    most_free_runs: int = 3
+    """[stretches] that are drawn. Chosen, not measured."""
+    most_readings: int = 4
+    """[streams] that are drawn. Chosen, not measured."""
 
 
 REPORT = ReportCriteria()

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import RANDOMNESS, RECALIBRATION
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
@@ -34,19 +35,19 @@ RECALIBRATED: dict[str, tuple[str, str]] = {
     "yaw_inertia": ("inertia", "kg m^2"),
     "buoyancy_gain": ("buoyancy_gain", "1"),
 }
-PRIOR = 0.2  # of the logarithm of a number that the platform gives without a range
 FIRST_DISTURBANCE = 0.01  # of full thrust
 FIRST_CORRELATION = 2.5  # s
 FIRST_SMOOTHNESS = 0.4
-LEAST_SMOOTHNESS = 0.04  # one rate is a hundred times the other
-MOST_CORRELATION = 60.0  # s: what lasts longer is no chance but a force, which an effect has to explain
 # Of the logarithms: standard deviation and bounds, both from where the fit begins.
 WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.force": (3.0, (-7.0, 7.0)),
     "random.heave_force": (3.0, (-7.0, 7.0)),
     "random.moment": (3.0, (-7.0, 7.0)),
-    "random.correlation": (0.7, (-7.0, math.log(MOST_CORRELATION / FIRST_CORRELATION))),
-    "random.smoothness": (1.0, (math.log(LEAST_SMOOTHNESS / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS))),
+    "random.correlation": (0.7, (-7.0, math.log(RANDOMNESS.most_correlation / FIRST_CORRELATION))),
+    "random.smoothness": (
+        1.0,
+        (math.log(RANDOMNESS.least_smoothness / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS)),
+    ),
 }
 SHARED_NOISE = ("random.correlation", "random.smoothness")
 # What the filter's steps are off by at least, however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
@@ -99,7 +100,7 @@ def _prior(column: str, ranges: Ranges) -> float:
     wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
     found = [each for key, each in ranges.items() if key.endswith(wanted) and each.low > 0.0]
     widths = [math.log(each.high / each.low) / 4.0 for each in found]
-    return max([PRIOR, *widths])
+    return max([RECALIBRATION.prior, *widths])
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:

@@ -11,13 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
 from cocorosim_ros.diagnosis.fitting.noise_information import noise_information
 from cocorosim_ros.diagnosis.fitting.solving import clipped, step_within
 
 LARGEST_NOISE_STEP = 1.0  # of a logarithm
-LEAST_GAIN = 0.02  # nats below which an iteration has converged
-SETTLED = 0.1  # nats
 HALVINGS = 4
 DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
 
@@ -28,7 +27,7 @@ def improved(fit: Fit, rounds: int) -> Fit:
         if not fit.unknowns:
             return fit
         better = _unknowns_step(fit)
-        if better is None or better.objective - fit.objective < LEAST_GAIN:
+        if better is None or better.objective - fit.objective < CONVERGENCE.least_gain:
             return better if better is not None else fit
         fit = better
     return fit
@@ -53,7 +52,7 @@ def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit
             return fit
         gain = better.objective - fit.objective
         fit = better
-        if gain < LEAST_GAIN:
+        if gain < CONVERGENCE.least_gain:
             return fit
     return fit
 
@@ -88,8 +87,8 @@ def settled(fit: Fit, rounds: int) -> Fit:
     """
     for _ in range(rounds):
         stepped = with_noise(fit, 1)
-        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > LEAST_GAIN else stepped
+        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > CONVERGENCE.least_gain else stepped
         fit = improved(noisy, 3)
-        if fit.objective - stepped.objective < SETTLED:
+        if fit.objective - stepped.objective < CONVERGENCE.settled:
             break
     return fit

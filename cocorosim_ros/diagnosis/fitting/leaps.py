@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.solving import clipped
@@ -19,7 +20,6 @@ from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.foundation.arrays import Flags
 
 LEAPS = (-2.0, -1.0, 1.0, 2.0)  # of a logarithm
-WORTH = 1.0  # nats
 MOST_TURNS = 4
 
 
@@ -50,6 +50,6 @@ def _best_leap(fit: Fit, moved: Flags) -> Fit:
     best = fit
     for leap in LEAPS:
         trial = evaluated(replace(fit, q_noise=clipped(fit.noise, fit.q_noise + leap * moved)))
-        if trial.objective > best.objective + WORTH:
+        if trial.objective > best.objective + CONVERGENCE.worth:
             best = trial
     return best

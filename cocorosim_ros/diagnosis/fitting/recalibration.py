@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
@@ -17,13 +18,10 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_COLUMNS, WATE
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.foundation.arrays import Floats
 
-SHUT = 0.2  # share of readings beyond belief
 MOST_DOUBLINGS = 12
 MOST_ROUNDS = 10  # of a fit that a good start ends after two or three
 INERTIAL = ("reading.gyro_z", "reading.accel")
 # By how much the logarithms move for the further starts.
-DOUBT = math.log(20.0)
-COARSE = math.log(10.0)
 AT_RANDOM = {
     "random.force": math.log(10.0),
     "random.heave_force": math.log(10.0),
@@ -58,14 +56,16 @@ def base_fit(evidence: Evidence) -> Fit:
 
 def _at_random(fit: Fit) -> Fit:
     """The fit with strong and quick random forces, and coarse readings: each is then heeded a little."""
-    coarse = [COARSE if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
+    coarse = [RECALIBRATION.coarse if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
     moves = np.array([AT_RANDOM.get(unknown.column, other) for unknown, other in zip(fit.noise, coarse, strict=True)])
     return _with_moved_noise(fit, moves)
 
 
 def _without_inertial(fit: Fit) -> Fit:
     """The fit with inertial readings so coarse that they hardly count."""
-    return _with_moved_noise(fit, np.array([DOUBT if unknown.column in INERTIAL else 0.0 for unknown in fit.noise]))
+    return _with_moved_noise(
+        fit, np.array([RECALIBRATION.doubt if unknown.column in INERTIAL else 0.0 for unknown in fit.noise])
+    )
 
 
 def _with_moved_noise(fit: Fit, moves: Floats) -> Fit:
@@ -90,7 +90,7 @@ def _is_shut(fit: Fit, noise: Unknown) -> bool:
     kinds = np.flatnonzero(COLUMN[noise.column] == READING_COLUMNS)
     for number in noise.tracks:
         chosen = np.isin(fit.tracks[number].timeline.kind, kinds)
-        if chosen.any() and np.mean(fit.passes[number].believed[chosen]) < 1.0 - SHUT:
+        if chosen.any() and np.mean(fit.passes[number].believed[chosen]) < 1.0 - RECALIBRATION.shut:
             return True
     return False
 

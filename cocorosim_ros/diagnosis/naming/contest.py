@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
+from cocorosim_ros.diagnosis.criteria.naming import SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
@@ -16,8 +17,6 @@ from cocorosim_ros.diagnosis.fitting.starts import best_start
 from cocorosim_ros.diagnosis.fitting.unknowns import prior_precision
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.foundation.arrays import Floats
-
-CLEAR = 3.0  # nats from which a candidate is worth the last steps
 
 
 @dataclass(frozen=True)
@@ -79,6 +78,6 @@ def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
 def refine(begun: Begun, base_evidence: float) -> Refined:
     """The candidate with noise let loose as well."""
     trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
-    if trial.objective - begun.fit.objective + begun.gain > CLEAR:
+    if trial.objective - begun.fit.objective + begun.gain > SEARCH.last_steps:
         trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)
     return Refined(begun.candidate, trial, log_evidence(trial) - base_evidence)

@@ -8,12 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
-from cocorosim_ros.diagnosis.naming.needed_evidence import THRESHOLD
-
-MEDIUM = 0.5  # of large
-BLIND = 0.45  # share of the catalogue that is not shown, from which on a silent recording cannot tell
 
 
 def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]:
@@ -33,7 +30,7 @@ def _smallest(screened: Screened) -> dict[str, float]:
     """By parameter: the value that yields the threshold, its information taken alone; of the first robot."""
     found: dict[str, float] = {}
     for unknown, known in zip(screened.candidate.amplitudes(), np.diag(screened.information).tolist(), strict=True):
-        value = unknown.scale * math.sqrt(2.0 * THRESHOLD / known) if known > 0.0 else math.inf
+        value = unknown.scale * math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
         found.setdefault(unknown.owner.parameter, value)
     return found
 
@@ -45,10 +42,12 @@ def expected_nats(screened: Screened, size: float) -> float:
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
     """Identifiers of effects that even at medium size would not be seen."""
-    seen = {each.candidate.entry.id for each in screened if expected_nats(each, MEDIUM) >= THRESHOLD}
+    seen = {
+        each.candidate.entry.id for each in screened if expected_nats(each, DETECTABILITY.medium) >= NAMING.threshold
+    }
     return tuple(name for name in IDS if name not in seen and name != "frame_mixup")
 
 
 def is_blind(unseen: Sequence[str]) -> bool:
     """Whether so little of the catalogue could be seen that silence says nothing."""
-    return len(unseen) > BLIND * len(IDS)
+    return len(unseen) > DETECTABILITY.blind * len(IDS)

@@ -1,7 +1,7 @@
 """Which effects are missing: a contest of catalogue and laws, step by step, then pruned.
 
-An effect is named if its evidence passes THRESHOLD (7 nats for 14 entries, more for a longer catalogue), if it also
-foretells what its fit did not see, and if no rival explains more. What comes within AMBIGUITY nats is named with it.
+An effect is named if its evidence passes a threshold (7 nats for 14 entries, more for a longer catalogue), if it also
+foretells what its fit did not see, and if no rival explains more. Rivals within a few nats are named with it.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import replace
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.fit import Fit
@@ -23,17 +24,6 @@ from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
 
-AMBIGUITY = 3.0  # nats
-WORTH_REFINING = 2.0  # nats of the screening
-HOPELESS = 0.1  # of the leader's nats below which refining a candidate does not make it the leader
-PROMISING = 0.5  # of the leader's nats with noise held, and
-CLOSE = 20.0  # nats behind it: a candidate that has less of both is put off
-SETTLING = 4  # turns of noise and laws after each addition, lest the next one gain by an unfinished fit alone
-KEPT = 0.01  # of the screening's nats that a fit of the candidate has to find
-LEADERS = 4
-MOST_REFINED = 8
-MOST_EFFECTS = 4
-CHECKED = 60.0  # nats below which an effect is checked against a model that was fitted anew
 Progress = Callable[[str, float], None]
 
 
@@ -43,14 +33,14 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
     named: tuple[NamedEffect, ...] = ()
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
-    for round_number in range(MOST_EFFECTS):
-        progress("looking for what is missing", round_number / MOST_EFFECTS)
+    for round_number in range(SEARCH.most_effects):
+        progress("looking for what is missing", round_number / SEARCH.most_effects)
         scene = scene_of(fit.tracks, smoothed_tracks(fit))
         screen = Screen(fit, scene)
         taken = {key for effect in named for key in _keys(effect.candidate)}
         entries = [each for each in expand(ENTRIES, fit.tracks, fit.rows) if not taken & _keys(each)]
         tested = _ranked(screen, entries)
-        water = any(each.candidate.entry.water and each.nats > WORTH_REFINING for each in tested)
+        water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
         found = [effect.candidate.entry for effect in named]
         laws = expand(open_set(scene, found, base.rows, water=water), fit.tracks, base.rows)
         tested_laws = _ranked(screen, [each for each in laws if not taken & _keys(each)])
@@ -59,7 +49,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         best = _best(fit, named, screen, tested, tested_laws)
         if best is None:
             break
-        fit, named = settled(best[0], SETTLING), best[1]
+        fit, named = settled(best[0], SEARCH.settling), best[1]
     fit, named = pruned(fit, named, base)
     return Naming(base, fit, named, first, first_laws)
 
@@ -76,7 +66,7 @@ def _best(
     fit: Fit, named: tuple[NamedEffect, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
 ) -> tuple[Fit, tuple[NamedEffect, ...]] | None:
     """The fit with the best addition, or None if none passes."""
-    begun = _begun(fit, screen.scene, tested, [law for law in laws[:2] if law.nats > WORTH_REFINING])
+    begun = _begun(fit, screen.scene, tested, [law for law in laws[:2] if law.nats > SEARCH.worth_refining])
     if not begun:
         return None
     base_evidence = log_evidence(fit)
@@ -98,7 +88,7 @@ def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], laws: Sequence[Sc
     while True:
         chosen = [each for each in (*_worth_refining(tested), *laws) if id(each) not in begun]
         begun |= {id(each): begin(fit, each, scene) for each in chosen}
-        empty = {_fault(each) for each in chosen if begun[id(each)].gain < KEPT * each.nats}
+        empty = {_fault(each) for each in chosen if begun[id(each)].gain < SEARCH.kept * each.nats}
         tested, before = [each for each in tested if _fault(each) not in empty], tested
         if len(tested) == len(before):
             return list(begun.values())
@@ -112,7 +102,7 @@ def _fault(screened: Screened) -> tuple[str, str | None]:
 def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
     """Those that may become the leader or its rival once noise is let loose, and the rest."""
     gains = [each.gain - each.candidate.entry.prior_nats for each in begun]
-    needed = min(PROMISING * max(gains), max(gains) - CLOSE)
+    needed = min(SEARCH.promising * max(gains), max(gains) - SEARCH.close)
     chosen: tuple[list[Begun], list[Begun]] = ([], [])
     for each, gain in zip(begun, gains, strict=True):
         chosen[gain < needed].append(each)
@@ -128,7 +118,7 @@ def _first_believed(
         needed = needed_nats(named, best.candidate, best.fit)
         if standing(best) < needed:
             return None
-        if best.nats < CHECKED and _regained(best, fit) < needed:
+        if best.nats < NAMING.checked and _regained(best, fit) < needed:
             continue
         if is_tiny(best):
             negligible.append(best.candidate)
@@ -148,7 +138,7 @@ def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[NearRival, ...]:
     return tuple(
         NearRival(other.candidate, max(0.0, best.nats - other.nats))
         for other in others
-        if best.nats - other.nats <= AMBIGUITY
+        if best.nats - other.nats <= NAMING.ambiguity
     )
 
 
@@ -166,12 +156,12 @@ def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
     """The leaders, and of their groups whatever explains something."""
-    needed = max(WORTH_REFINING, HOPELESS * tested[0].nats) if tested else WORTH_REFINING
-    leaders = [each for each in tested[:LEADERS] if each.nats > needed]
+    needed = max(SEARCH.worth_refining, SEARCH.hopeless * tested[0].nats) if tested else SEARCH.worth_refining
+    leaders = [each for each in tested[: SEARCH.leaders] if each.nats > needed]
     groups = {each.candidate.entry.group for each in leaders if each.candidate.entry.group}
     more = [
         each
-        for each in tested[LEADERS:]
-        if each.candidate.entry.group in groups and each.nats > min(WORTH_REFINING, 0.1 * leaders[0].nats)
+        for each in tested[SEARCH.leaders :]
+        if each.candidate.entry.group in groups and each.nats > min(SEARCH.worth_refining, 0.1 * leaders[0].nats)
     ]
-    return [*leaders, *more][:MOST_REFINED]
+    return [*leaders, *more][: SEARCH.most_refined]

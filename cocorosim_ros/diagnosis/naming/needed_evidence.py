@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS, Amplitude
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.naming.contest import Refined
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
-
-THRESHOLD = 7.0 + math.log(40 / 14)  # nats
-LEAST_SHARE = 0.01  # of what is large: below, it may be what the filter's steps leave, whatever exact readings say
-FORM_SHARE = 0.025  # of what an effect explains may be left over, because its law is not quite the sea's
-LAW_REST = 0.1  # the same for laws outside the catalogue, which fill what any form leaves
-LAW_SHARE = 0.4  # and for laws of readings beside effects of motion, which they follow
-LAW_MARGIN = 3.0  # nats by which a law has to beat the catalogue
 
 
 def held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
@@ -29,7 +22,7 @@ def held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
 
 def standing(refined: Refined) -> float:
     """Evidence; a law outside the catalogue is believed only if it is clearly better than what is known."""
-    return refined.nats - (LAW_MARGIN if refined.candidate.entry.law is not None else 0.0)
+    return refined.nats - (NAMING.law_margin if refined.candidate.entry.law is not None else 0.0)
 
 
 def is_tiny(refined: Refined) -> bool:
@@ -46,7 +39,7 @@ def is_tiny(refined: Refined) -> bool:
 
 def is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:
     """Whether one amplitude of a candidate [SI units] is too small to be believed."""
-    least = max(LEAST_SHARE * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
+    least = max(NAMING.least_share * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
     low, high = amplitude.negligible
     return min(low, -least) < value - amplitude.neutral < max(high, least)
 
@@ -69,15 +62,17 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
     others = [each for each in named if each.candidate.key != candidate.key]
     of_sensor, is_law = candidate.entry.channel in SENSOR_CHANNELS, candidate.entry.law is not None
     if of_sensor and not is_law:
-        return THRESHOLD
+        return NAMING.threshold
     shares = [
-        (LAW_REST if is_law else min(FORM_SHARE, _likeness(fit, candidate, each.candidate))) * each.nats
+        (NAMING.law_rest if is_law else min(NAMING.form_share, _likeness(fit, candidate, each.candidate))) * each.nats
         for each in others
         if _side(each.candidate) == _side(candidate)
     ]
     if of_sensor:
-        shares += [LAW_SHARE * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS]
-    return max([THRESHOLD, *shares])
+        shares += [
+            NAMING.law_share * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS
+        ]
+    return max([NAMING.threshold, *shares])
 
 
 def _likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
+from cocorosim_ros.diagnosis.criteria.naming import PUMP
 from cocorosim_ros.diagnosis.filter.layout import ACCEL_Z, POSE_Z, PRESSURE, VELOCITY_W
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
@@ -20,8 +21,6 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
 UPRIGHT = (POSE_Z, PRESSURE, ACCEL_Z, VELOCITY_W)
-MEMORY = 5.0  # s for which a movement of the pump tells of it
-LOUD = 20.0  # times the random force
 
 
 def quiet_gain(base: Fit, more: Fit) -> float:
@@ -38,10 +37,10 @@ def _is_loud(track: Track, row: Floats) -> Flags:
     """(m,) whether the force of the pumps has changed much in the time before each reading."""
     force = track.actuation.pump_force(track.actuation.drive(row))
     grid = track.timeline.grid
-    width = max(1, round(MEMORY / grid.step))
+    width = max(1, round(PUMP.memory / grid.step))
     back = {"size": width, "origin": (width - 1) // 2, "mode": "nearest"}  # the window ends at each point
     change = maximum_filter1d(force, **back) - minimum_filter1d(force, **back)
-    loud = change > LOUD * np.exp(row[COLUMN["random.heave_force"]])
+    loud = change > PUMP.loud * np.exp(row[COLUMN["random.heave_force"]])
     point = np.rint((track.timeline.stamp - grid.begin) / grid.step).astype(np.int64)
     return np.asarray(loud[np.clip(point, 0, len(loud) - 1)])
 

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.catalogue.entry import Scene
+from cocorosim_ros.diagnosis.criteria.naming import SWINGS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
@@ -19,13 +20,9 @@ from cocorosim_ros.world.state.state import YAW, X, Z
 from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
-STATE_NAMES = ("x", "y", "z", "yaw", "u", "v", "w", "r")
 IN_BODY = ("surge", "sway")
 PEAKS = 3
-SWINGS = 1.5  # of a period that a recording has to hold, lest a trend be called a swing
-SHORTEST_PERIOD = 5.0  # s
 CHANGES = 3
-STEADY = 15.0  # s before and after a change that are compared
 
 
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
@@ -78,15 +75,15 @@ def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[flo
         step = float(course.time[1] - course.time[0])
         frequency, power = periodogram(force, fs=1.0 / step, nfft=4 * len(longest.time))
         total = power if len(total) == 0 else total + power
-    wanted = (frequency > SWINGS / duration) & (frequency < 1.0 / SHORTEST_PERIOD)
+    wanted = (frequency > SWINGS.swings / duration) & (frequency < 1.0 / SWINGS.shortest_period)
     peaks, _ = find_peaks(np.where(wanted, total, 0.0))
     strongest = peaks[np.argsort(total[peaks])[::-1][:PEAKS]]
-    return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS)
+    return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS.swings)
 
 
 def _changes(time: Floats, force: Floats) -> list[float]:
     """Moments [s] at which a force (points,) changes most from what it was to what it then stays at."""
-    width = round(STEADY / float(time[1] - time[0]))
+    width = round(SWINGS.steady / float(time[1] - time[0]))
     if len(time) < 2 * width + 1:
         return []
     total = np.concatenate([[0.0], np.cumsum(force)])

@@ -48,11 +48,6 @@ from cocorosim_ros.diagnosis.report.words import (
 from cocorosim_ros.study.pictures.page import page_template
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-MOST_ROBOTS = 3  # with pictures
-MOST_LOCATED = 3  # per robot, with a picture of the residual against the regressor
-MOST_FREE_RUNS = 3
-MOST_READINGS = 4
-
 Context = dict[str, Any]
 
 
@@ -79,14 +74,14 @@ def _clause(sentence: str | None) -> str:
 
 def _where(diagnosis: Diagnosis, origin: Origin) -> Context:
     pairs = pairs_of(diagnosis)
-    shown = list(zip(pairs, _titles([pair.before.robot for pair in pairs], origin), strict=True))[:MOST_ROBOTS]
+    shown = list(zip(pairs, _titles([pair.before.robot for pair in pairs], origin), strict=True))[: REPORT.most_robots]
     return {
         "located": [_located(each) for each in diagnosis.mismatch],
         "robots": [_pictures(pair, diagnosis) | {"title": title} for pair, title in shown],
         "more": _more([pair.before.robot for pair in pairs]),
         "readings": [
             (reading_figure(each), each, _regressor_words(each.regressor))
-            for each in diagnosis.readings[:MOST_READINGS]
+            for each in diagnosis.readings[: REPORT.most_readings]
         ],
         "readings_first": bool(diagnosis.mismatch) and diagnosis.mismatch[0].equation not in OF_BODY,
         "readings_left_out": _readings_left_out(diagnosis),
@@ -100,7 +95,7 @@ def _regressor_words(regressor: str) -> str:
 
 def _readings_left_out(diagnosis: Diagnosis) -> list[str]:
     """A sentence for each stream that an effect was found of and that has no picture."""
-    hidden = [f"/{each.robot}/{each.topic}" for each in diagnosis.readings[MOST_READINGS:]]
+    hidden = [f"/{each.robot}/{each.topic}" for each in diagnosis.readings[REPORT.most_readings :]]
     drawn = {(each.robot, each.topic) for each in diagnosis.readings}
     said = [f"Not drawn, to be brief: what {', '.join(hidden)} show less what the model expects."] if hidden else []
     for found in diagnosis.effects:
@@ -126,10 +121,10 @@ def _titles(robots: Sequence[str], origin: Origin) -> list[str]:
 
 def _more(robots: Sequence[str]) -> str:
     """The number of robots or recordings without pictures, in words; empty if all have pictures."""
-    others = set(robots[MOST_ROBOTS:]) - set(robots[:MOST_ROBOTS])
+    others = set(robots[REPORT.most_robots :]) - set(robots[: REPORT.most_robots])
     if others:
         return f"{len(others)} more robot{'s' if len(others) > 1 else ''}"
-    hidden = len(robots[MOST_ROBOTS:])
+    hidden = len(robots[REPORT.most_robots :])
     return f"{hidden} more recording{'s' if hidden > 1 else ''}" if hidden else ""
 
 
@@ -155,7 +150,7 @@ def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
         "robot": pair.before.robot,
         "paired": pair.after is not None,
         "over_time": over_time(pair),
-        "against": [(against_regressor(pair, each), *said_law(each)) for each in mine[:MOST_LOCATED]],
+        "against": [(against_regressor(pair, each), *said_law(each)) for each in mine[: REPORT.most_located]],
         "left_out": _left_out(pair, mine, {each.topic for each in diagnosis.readings}),
         "leading": leading.replace("_", " "),
         "over_place": over_place(pair, leading) if "position" in diagnosis.fit or not diagnosis.fit else "",
@@ -165,9 +160,9 @@ def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
 
 def _left_out(pair: Pair, mine: Sequence[Located], drawn_streams: Collection[str]) -> list[str]:
     """A sentence for each finding about a robot that has no picture of its own."""
-    said = [why_not_drawn(pair, each) for each in mine[:MOST_LOCATED] if said_law(each)[0] not in drawn_streams]
-    if len(mine) > MOST_LOCATED:
-        said.append(f"Drawn are the {MOST_LOCATED} clearest of {len(mine)} findings; the table has all.")
+    said = [why_not_drawn(pair, each) for each in mine[: REPORT.most_located] if said_law(each)[0] not in drawn_streams]
+    if len(mine) > REPORT.most_located:
+        said.append(f"Drawn are the {REPORT.most_located} clearest of {len(mine)} findings; the table has all.")
     return [sentence for sentence in said if sentence]
 
 
@@ -225,7 +220,7 @@ def _chosen_runs(runs: Sequence[FreeRun]) -> list[FreeRun]:
     """Choose a few stretches, of as many robots as possible."""
     own = [sum(other.robot == run.robot for other in runs[:index]) for index, run in enumerate(runs)]
     order = sorted(range(len(runs)), key=lambda index: own[index])
-    return [runs[index] for index in sorted(order[:MOST_FREE_RUNS])]
+    return [runs[index] for index in sorted(order[: REPORT.most_free_runs])]
 
 
 def _held_out(found: HeldOut) -> list[Context]:

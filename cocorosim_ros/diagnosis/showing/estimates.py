@@ -9,16 +9,15 @@ import numpy as np
 from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
-from cocorosim_ros.diagnosis.naming.needed_evidence import THRESHOLD
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 Z95 = float(norm.ppf(0.975))
-SURE = 0.05  # chance of a clear number among all recalibrated ones where nothing has moved
-CONFIRMED = THRESHOLD + 4.0  # nats
 NUMERICAL = 1e-3
 """Of a value, how far midpoint steps h of 0.1 s may be off: (h l)^2 / 6 for a rate l of 0.77 / s, at which Lilys turn.
 
@@ -72,7 +71,7 @@ def recalibrated(fit: Fit) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated
     order = np.argsort(chances)
     moved = set()
     for rank, index in enumerate(order):
-        if chances[index] > SURE / (len(order) - rank):
+        if chances[index] > ESTIMATES.sure / (len(order) - rank):
             break
         moved.add(int(index))
     return every, tuple(each for index, each in enumerate(every) if index in moved)
@@ -98,7 +97,11 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         for rival in effect.rivals
         if rival.candidate.entry.id != entry.id
     )
-    sure = effect.nats >= CONFIRMED and effect.held_out.p < SURE and not rivals
+    sure = (
+        effect.nats >= NAMING.threshold + ESTIMATES.beyond_threshold
+        and effect.held_out.p < ESTIMATES.held_out_p
+        and not rivals
+    )
     tier: Tier = "confirmed" if sure else "suspected"
     return FoundEffect(
         entry.id, entry.name, entry.equation, robots, tier,

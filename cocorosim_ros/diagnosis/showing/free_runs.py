@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.showing import FREE_RUNS
 from cocorosim_ros.diagnosis.findings import FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
@@ -23,12 +24,9 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import STATE_SIZE, YAW, YAW_RATE, X, Y, Z
 
-SEEN = 0.6  # of each recording is fitted
 WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
-MOST_TURNED = 30.0  # rad in a window, at the usual turn rate: after five turns a heading is anybody's guess
 CHANNELS = {"position": "m", "heading": "rad", "depth": "m"}
 MODELS = ("nominal", "recalibrated", "augmented")
-FEWEST_POINTS = 10  # of a window
 
 
 @dataclass(frozen=True)
@@ -41,7 +39,7 @@ class Window:
 
 def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple[FreeRun, ...]]:
     """Errors by channel, and some windows to look at."""
-    tracks = tuple(track.until(SEEN) for track in base.tracks)
+    tracks = tuple(track.until(FREE_RUNS.seen) for track in base.tracks)
     fits = {"recalibrated": _refitted(base, tracks), "augmented": _refitted(final, tracks)}
     nominal_rows = base.rows
     best = final.filled
@@ -54,15 +52,15 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
     if not windows:
         return {}, ()
     models = {"nominal": nominal_rows, **{name: fit.filled for name, fit in fits.items()}}
-    streams = held_out_streams(base.tracks, courses, models, HeldOutPart(SEEN, seconds))
+    streams = held_out_streams(base.tracks, courses, models, HeldOutPart(FREE_RUNS.seen, seconds))
     return {**_table(windows, base.tracks, seconds), **streams}, tuple(window.run for window in windows)
 
 
 def window_length(courses: Sequence[Smoothed]) -> float:
-    """The longest of WINDOWS [s] in which these robots turn by no more than MOST_TURNED."""
+    """The longest of WINDOWS [s] in which these robots turn by no more than FREE_RUNS.most_turned."""
     turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
     rate = float(np.sqrt(np.mean(turned**2)))
-    return next((seconds for seconds in WINDOWS if seconds * rate <= MOST_TURNED), WINDOWS[-1])
+    return next((seconds for seconds in WINDOWS if seconds * rate <= FREE_RUNS.most_turned), WINDOWS[-1])
 
 
 def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
@@ -73,9 +71,9 @@ def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
 
 def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
     grid = track.timeline.grid
-    first = round(SEEN * grid.points)
+    first = round(FREE_RUNS.seen * grid.points)
     length = min(round(seconds / grid.step), (grid.points - first - 1) // 2)
-    if length < FEWEST_POINTS:
+    if length < FREE_RUNS.fewest_points:
         return []
     found = []
     for begin in range(first, grid.points - length, length):

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
-from cocorosim_ros.diagnosis.catalogue.laws import LARGE_SHARE
+from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
+from cocorosim_ros.diagnosis.criteria.showing import LOCATION
 from cocorosim_ros.diagnosis.findings import Located
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
@@ -22,23 +23,18 @@ from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.equations import EQUATION
 
-CLEAR = 5.0  # standard deviations: no clean recording of the study passed 3.7
-MOST = 6
-CONCENTRATED = 0.7  # of the evidence, for a regime to be told
-EVERYWHERE = 0.9  # of the moments: a regime that holds them is none
-
 
 def locate(
     fit: Fit, screened: Sequence[Screened], laws: Sequence[Screened], courses: Sequence[Smoothed]
 ) -> tuple[Located, ...]:
     """What stands out, the clearest first: laws of force by the scan, sensors by the catalogue."""
     sensed = [each for each in screened if each.candidate.entry.channel in SENSOR_CHANNELS]
-    standing = [each for each in (*laws, *sensed) if np.abs(each.z).max() >= CLEAR and each.nats > 0.0]
+    standing = [each for each in (*laws, *sensed) if np.abs(each.z).max() >= LOCATION.clear and each.nats > 0.0]
     standing.sort(key=lambda each: -each.nats)
     found: list[Located] = []
     for each in standing:
         equation, regressor = _named(each)
-        if len(found) < MOST and not any(
+        if len(found) < LOCATION.most and not any(
             equation == other.equation and regressor == other.regressor for other in found
         ):
             found.append(_located(fit, each, courses))
@@ -78,7 +74,7 @@ def _located(fit: Fit, screened: Screened, courses: Sequence[Smoothed]) -> Locat
         name = entry.form.of
         scales = scene_of(fit.tracks, courses).scales
         force = scales[{"heave": "heave_force", "yaw": "yaw_force"}.get(name, "surge_force")]
-        size, unit = float(abs(screened.q[0])) * LARGE_SHARE * force, EQUATION[name].unit
+        size, unit = float(abs(screened.q[0])) * CATALOGUE.large_share * force, EQUATION[name].unit
     else:
         unknown, q = _strongest(screened)
         size, unit = q * unknown.scale, unknown.owner.unit
@@ -148,7 +144,7 @@ def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[S
     shares = {
         words: float(gained[chosen].sum()) / total
         for words, chosen in regimes.items()
-        if chosen.mean() < EVERYWHERE  # as where a vehicle has one depth alone
+        if chosen.mean() < LOCATION.everywhere  # as where a vehicle has one depth alone
     }
     words, share = max(shares.items(), key=lambda entry: entry[1], default=("", 0.0))
-    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > CONCENTRATED else "throughout"
+    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > LOCATION.concentrated else "throughout"

@@ -6,14 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import SURROUNDINGS
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR, OPEN_WATER
 from cocorosim_ros.diagnosis.tracks.track import Track, make_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
-
-SHORE = 0.1  # m beyond where any robot has been; nobody records the tank
-ALIKE = 1.25  # sides of a tank that differ by less are taken as equal
 
 
 def introduced(tracks: Sequence[Track]) -> list[Track]:
@@ -34,10 +32,10 @@ def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
     seen = np.isfinite(everything).any(axis=0)
     if not seen.all():
         return np.full(3, -FAR), np.full(3, FAR)
-    half = np.nanmax(np.abs(everything[:, :2]), axis=0) + SHORE
-    if half.max() < ALIKE * half.min():
+    half = np.nanmax(np.abs(everything[:, :2]), axis=0) + SURROUNDINGS.shore
+    if half.max() < SURROUNDINGS.alike * half.min():
         half[:] = half.max()
-    floor = min(float(np.nanmin(everything[:, 2])) - SHORE, -SHORE)
+    floor = min(float(np.nanmin(everything[:, 2])) - SURROUNDINGS.shore, -SURROUNDINGS.shore)
     return np.array([-half[0], -half[1], floor]), np.array([half[0], half[1], 0.0])
 
 

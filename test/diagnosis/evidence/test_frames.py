@@ -173,7 +173,7 @@ def test_too_little_motion_asks_for_no_correction(swum: Swum, swim: Any, lily_pl
 
 
 def test_a_short_log_with_a_wrong_velocity(swum: Swum, swim: Any, lily_platform: Platform) -> None:
-    """Twelve seconds are not enough to accuse it."""
+    """Twelve seconds are not enough to correct it."""
     short = mixed(swum(swim(seed=7, duration=12.0)), "velocity", lambda v: [-v[0], -v[1], v[2]])
     assert needed_corrections(short, lily_platform) == ()
 

@@ -14,7 +14,7 @@ import pytest
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Located, ResidualReading
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
-from cocorosim_ros.diagnosis.showing.noise_levels import UNITS
+from cocorosim_ros.diagnosis.tracks.columns import NOISE_UNITS
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
@@ -215,7 +215,7 @@ def test_recordings_of_one_robot_are_told_apart(example: Example, recordings: in
 
 def test_noise_is_called_by_words(example: Example) -> None:
     """Every number of noise that a fit knows has a name for readers."""
-    noise = {name: Estimate(1e-3, 9e-4, 1.1e-3, unit) for name, unit in UNITS.items()}
+    noise = {name: Estimate(1e-3, 9e-4, 1.1e-3, unit) for name, unit in NOISE_UNITS.items()}
     _, content = page(replace(example("mismatch"), noise=noise))
     assert "random force, horizontal" in content.text and "a reading of pose, x and y" in content.text
     assert "random." not in content.text and "reading." not in content.text

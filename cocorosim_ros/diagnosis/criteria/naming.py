@@ -1,0 +1,101 @@
+"""Thresholds of the naming: which candidates are fitted, which are named, which recordings cannot tell."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class SearchCriteria:
+    """Limits of the search: candidates beyond them are not fitted, or not fitted further (`naming.naming`)."""
+
+    worth_refining: float = 2.0
+    """[nats of the screening] less is not worth a fit. Chosen, not measured."""
+    hopeless: float = 0.1
+    """[of the leader's nats] a candidate below does not become the leader by a fit. Chosen, not measured."""
+    group_share: float = 0.1
+    """[of the leader's nats] a candidate of a leader's group is refined above it. Chosen, not measured."""
+    promising: float = 0.5
+    """[of the leader's nats with noise held] a candidate below, and `close`, is fitted later. Chosen, not measured."""
+    close: float = 20.0
+    """[nats] a candidate so far behind the leader, and below `promising`, is fitted later. Chosen, not measured."""
+    kept: float = 0.01
+    """[of the screening's nats] a fit that finds less shows a slope at a kink, which no model reaches. Chosen, not
+    measured."""
+    leaders: int = 4
+    """[candidates] that are refined as leaders: each costs a fit. Chosen, not measured."""
+    most_refined: int = 8
+    """[candidates] that are refined in a round, leaders and their groups: each costs a fit. Chosen, not measured."""
+    most_effects: int = 4
+    """[effects] that are named at most: each costs a round of fits. Chosen, not measured."""
+    settling: int = 4
+    """[turns of noise and laws] after each addition. Measured: in one sealed recording an unfinished fit was taken for
+    the next effect; the number of turns was chosen."""
+    last_steps: float = 3.0
+    """[nats] from which a candidate is worth the last steps of its noise. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class NamingCriteria:
+    """Evidence that an effect needs to be named (`naming.naming`)."""
+
+    threshold: float = 7.0 + math.log(40 / 14)
+    """[nats] of every effect: 7 for a catalogue of 14 entries, more for one of 40. Chosen; measured: one false alarm in
+    106 recordings of the sealed trial with nothing hidden (`docs/trial.md`)."""
+    ambiguity: float = 3.0
+    """[nats] rivals so close are named too: odds of 20 to 1. Chosen; measured: the truth was among those named in
+    119 of 119 cases of the sealed trial (`docs/trial.md`)."""
+    checked: float = 60.0
+    """[nats] below, evidence is compared with a model without the effect that was fitted anew. Chosen, not measured."""
+    least_share: float = 0.01
+    """[of large] smaller amplitudes may come from the filter's steps, however exact readings are. Measured: the
+    smallest of 269 effects named in 575 sealed recordings had 0.03."""
+    form_share: float = 0.025
+    """[of an effect's nats] that may be left over because its law is not quite the water's. Chosen, not measured."""
+    law_rest: float = 0.1
+    """[of an effect's nats] the same for laws outside the catalogue, which fill what any form leaves. Chosen, not
+    measured."""
+    law_share: float = 0.4
+    """[of a motion's nats] the same for laws of readings, which follow effects of motion. Chosen, not measured."""
+    law_margin: float = 3.0
+    """[nats] by which a law outside the catalogue has to beat it: there are many laws. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class DetectabilityCriteria:
+    """Limits below which a recording shows too little of the catalogue (`naming.detectability`)."""
+
+    medium: float = 0.5
+    """[of large] size of an effect that a recording should show. Chosen, not measured."""
+    blind: float = 0.45
+    """[share of the catalogue] that is not shown, beyond which silence tells nothing. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class PumpCriteria:
+    """Movements of the pump that tell of the pump and not of the water (`naming.quiet_pump`)."""
+
+    memory: float = 5.0
+    """[s] for which a movement of the pump tells of it. Chosen, not measured."""
+    loud: float = 20.0
+    """[rms of the random force] a larger change of force is no answer to the water. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class SwingCriteria:
+    """Periods and changes of a residual force that are worth a candidate (`naming.residual`)."""
+
+    swings: float = 1.5
+    """[periods] that a recording has to hold, so that a trend is no swing. Chosen, not measured."""
+    shortest_period: float = 5.0
+    """[s] faster swings are no candidates. Chosen, not measured."""
+    steady: float = 15.0
+    """[s] before and after a change of the force that are compared. Chosen, not measured."""
+
+
+SEARCH = SearchCriteria()
+NAMING = NamingCriteria()
+DETECTABILITY = DetectabilityCriteria()
+PUMP = PumpCriteria()
+SWINGS = SwingCriteria()
