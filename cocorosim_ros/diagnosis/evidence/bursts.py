@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
-from cocorosim_ros.wire.bags.stamped_numbers import Stamps
+from cocorosim_ros.wire.cdr.stamped_numbers import Stamps
 
 AT_ONCE = 0.1  # of the mean interval: no instrument takes two readings so close
 MANY = 0.05  # share of intervals that are so short, from which readings come in bursts

@@ -10,7 +10,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.wire.bags.stamped_numbers import FRAME_LENGTH, PADDING, Stamps, decode_layout, numbers_at
+from cocorosim_ros.wire.cdr.stamped_numbers import FRAME_LENGTH, PADDING, Stamps, decode_layout, numbers_at
 
 _ENCAPSULATION = 4
 
