@@ -15,7 +15,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 FAR = 1.0  # s: what no transport and no latency explains
 NOTABLE = 0.2  # s: said, and left to the diagnosis

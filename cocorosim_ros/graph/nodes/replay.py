@@ -15,7 +15,7 @@ from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
 from cocorosim_ros.wire.bags.offered_quality import offered_quality
 from cocorosim_ros.wire.bags.playback import CLOCK_TOPIC, CLOCK_TYPE, Playback, Playing, Span
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.type_store import is_known, type_hash
 from cocorosim_ros.wire.topics.service_quality import CLOCK, ServiceQuality
 
