@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 
 from cocorosim_ros.graph.nodes.wiring import Speaker
@@ -140,7 +139,7 @@ class Replay:
                 self._speak_on(recorded.topic, recorded.type_name, _offer(recorded, self._pace))
         except (ImportError, AttributeError):
             reason = f"its type {recorded.type_name} is not installed here"
-        except (ValueError, rclpy_implementation.RCLError) as error:
+        except (ValueError, RuntimeError) as error:
             reason = str(error).partition(", at ")[0]
         if reason:
             self.left_out.append(f"{recorded.topic} is not published: {reason}.")
