@@ -69,6 +69,7 @@ class RunChoices:
 def check_startable(scenario: Scenario, choices: RunChoices) -> None:
     """Nothing, if the scenario can be run so; raises CocorosimError before anything is touched."""
     from cocorosim_ros.graph.nodes.domain import domain_of_user
+    from cocorosim_ros.graph.nodes.path_choice import plain_path_asked
 
     if (choices.composed or choices.in_process) and scenario.external:
         raise CocorosimError(
@@ -82,6 +83,7 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
     bodies = [describe_body(robot) for robot in scenario.robots]
     selected_topics(run_topics(bodies), scenario.recording.topics)
     domain_of_user()
+    plain_path_asked()
 
 
 def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:

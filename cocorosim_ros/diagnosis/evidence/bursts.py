@@ -14,7 +14,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import BURSTS
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
-from cocorosim_ros.wire.bags.stamped_numbers import Stamps
+from cocorosim_ros.wire.cdr.stamped_numbers import Stamps
 
 
 def as_taken(rows: TopicRows) -> tuple[TopicRows, tuple[str, ...]]:

@@ -11,7 +11,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.evidence import SPACING
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 _EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
 

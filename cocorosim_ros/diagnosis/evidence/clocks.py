@@ -16,7 +16,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.evidence import CLOCKS
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -10,9 +9,8 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.wire.bags.stamped_numbers import FRAME_LENGTH, PADDING, Stamps, decode_layout, numbers_at
-
-_ENCAPSULATION = 4
+from cocorosim_ros.wire.cdr.named_numbers import read_named_numbers
+from cocorosim_ros.wire.cdr.stamped_numbers import Stamps
 
 
 @dataclass(frozen=True)
@@ -25,39 +23,16 @@ class CommandRows:
     remarks: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class _Layout:
-    """A layout of messages that differ in stamp and numbers alone; `head` holds the bytes between these."""
-
-    length: int
-    order: str
-    head: bytes
-    names: tuple[str, ...]
-    place: int  # of the first number
-
-    def holds(self, data: bytes) -> bool:
-        return len(data) == self.length and data[FRAME_LENGTH : FRAME_LENGTH + len(self.head)] == self.head
-
-
 def read_command_rows(topic: str, messages: Sequence[bytes], actuators: tuple[str, ...]) -> CommandRows:
     """Read the commands of each actuator, in the order of `actuators`.
 
     As in the simulator, an actuator is off where a message does not name it or its command is no number, and a command
     beyond 1 is cut to 1; remarks count these. Raises CocorosimError if the names are those of another platform.
     """
-    stamps = np.zeros(len(messages), dtype=np.int64)
-    values = np.full((len(messages), len(actuators)), np.nan)
-    readable = np.zeros(len(messages), dtype=bool)
-    groups = _by_layout(messages)
-    for layout, rows in groups:
-        chosen = [messages[row] for row in rows]
-        stamps[rows], numbers = decode_layout(chosen, layout.place, len(layout.names), layout.order)
-        readable[rows] = True
-        for column, actuator in enumerate(actuators):
-            if actuator in layout.names:
-                values[rows, column] = numbers[:, layout.names.index(actuator)]
-    remarks = _check_names(topic, [name for layout, _ in groups for name in layout.names], actuators)
-    return CommandRows(stamps, _usable(topic, values, readable, remarks), readable, tuple(remarks))
+    read = read_named_numbers(messages, actuators)
+    remarks = _check_names(topic, read.names, actuators)
+    values = _usable(topic, read.numbers, read.readable, remarks)
+    return CommandRows(read.stamp_ns, values, read.readable, tuple(remarks))
 
 
 def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -> list[str]:
@@ -97,47 +72,3 @@ def _usable(topic: str, values: Floats, readable: Flags, remarks: list[str]) -> 
             "all); they are cut to it. Check the unit of the commands."
         )
     return np.clip(values, -1.0, 1.0)
-
-
-def _by_layout(messages: Sequence[bytes]) -> list[tuple[_Layout, list[int]]]:
-    groups: list[tuple[_Layout, list[int]]] = []
-    for row, data in enumerate(messages):
-        rows = next((rows for layout, rows in groups if layout.holds(data)), None)
-        if rows is None:
-            layout = _layout_of(data)
-            if layout is None:
-                continue
-            rows = []
-            groups.append((layout, rows))
-        rows.append(row)
-    return groups
-
-
-def _layout_of(data: bytes) -> _Layout | None:
-    """Find the layout of a message; None if the message is not whole."""
-    order = ">" if data[1:2] == b"\0" else "<"
-    try:
-        place = FRAME_LENGTH + 4 + _number(data, FRAME_LENGTH, order)
-        place, count = _aligned(place) + 4, _number(data, _aligned(place), order)
-        names = []
-        for _ in range(min(count, len(data))):
-            start = _aligned(place) + 4
-            place = start + _number(data, start - 4, order)
-            names.append(data[start:place].rstrip(b"\0").decode(errors="replace"))
-        end = _aligned(place) + 4
-        if _number(data, end - 4, order) != count:
-            return None
-    except struct.error:
-        return None
-    numbers = numbers_at(end) if count else end
-    if not 0 <= len(data) - numbers - 8 * count <= PADDING:
-        return None
-    return _Layout(len(data), order, data[FRAME_LENGTH:end], tuple(names), numbers)
-
-
-def _number(data: bytes, place: int, order: str) -> int:
-    return int(struct.unpack_from(f"{order}I", data, place)[0])
-
-
-def _aligned(place: int) -> int:
-    return _ENCAPSULATION + (place - _ENCAPSULATION + 3) // 4 * 4

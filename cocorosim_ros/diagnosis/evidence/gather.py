@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 
 def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:

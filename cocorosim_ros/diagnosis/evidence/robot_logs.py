@@ -15,7 +15,7 @@ from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
 from cocorosim_ros.diagnosis.evidence.streams.turning import period_of, turned_by_gyro, unwrapped
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 HEADINGS = {"pose": 3, "compass": 0}  # column of the angle
 HORIZONTAL = 2  # the first columns of a pose, whose leaps are found by speed and not reading by reading

@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag
-from cocorosim_ros.wire.bags.stamped_numbers import Stamps, read_stamped_numbers
+from cocorosim_ros.wire.cdr.stamped_numbers import Stamps, read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors import SENSORS
 

@@ -10,6 +10,7 @@ import rclpy
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
+from cocorosim_ros.graph.nodes.background import wait_for_callbacks_to_end
 from cocorosim_ros.graph.nodes.controller_shell import ControllerShell
 from cocorosim_ros.graph.nodes.graph import GraphPlan
 from cocorosim_ros.graph.nodes.physics_node import run_lock_step
@@ -74,6 +75,7 @@ def run_composed(
     """
     with ExitStack() as stack:
         rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
+        stack.callback(wait_for_callbacks_to_end, 1.0)
         stack.callback(rclpy.shutdown)
         scenario = plan.scenario
         bodies = [describe_body(robot) for robot in scenario.robots]

@@ -6,30 +6,23 @@ import ctypes
 import os
 import signal
 import sys
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 
 import rclpy
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.nodes.background import run_callbacks, wait_for_callbacks_to_end
 from cocorosim_ros.graph.runs.run_error import RunError
 
 FAILED, UNUSABLE_INPUT, INTERRUPTED = 1, 2, 130  # exit statuses
 _PR_SET_PDEATHSIG = 1
-_UNUSABLE = (
-    rclpy_implementation.RCLError,
-    rclpy_implementation.RCLInvalidROSArgsError,
-    InvalidNamespaceException,
-    InvalidNodeNameException,
-    ValueError,
-)
+_REFUSED_BY_RCL = RuntimeError  # all of rclpy's own errors are of this kind
+_UNUSABLE = (InvalidNamespaceException, InvalidNodeNameException, ValueError, _REFUSED_BY_RCL)
 
 
 @contextmanager
@@ -40,16 +33,15 @@ def ros_node(name: str, arguments: Sequence[str], *, services: bool) -> Iterator
     halves the start of a swarm. Raises CocorosimError for arguments that ROS does not take.
     """
     node = _started(name, list(arguments), services=services)
-    server = threading.Thread(target=_serve, args=(node,), daemon=True)
     try:
         if services:
-            server.start()
+            run_callbacks(node)
         yield node
     finally:
         with suppress(Exception):
-            if services:
-                rclpy.shutdown()  # ends the server, which must not hold the node any more
-                server.join(timeout=1.0)
+            if node.executor is not None:
+                rclpy.shutdown()  # ends its callbacks, which must not hold the node any more
+                wait_for_callbacks_to_end(1.0)
             node.destroy_node()  # says goodbye; otherwise the others would believe it there for 20 s
             rclpy.shutdown()
 
@@ -64,14 +56,6 @@ def _started(name: str, arguments: list[str], *, services: bool) -> Node:
     except _UNUSABLE as error:
         words = " ".join(str(error).partition(", at ")[0].split())
         raise CocorosimError(f"{name} cannot start with the arguments {' '.join(arguments)}: {words}.") from error
-
-
-def _serve(node: Node) -> None:
-    """Answer the node's parameter services until rclpy is shut down."""
-    executor = SingleThreadedExecutor()
-    executor.add_node(node)
-    with suppress(ExternalShutdownException, RuntimeError):
-        executor.spin()
 
 
 def on_termination(stop: Callable[[], None], *, supervised: bool) -> None:

@@ -11,6 +11,7 @@ from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValu
 from rclpy.node import Node
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.nodes.rclpy_internals import given_parameters
 
 _OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.")
 
@@ -35,7 +36,7 @@ def declare(node: Node, parameters: tuple[NodeParameter, ...]) -> dict[str, Any]
 
 def warn_of_unknown(node: Node) -> None:
     """Log the parameters that were given to the node and that it does not have, as misspelt ones."""
-    for name in getattr(node, "_parameter_overrides", {}):
+    for name in given_parameters(node):
         if not node.has_parameter(name) and not name.startswith(_OF_EVERY_NODE):
             node.get_logger().warning(f"parameter '{name}' was given, but {node.get_name()} has none of that name")
 
@@ -50,14 +51,14 @@ def _declared(node: Node, parameter: NodeParameter) -> Any:
         return node.declare_parameter(parameter.name, parameter.default, _descriptor(parameter)).value
     except InvalidParameterTypeException as error:
         kind = {str: "a text", bool: "true or false", int: "a whole number"}.get(type(parameter.default), "a number")
-        given = getattr(node, "_parameter_overrides", {}).get(parameter.name)
+        given = given_parameters(node).get(parameter.name)
         found = "another type" if given is None else repr(given.value)
         raise CocorosimError(
             f"{node.get_name()}: parameter '{parameter.name}' has {found}; give {kind}"
             f"{', with a decimal point' if isinstance(parameter.default, float) else ''} ({parameter.description})."
         ) from error
     except InvalidParameterValueException as error:
-        given = getattr(getattr(node, "_parameter_overrides", {}).get(parameter.name), "value", "a value")
+        given = getattr(given_parameters(node).get(parameter.name), "value", "a value")
         low, high = parameter.span or (-math.inf, math.inf)
         raise CocorosimError(
             f"{node.get_name()}: parameter '{parameter.name}' has {given}, which is out of range; "

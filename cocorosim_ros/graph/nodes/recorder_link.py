@@ -7,11 +7,10 @@ recorded.
 
 from __future__ import annotations
 
-import struct
-
 from rclpy.node import Node
 
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.wire.cdr.primitives import ENCAPSULATION, Reader, pack_counter
 from cocorosim_ros.wire.topics.service_quality import STREAM
 
 TOPIC, TYPE = "/_cocorosim/recorded", "std_msgs/msg/UInt64"
@@ -28,7 +27,7 @@ class RecorderEar:
     def recorded(self) -> int:
         """How many whole ticks are in the recording."""
         while (data := self.listener.take()) is not None:
-            self._recorded = struct.unpack_from("<Q", data, 4)[0]
+            self._recorded = Reader(data).counter()
         return self._recorded or 0
 
     def is_ready(self) -> bool:
@@ -45,7 +44,7 @@ class RecorderMouth:
 
     def say(self, ticks: int) -> None:
         """Tell how many whole ticks are in the recording; zero: connected and ready."""
-        self._speaker.publish(b"\x00\x01\x00\x00" + struct.pack("<Q", ticks))
+        self._speaker.publish(ENCAPSULATION + pack_counter(ticks))
 
     @property
     def is_heard(self) -> bool:

@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 
 from cocorosim_ros.graph.nodes.wiring import Speaker
@@ -15,7 +14,7 @@ from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
 from cocorosim_ros.wire.bags.offered_quality import offered_quality
 from cocorosim_ros.wire.bags.playback import CLOCK_TOPIC, CLOCK_TYPE, Playback, Playing, Span
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.type_store import is_known, type_hash
 from cocorosim_ros.wire.topics.service_quality import CLOCK, ServiceQuality
 
@@ -140,7 +139,7 @@ class Replay:
                 self._speak_on(recorded.topic, recorded.type_name, _offer(recorded, self._pace))
         except (ImportError, AttributeError):
             reason = f"its type {recorded.type_name} is not installed here"
-        except (ValueError, rclpy_implementation.RCLError) as error:
+        except (ValueError, RuntimeError) as error:
             reason = str(error).partition(", at ")[0]
         if reason:
             self.left_out.append(f"{recorded.topic} is not published: {reason}.")

@@ -11,14 +11,13 @@ import time
 from collections.abc import Callable
 from multiprocessing.connection import wait
 
-from rclpy.type_support import check_for_type_support
-
 from cocorosim_ros.graph.nodes.controller_node import run_controller
 from cocorosim_ros.graph.nodes.graph import GraphPlan
 from cocorosim_ros.graph.nodes.metrics_node import run_metrics
 from cocorosim_ros.graph.nodes.node_process import NodeProcess
 from cocorosim_ros.graph.nodes.node_shell import ros_node
 from cocorosim_ros.graph.nodes.physics_node import Supervision, run_physics
+from cocorosim_ros.graph.nodes.rclpy_internals import load_type_support
 from cocorosim_ros.graph.nodes.shared_state import SharedState
 from cocorosim_ros.graph.nodes.wiring import message_class
 from cocorosim_ros.graph.runs.run_error import RunError
@@ -153,4 +152,4 @@ def _load_message_types(plan: GraphPlan) -> None:
     """Load what every process would otherwise load by itself after the fork."""
     topics = run_topics([describe_body(robot) for robot in plan.scenario.robots])
     for row in sorted(set(topics.values())):
-        check_for_type_support(message_class(TOPICS[row].type_name))
+        load_type_support(message_class(TOPICS[row].type_name))

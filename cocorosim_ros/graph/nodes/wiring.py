@@ -1,26 +1,63 @@
-"""Publishing, taking and waiting on raw bytes, without an executor.
+"""Publishing, taking and waiting on raw bytes, by whichever path this rclpy allows.
 
-An executor wakes Python once per message and builds an object from each; in a swarm of eleven that costs ten times
-what the messages themselves cost. Here a node takes bytes when it wants them and sleeps in one wait set until one
-of a few chosen subscriptions has something.
+The fast one takes bytes by hand (`rclpy_internals`); the plain one has them brought by an executor (`executor_path`).
+Both give the same recording.
 """
 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Sequence
-from typing import Any, cast
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+from weakref import WeakKeyDictionary
 
-from rclpy.callback_groups import CallbackGroup
+from rclpy.context import Context
 from rclpy.duration import Duration
-from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.nodes import executor_path, rclpy_internals
+from cocorosim_ros.graph.nodes.path_choice import PATH_VARIABLE, plain_path_asked
 from cocorosim_ros.wire.topics.service_quality import ServiceQuality
 
 LONGEST_WAIT = 0.2  # s; signals are looked at in between
+PLAIN_CHOSEN = f"messages go through an executor, because {PATH_VARIABLE} asks for it"
+PLAIN_NEEDED = "messages go through an executor, which is slower: this rclpy has not what the fast path needs ({})"
+
+
+@dataclass(frozen=True)
+class Path:
+    """One way of getting bytes through rclpy."""
+
+    ear: Callable[..., Any]  # of (node, message class, topic, profile): a subscription
+    sleeper: Callable[..., Any]  # of (node, most ears): what waits for some of them
+    publisher_of_bytes: Callable[[Any], Callable[[bytes], None]]
+
+
+FAST = Path(rclpy_internals.TakenEar, rclpy_internals.WaitSet, rclpy_internals.publisher_of_bytes)
+PLAIN = Path(executor_path.HeardEar, executor_path.Arrival, executor_path.publisher_of_bytes)
+_chosen: WeakKeyDictionary[Context, Path] = WeakKeyDictionary()
+
+
+def path_of(node: Node) -> Path:
+    """The path for all nodes of this node's context; if it is the plain one, the first node's log says so.
+
+    Raises CocorosimError if the environment asks for a path that does not exist.
+    """
+    if node.context not in _chosen:
+        _chosen[node.context] = _choose(node)
+    return _chosen[node.context]
+
+
+def _choose(node: Node) -> Path:
+    if plain_path_asked():
+        node.get_logger().info(PLAIN_CHOSEN)
+        return PLAIN
+    missing = rclpy_internals.what_is_missing(node)
+    if missing:
+        node.get_logger().warning(PLAIN_NEEDED.format(missing))
+    return PLAIN if missing else FAST
 
 
 def message_class(type_name: str) -> Any:
@@ -39,21 +76,10 @@ def quality_profile(quality: ServiceQuality, *, keep_all: bool = False) -> QoSPr
     )
 
 
-class _TakenByHand(CallbackGroup):
-    """Keeps an executor (the one of the parameter services) away from subscriptions that the node takes itself."""
-
-    def can_execute(self, entity: Any) -> bool:
-        return False
-
-    def beginning_execution(self, entity: Any) -> bool:
-        return False
-
-    def ending_execution(self, entity: Any) -> None:
-        return None
-
-
 class Listener:
     """One subscription whose messages are taken as CDR bytes."""
+
+    take: Callable[[], bytes | None]  # the next message, or None if there is none
 
     def __init__(
         self, node: Node, type_name: str, topic: str, quality: ServiceQuality, *, keep_all: bool = False
@@ -61,36 +87,26 @@ class Listener:
         """`keep_all`: a reliable publisher that waits for acknowledgements can never outrun this subscription."""
         self.topic = topic
         self.type_name = type_name
-        self._class = message_class(type_name)
-        subscription = node.create_subscription(
-            self._class,
-            topic,
-            lambda message: None,
-            quality_profile(quality, keep_all=keep_all),
-            callback_group=_TakenByHand(),
-            raw=True,
-        )
-        self.handle = subscription.handle
-
-    def take(self) -> bytes | None:
-        """The next message, or None if there is none."""
-        taken = self.handle.take_message(self._class, True)
-        return None if taken is None else cast(bytes, taken[0])
+        profile = quality_profile(quality, keep_all=keep_all)
+        self.ear = path_of(node).ear(node, message_class(type_name), topic, profile)
+        self.take = self.ear.take
 
     @property
     def publishers(self) -> int:
         """How many publishers are matched."""
-        return int(self.handle.get_publisher_count())
+        return int(self.ear.subscription.get_publisher_count())
 
 
 class Speaker:
     """One publisher of CDR bytes."""
 
+    publish: Callable[[bytes], None]
+
     def __init__(self, node: Node, type_name: str, topic: str, quality: ServiceQuality) -> None:
         self.topic = topic
         self.type_name = type_name
         self._publisher = node.create_publisher(message_class(type_name), topic, quality_profile(quality))
-        self.publish = self._publisher.handle.publish_raw
+        self.publish = path_of(node).publisher_of_bytes(self._publisher)
 
     def all_received(self) -> bool:
         """Whether every matched reliable subscription has acknowledged everything."""
@@ -106,15 +122,8 @@ class Waiter:
     """Sleeps until one of some listeners has a message."""
 
     def __init__(self, node: Node, most: int) -> None:
-        context = node.context.handle
-        if context is None:
-            raise CocorosimError("rclpy is not initialised, so there is nothing to wait for.")
-        with context:
-            self._set = rclpy_implementation.WaitSet(most, 0, 0, 0, 0, 0, context)
+        self._sleeper = path_of(node).sleeper(node, most)
 
     def wait(self, listeners: Sequence[Listener], seconds: float) -> None:
         """Return when any of `listeners` has a message, or after `seconds` (at most LONGEST_WAIT)."""
-        self._set.clear_entities()
-        for listener in listeners:
-            self._set.add_subscription(listener.handle)
-        self._set.wait(max(0, int(min(seconds, LONGEST_WAIT) * 1e9)))
+        self._sleeper.wait([listener.ear for listener in listeners], max(0.0, min(seconds, LONGEST_WAIT)))

@@ -12,7 +12,8 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.tracks import RecordedTrack, read_poses
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS, stamp_ns
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
+from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.body import BodyDescription
 from cocorosim_ros.wire.topics.command_check import read_command
 from cocorosim_ros.wire.topics.swarm_messages import command_message

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
@@ -10,10 +9,10 @@ from typing import NamedTuple
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import ENCAPSULATION, NANOSECONDS, pack_stamp
 
 CLOCK_TOPIC, CLOCK_TYPE = "/clock", "rosgraph_msgs/msg/Clock"
-_clock_bytes = struct.Struct("<4siI").pack
+_LAST_SECOND = 2**31 - 1
 
 
 class Playing(NamedTuple):
@@ -70,8 +69,8 @@ class Playback:
     def _tick(self, time_ns: int) -> Playing:
         seconds, nanoseconds = divmod(time_ns, NANOSECONDS)
         # After 2038 the clock of ROS stands still.
-        data = _clock_bytes(b"\x00\x01\x00\x00", min(seconds, 2**31 - 1), nanoseconds)
-        return Playing(time_ns - self.span.start_ns, CLOCK_TOPIC, data)
+        shown = pack_stamp(min(seconds, _LAST_SECOND) * NANOSECONDS + nanoseconds)
+        return Playing(time_ns - self.span.start_ns, CLOCK_TOPIC, ENCAPSULATION + shown)
 
 
 def choose_span(bag: Bag, start: float | None, end: float | None) -> Span:

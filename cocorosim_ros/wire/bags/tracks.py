@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.bags.stamped_numbers import read_stamped_numbers
+from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 from cocorosim_ros.world.state.pose_track import PoseTrack

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.cdr import field_paths
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import STAMP, stamp_words
 from cocorosim_ros.wire.cdr.type_store import deserialize, serialize
 
 
@@ -149,7 +149,7 @@ def _offsets(template: Any, fields: Sequence[str], stamps: Sequence[str]) -> tup
         field_paths.write(marked, field_paths.steps(path), struct.unpack("<d", mark)[0])
     for path, mark in zip(stamps, marks[len(fields) :], strict=True):
         time = field_paths.owner_of(marked, field_paths.steps(path))
-        time.sec, time.nanosec = struct.unpack("<iI", mark)
+        time.sec, time.nanosec = STAMP.unpack(mark)
     data = serialize(marked)
     for path, mark in zip([*fields, *stamps], marks, strict=True):
         if data.count(mark) != 1:
@@ -159,13 +159,11 @@ def _offsets(template: Any, fields: Sequence[str], stamps: Sequence[str]) -> tup
 
 
 def _packed_stamps(stamp_ns: int | ArrayLike, count: int, fields: int) -> int | Integers:
-    """Stamps as the 8 bytes that CDR holds: seconds (int32) below nanoseconds (uint32)."""
+    """The stamps as words (see `primitives.stamp_words`): one for all, or one per robot and stamp field."""
     if isinstance(stamp_ns, int):
-        seconds, nanoseconds = divmod(stamp_ns, NANOSECONDS)
-        return (nanoseconds << 32) | (seconds & 0xFFFFFFFF)
+        return stamp_words(stamp_ns)
     stamps = np.asarray(stamp_ns, dtype=np.int64)
-    stamps = np.broadcast_to(stamps[:, None] if stamps.ndim == 1 else stamps, (count, fields))
-    return (stamps % NANOSECONDS << 32) | (stamps // NANOSECONDS & 0xFFFFFFFF)
+    return stamp_words(np.broadcast_to(stamps[:, None] if stamps.ndim == 1 else stamps, (count, fields)))
 
 
 def _contiguous_runs(offsets: Sequence[int]) -> list[tuple[int, int]]:

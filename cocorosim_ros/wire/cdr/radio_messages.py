@@ -16,11 +16,11 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.wire.cdr.kernels.inbox_rows import MALFORMED, rows_of_inbox
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.kernels.inbox_rows import rows_of_inbox
+from cocorosim_ros.wire.cdr.kernels.places import MALFORMED, NUMBER_BYTES
+from cocorosim_ros.wire.cdr.primitives import ENCAPSULATION, Reader, pack_length, pack_numbers, pack_stamp, pack_text
 
 Result = TypeVar("Result")
-ENCAPSULATION = b"\x00\x01\x00\x00"  # CDR, little endian
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,6 @@ class RadioEncoder:
     """Encodes messages and inboxes."""
 
     def __init__(self) -> None:
-        self._texts: dict[str, bytes] = {}
         self._pieces: dict[tuple[int, int], tuple[RadioMessage, bytes]] = {}
         self._pieces_of = -1
 
@@ -49,12 +48,12 @@ class RadioEncoder:
         """The bytes of a RadioInbox delivered at `stamp_ns`."""
         if stamp_ns != self._pieces_of:
             self._pieces, self._pieces_of = {}, stamp_ns
-        parts = [_stamp(stamp_ns) + self._text(frame), struct.pack("<I", len(heard))]
-        length = len(parts[0]) + 4
+        parts = [pack_stamp(stamp_ns) + pack_text(frame) + pack_length(len(heard))]
+        reached = len(parts[0])
         for message in heard:
-            piece = self._piece_of_tick(message, length % 8)
+            piece = self._piece_of_tick(message, reached % NUMBER_BYTES)
             parts.append(piece)
-            length += len(piece)
+            reached += len(piece)
         return ENCAPSULATION + b"".join(parts)
 
     def _piece_of_tick(self, message: RadioMessage, phase: int) -> bytes:
@@ -66,17 +65,8 @@ class RadioEncoder:
 
     def piece(self, message: RadioMessage, phase: int) -> bytes:
         """One RadioMessage as it stands inside others, starting `phase` (0 or 4) bytes past a multiple of eight."""
-        head = _stamp(message.stamp_ns) + self._text(message.frame) + self._text(message.sender)
-        head += struct.pack("<I", len(message.payload))
-        padding = -(phase + len(head)) % 8 if message.payload else 0
-        return head + bytes(padding) + struct.pack(f"<{len(message.payload)}d", *message.payload)
-
-    def _text(self, text: str) -> bytes:
-        """A string with its length before it, padded so that the next one can follow."""
-        if text not in self._texts:
-            data = text.encode() + b"\x00"
-            self._texts[text] = struct.pack("<I", len(data)) + data + bytes(-len(data) % 4)
-        return self._texts[text]
+        head = pack_stamp(message.stamp_ns) + pack_text(message.frame) + pack_text(message.sender)
+        return head + pack_numbers(message.payload, phase + len(head))
 
 
 def read_message(data: bytes) -> RadioMessage:
@@ -87,10 +77,10 @@ def read_message(data: bytes) -> RadioMessage:
 def read_inbox(data: bytes) -> list[RadioMessage]:
     """The messages of a RadioInbox in CDR bytes. Raises CocorosimError if they do not hold one."""
 
-    def read(reader: _Reader) -> list[RadioMessage]:
+    def read(reader: Reader) -> list[RadioMessage]:
         reader.stamp_ns()
         reader.text()
-        return [_read_piece(reader) for _ in range(reader.count())]
+        return [_read_piece(reader) for _ in range(reader.length())]
 
     return _guarded(data, read)
 
@@ -111,55 +101,14 @@ def hear(data: bytes | None, rows: Floats) -> int:
     return found
 
 
-class _Reader:
-    """Walks through little-endian CDR bytes; big-endian ones are refused."""
-
-    def __init__(self, data: bytes) -> None:
-        if data[:2] != ENCAPSULATION[:2]:
-            raise ValueError("its byte order is not little endian")
-        self._data = data
-        self._at = 4
-
-    def count(self) -> int:
-        self._at += -self._at % 4
-        (value,) = struct.unpack_from("<I", self._data, self._at)
-        self._at += 4
-        if value > len(self._data):
-            raise ValueError("a length in it exceeds its size")
-        return int(value)
-
-    def stamp_ns(self) -> int:
-        self._at += -self._at % 4
-        seconds, nanoseconds = struct.unpack_from("<iI", self._data, self._at)
-        self._at += 8
-        return int(seconds) * NANOSECONDS + int(nanoseconds)
-
-    def text(self) -> str:
-        length = self.count()
-        data = self._data[self._at : self._at + length]
-        self._at += length
-        return data[:-1].decode()
-
-    def numbers(self) -> tuple[float, ...]:
-        count = self.count()
-        if count == 0:
-            return ()
-        self._at += -(self._at - 4) % 8
-        values = struct.unpack_from(f"<{count}d", self._data, self._at)
-        self._at += 8 * count
-        return values
-
-
-def _read_piece(reader: _Reader) -> RadioMessage:
+def _read_piece(reader: Reader) -> RadioMessage:
     return RadioMessage(reader.stamp_ns(), reader.text(), reader.text(), reader.numbers())
 
 
-def _stamp(stamp_ns: int) -> bytes:
-    return struct.pack("<iI", *divmod(stamp_ns, NANOSECONDS))
-
-
-def _guarded(data: bytes, read: Callable[[_Reader], Result]) -> Result:
+def _guarded(data: bytes, read: Callable[[Reader], Result]) -> Result:
     try:
-        return read(_Reader(data))
+        if data[:2] != ENCAPSULATION[:2]:
+            raise ValueError("its byte order is not little endian")
+        return read(Reader(data))
     except (struct.error, ValueError, UnicodeDecodeError) as error:
         raise CocorosimError(f"{len(data)} bytes are not a radio message: {error}.") from error

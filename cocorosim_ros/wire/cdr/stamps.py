@@ -8,19 +8,17 @@ bytes.
 from __future__ import annotations
 
 import re
-import struct
 from functools import cache
 from typing import Any
 
 from rosbags.interfaces import Nodetype
 
+from cocorosim_ros.wire.cdr.kernels.places import BODY, LENGTH_BYTES, STAMP_BYTES
+from cocorosim_ros.wire.cdr.primitives import BIG_STAMP, NANOSECONDS, STAMP
 from cocorosim_ros.wire.cdr.type_store import is_known, type_store
 
-NANOSECONDS = 1_000_000_000
-ENCAPSULATION_BYTES = 4
-LIST_LENGTH_BYTES = 4
 _TIME = "builtin_interfaces/msg/Time"
-_unpack_little, _unpack_big = struct.Struct("<iI").unpack_from, struct.Struct(">iI").unpack_from
+_unpack_little, _unpack_big = STAMP.unpack_from, BIG_STAMP.unpack_from
 _LEADING_STAMP = re.compile(r"(std_msgs/)?(msg/)?Header|builtin_interfaces/(msg/)?Time")
 
 
@@ -33,9 +31,9 @@ def stamp_ns(type_name: str, data: bytes, schema: str = "") -> int | None:
         schema: `ros2msg` text of the type; needed only for types that the type store does not know.
     """
     offset = stamp_offset(type_name, schema)
-    if offset is None or len(data) < offset + 8:
+    if offset is None or len(data) < offset + STAMP_BYTES:
         return None
-    if offset > ENCAPSULATION_BYTES and not any(data[ENCAPSULATION_BYTES:offset]):
+    if offset > BODY and not any(data[BODY:offset]):
         return None
     seconds, nanoseconds = (_unpack_little if data[1] & 1 else _unpack_big)(data, offset)
     return int(seconds * NANOSECONDS + nanoseconds)
@@ -45,16 +43,16 @@ def stamp_ns(type_name: str, data: bytes, schema: str = "") -> int | None:
 def stamp_offset(type_name: str, schema: str = "") -> int | None:
     """Where the stamp begins in CDR bytes of this type, encapsulation header included; None without one."""
     if not is_known(type_name):
-        return ENCAPSULATION_BYTES if _begins_with_stamp(schema) else None
-    offset = ENCAPSULATION_BYTES
+        return BODY if _begins_with_stamp(schema) else None
+    offset = BODY
     detail: Any
     while type_name != _TIME:
         fields = type_store().fielddefs[type_name][1]
         if not fields:
             return None
         kind, detail = fields[0][1]
-        if kind == Nodetype.SEQUENCE and detail[0][0] == Nodetype.NAME and offset == ENCAPSULATION_BYTES:
-            offset += LIST_LENGTH_BYTES
+        if kind == Nodetype.SEQUENCE and detail[0][0] == Nodetype.NAME and offset == BODY:
+            offset += LENGTH_BYTES
             type_name = detail[0][1]
         elif kind == Nodetype.NAME:
             type_name = detail

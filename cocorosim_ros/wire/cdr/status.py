@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from cocorosim_ros.wire.cdr import type_store
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.kernels.places import LENGTH_BYTES
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS, padding
 
 OK, WARN, ERROR = 0, 1, 2
 RUN = "cocorosim: run"
@@ -24,7 +25,7 @@ def status_bytes(stamp_ns: int, level: int, subject: str, words: str, values: Ma
     array = type_store.build("diagnostic_msgs/msg/DiagnosticArray", {"header": header, "status": [status]})
     data = type_store.serialize(array)
     # DDS delivers whole multiples of four bytes; padded here, the bytes are the same wherever they come from.
-    return data + bytes(-len(data) % 4)
+    return data + padding(len(data), LENGTH_BYTES)
 
 
 def end_of_run(stamp_ns: int, ticks: int, missing_answers: int) -> bytes:

@@ -16,6 +16,7 @@ from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
 from cocorosim_ros.wire.cdr import field_paths, stamps, type_store
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
 from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps
 
@@ -109,7 +110,7 @@ def _at(message: Any, path: Sequence[field_paths.Step]) -> Any:
 
 
 def _nanoseconds(value: Any) -> int | None:
-    return value.sec * stamps.NANOSECONDS + value.nanosec if hasattr(value, "nanosec") else None
+    return value.sec * NANOSECONDS + value.nanosec if hasattr(value, "nanosec") else None
 
 
 def _number_paths(message: Any, before: str = "") -> list[str]:

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from cocorosim_ros.graph.nodes.path_choice import PATH_VARIABLE
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 BIN = Path(sys.executable).parent
@@ -73,10 +74,12 @@ def test_refusals(command: tuple[str, ...], words: str, shell: dict[str, str]) -
     assert done.stderr.strip().count("\n") == 0, done.stderr
 
 
+@pytest.mark.parametrize("ros_path", ["", "plain"])
 def test_three_shells_give_the_bag_of_the_command(
-    start: Starter, scenario: Callable[..., Path], tmp_path: Path, shell: dict[str, str]
+    start: Starter, scenario: Callable[..., Path], tmp_path: Path, shell: dict[str, str], ros_path: str
 ) -> None:
     """Physics, controllers and recorder started by hand, in any order, work together and end together."""
+    shell = {**shell, PATH_VARIABLE: ros_path}
     path = scenario(2, 20)
     physics = start("physics_node", *ros_arguments(scenario=path, recorded="true"), env=shell)
     described = start(ONLOOKER, "describe", "/physics_node", env=shell)

@@ -11,8 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.wire.cdr.kernels.places import BODY, LENGTH_BYTES, NUMBER_BYTES, STAMP_BYTES, aligned
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS, ByteOrder, byte_order
 
-ENCAPSULATION, STAMP, FRAME_LENGTH, FRAME = 4, 4, 12, 16  # byte offsets in the CDR bytes
+FRAME_LENGTH = BODY + STAMP_BYTES  # byte offsets in the CDR bytes
+FRAME = FRAME_LENGTH + LENGTH_BYTES
 PADDING = 3  # bytes at most behind the last number
 
 Stamps = Integers
@@ -38,40 +41,35 @@ def read_stamped_numbers(messages: Sequence[bytes], count: int) -> StampedNumber
     readable = np.zeros(len(messages), dtype=bool)
     frames: set[str] = set()
     for (frame, order), rows in _by_layout(messages, count).items():
-        place = numbers_at(FRAME + len(frame))
+        place = aligned(FRAME + len(frame), NUMBER_BYTES)
         stamps[rows], numbers[rows] = decode_layout([messages[row] for row in rows], place, count, order)
         readable[rows] = True
         frames.add(frame.rstrip(b"\0").decode(errors="replace"))
     return StampedNumbers(stamps, numbers, readable, tuple(sorted(frames)))
 
 
-def numbers_at(end: int) -> int:
-    """Where float64 numbers begin behind byte `end`: aligned to 8 bytes from the end of the encapsulation."""
-    return ENCAPSULATION + (end - ENCAPSULATION + 7) // 8 * 8
-
-
-def decode_layout(messages: Sequence[bytes], place: int, count: int, order: str) -> tuple[Stamps, Floats]:
-    """(n,) stamps [ns] and (n, count) numbers of messages whose numbers begin at one place; order is < or >."""
-    end = place + 8 * count
+def decode_layout(messages: Sequence[bytes], place: int, count: int, order: ByteOrder) -> tuple[Stamps, Floats]:
+    """(n,) stamps [ns] and (n, count) numbers of messages whose numbers begin at one place."""
+    end = place + NUMBER_BYTES * count
     layout = np.dtype(
         {
             "names": ["seconds", "nanoseconds", "numbers"],
             "formats": [f"{order}i4", f"{order}u4", (f"{order}f8", (count,))],
-            "offsets": [STAMP, STAMP + 4, place],
+            "offsets": [BODY, BODY + STAMP_BYTES // 2, place],
             "itemsize": end,
         }
     )
     table = np.frombuffer(b"".join(data[:end] for data in messages), dtype=layout)
-    stamps = table["seconds"].astype(np.int64) * 1_000_000_000 + table["nanoseconds"]
+    stamps = table["seconds"].astype(np.int64) * NANOSECONDS + table["nanoseconds"]
     return stamps, table["numbers"].astype(np.float64)
 
 
-def _by_layout(messages: Sequence[bytes], count: int) -> dict[tuple[bytes, str], list[int]]:
+def _by_layout(messages: Sequence[bytes], count: int) -> dict[tuple[bytes, ByteOrder], list[int]]:
     """Rows of the readable messages by frame_id (as in the bytes, with its end mark) and byte order."""
-    groups: dict[tuple[bytes, str], list[int]] = {}
+    groups: dict[tuple[bytes, ByteOrder], list[int]] = {}
     for row, data in enumerate(messages):
-        order = ">" if data[1:2] == b"\0" else "<"
+        order = byte_order(data)
         length = int.from_bytes(data[FRAME_LENGTH:FRAME], "big" if order == ">" else "little")
-        if 0 <= len(data) - numbers_at(FRAME + length) - 8 * count <= PADDING:
+        if 0 <= len(data) - aligned(FRAME + length, NUMBER_BYTES) - NUMBER_BYTES * count <= PADDING:
             groups.setdefault((data[FRAME : FRAME + length], order), []).append(row)
     return groups
