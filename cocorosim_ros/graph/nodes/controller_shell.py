@@ -15,8 +15,8 @@ from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import AnswerEncoder, ObservationDecoder
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 from cocorosim_ros.world.controllers.conduct import blank_memory, conduct_one
+from cocorosim_ros.world.controllers.crew_assembly import build_crew
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE
-from cocorosim_ros.world.tick.assembly import build_crew
 
 SILENCE = 5.0  # s of waiting without a word
 
