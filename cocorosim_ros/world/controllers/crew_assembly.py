@@ -2,30 +2,32 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
+from cocorosim_ros.scenario.parts.controller_choice import AnyController
 from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
+from cocorosim_ros.scenario.parts.python_controller import PythonController
 from cocorosim_ros.scenario.scenario import RobotDescription
-from cocorosim_ros.world.controllers import CONTROLLER_CODE, CONTROLLERS
+from cocorosim_ros.world.controllers import CONTROLLER_CODE
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.controllers.operating_system import SYSTEM_NUMBERS
+from cocorosim_ros.world.controllers.sensor_axes import cone_axis
+from cocorosim_ros.world.controllers.traits import behaviour_of
 
 STEERING_ACTUATORS = ("left", "right", "buoyancy")
+NO_BEHAVIOUR = -1  # nothing of CONTROLLERS is called: somebody else has written the request and the message
 
 
 def build_crew(robots: Sequence[RobotDescription]) -> Crew:
-    """The controllers of the robots."""
+    """The controllers of the robots; those in plain Python (controllers.plain) have the code of no behaviour."""
     count = len(robots)
     settings = [controller_settings(robot.controller) for robot in robots]
     axes = [[cone_axis(sensor) for sensor in robot.platform.sensors.blss] for robot in robots]
     crew = Crew(
-        code=np.array([CONTROLLER_CODE[robot.controller.behaviour] for robot in robots]),
+        code=np.array([_code(robot.controller) for robot in robots]),
         settings=np.zeros((count, max(1, *(len(row) for row in settings)))),
         settings_count=np.array([len(row) for row in settings]),
         system=np.array([system_numbers(robot.platform) for robot in robots]),
@@ -39,17 +41,20 @@ def build_crew(robots: Sequence[RobotDescription]) -> Crew:
     return crew
 
 
-def controller_settings(description: ControllerDescription) -> list[float]:
-    """The numbers of a controller file in the order in which the behaviour wants them.
+def _code(controller: AnyController) -> int:
+    if isinstance(controller, PythonController):
+        return NO_BEHAVIOUR
+    return CONTROLLER_CODE[controller.behaviour]
+
+
+def controller_settings(description: AnyController) -> list[float]:
+    """The numbers of a controller file in the order in which the behaviour wants them; none for plain Python.
 
     Raises CocorosimError if the behaviour does not exist or the file's parameters are not its settings.
     """
-    if description.behaviour not in CONTROLLERS:
-        raise CocorosimError(
-            f"{description.origin}: 'behaviour' has '{description.behaviour}', which does not exist; "
-            f"allowed: {', '.join(CONTROLLERS)}."
-        )
-    wanted = CONTROLLERS[description.behaviour].settings
+    if isinstance(description, PythonController):
+        return []
+    wanted = behaviour_of(description).settings
     if set(wanted) != set(description.parameters):
         raise CocorosimError(
             f"{description.origin}: the parameters of behaviour '{description.behaviour}' are "
@@ -81,12 +86,6 @@ def system_numbers(platform: Platform) -> list[float]:
         platform.water_density,
         platform.gravity,
     ]
-
-
-def cone_axis(sensor: BlueLightSensor, offset: float = 0.0) -> tuple[float, float, float]:
-    """Unit vector [body] of a sensor's axis, turned by `offset` [rad] in azimuth."""
-    azimuth, level = sensor.azimuth + offset, math.cos(sensor.elevation)
-    return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(sensor.elevation)
 
 
 def _steering_columns(platform: Platform) -> list[int]:

@@ -17,8 +17,10 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor, BuoyancyPump
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
-from cocorosim_ros.world.controllers import CONTROLLERS
-from cocorosim_ros.world.controllers.crew_assembly import build_crew, cone_axis
+from cocorosim_ros.world.controllers.crew_assembly import build_crew
+from cocorosim_ros.world.controllers.plain.plain_controller import plain_of
+from cocorosim_ros.world.controllers.sensor_axes import cone_axis
+from cocorosim_ros.world.controllers.traits import traits_of
 from cocorosim_ros.world.links.blue_light import DELIVERY_CODE
 from cocorosim_ros.world.motion.contact import CONTACT_CODE
 from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
@@ -57,12 +59,13 @@ def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
         seed=scenario.seed,
         first_run=first_run,
         water=build_water(scenario, first_run),
+        plain={number: robot for number, robot in enumerate(scenario.robots) if plain_of(robot) is not None},
     )
 
 
 def build_wants(robots: Sequence[RobotDescription]) -> Wants:
     """What the controllers of the robots ask for."""
-    controllers = [CONTROLLERS[robot.controller.behaviour] for robot in robots]
+    controllers = [traits_of(robot.controller) for robot in robots]
 
     def who(topic: str) -> Flags:
         return np.array([topic in controller.needs for controller in controllers])

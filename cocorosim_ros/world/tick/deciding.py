@@ -10,8 +10,7 @@ from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.perception import Perception
 
 
-@kernel
-def observe(time: float, perception: Perception, run: int, robot: int, angular_rate: Floats) -> Observation:
+def observe_plainly(time: float, perception: Perception, run: int, robot: int, angular_rate: Floats) -> Observation:
     """What one robot of one run knows at `time` [s]; its arrays are not to be changed, but for the angular rate.
 
     That is a copy in `angular_rate` (3,), because a robot without a gyro puts its own estimate there.
@@ -38,6 +37,9 @@ def observe(time: float, perception: Perception, run: int, robot: int, angular_r
         readings.illuminance[run, robot],
         readings.concentration[run, robot],
     )
+
+
+observe = kernel(observe_plainly)
 
 
 @kernel
