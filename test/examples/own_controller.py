@@ -31,4 +31,5 @@ class Follow:
             turn = math.atan2(y, x)
         else:
             turn = self.random.normal(0.0, 0.3)
-        return Course(heading=sensed.heading + turn, speed=self.speed, depth=self.depth, say=[len(sensed.heard)])
+        heading = sensed.heading + turn if math.isfinite(sensed.heading) else None
+        return Course(heading=heading, speed=self.speed, depth=self.depth, say=[len(sensed.heard)])
