@@ -23,7 +23,7 @@ from rich.progress import (
 
 from cocorosim_ros.foundation.errors import CocorosimError
 
-INTERRUPTED = 130
+FAILED, INTERRUPTED = 1, 130
 _SPEED_OVER = 3600.0  # s; rich's own 30 s hold no two chunks of a long design, and without two it knows no time left
 Going = Callable[[], bool]
 Calculate = Callable[[list[Any], Going], Generator[Any, None, None]]
@@ -39,6 +39,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.option("--replicates", type=int, help="runs per group instead of the design's own")
 @click.option("--group", "groups", multiple=True, help="only this group (repeatable)")
 @click.option("--numerics", multiple=True, help="only these numerics (repeatable)")
+@click.option("--controller", help="of all robots in every group: a name, a file, or my_file.py:MyController")
 @click.option(
     "--row",
     type=int,
@@ -51,17 +52,25 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 def command(ctx: click.Context, /, **options: Any) -> None:
     """Run DESIGN (a name in config/designs, or a file): groups x replicates, one row a run in a Parquet table."""
     from cocorosim_ros.study.experiments.design import load_design
+    from cocorosim_ros.world.controllers.plain.faults import ControllerError
+    from cocorosim_ros.world.controllers.plain.plain_controller import check_plain
 
-    selection = (options["replicates"], options["groups"], options["numerics"])
+    selection = (options["replicates"], options["groups"], options["numerics"], options["controller"])
     design = load_design(options["design"], *selection)
     if options["workers"] is not None and options["workers"] < 1:
         raise CocorosimError(f"--workers has {options['workers']}; give 1 or more.")
+    for cell in design.cells:
+        check_plain(cell.scenario.robots)
     console = Console()
     if options["row"] is None and options["results"]:
         raise CocorosimError("--results names the table whose row is to be recorded; give --row too.")
-    if options["row"] is not None:
-        ctx.exit(_record_row(design, options, console))
-    ctx.exit(_run_all(design, options, console))
+    run = _run_all if options["row"] is None else _record_row
+    try:
+        status = run(design, options, console)
+    except ControllerError as error:
+        click.echo(f"cocorosim: {error} What is finished is in {options['out']}.", err=True)
+        status = FAILED
+    ctx.exit(status)
 
 
 def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:

@@ -40,7 +40,13 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.option("--force", is_flag=True, help="replace a run that is there")
 @click.option("--seed", type=int, help="seed instead of the scenario's own")
 @click.option("--duration", help="length of the run, such as '60 s', instead of the scenario's own")
-@click.option("--external", multiple=True, metavar="ROBOT", help="leave this robot's controller to you (repeatable)")
+@click.option(
+    "--external",
+    multiple=True,
+    metavar="ROBOT",
+    help="leave the controller of this robot to you, or of all that fit a pattern such as 'lily_*' (repeatable)",
+)
+@click.option("--controller", help="for all robots instead of their own: a name, a file, or my_file.py:MyController")
 @click.option("--wait", type=float, default=60.0, show_default=True, help="seconds that controllers get to appear")
 @click.option("--rate", type=float, default=0.0, help="seconds of simulation per second; default: lock-step")
 @click.option("--composed", is_flag=True, help="all nodes in one process")
@@ -56,6 +62,7 @@ def command(ctx: click.Context, /, **options: object) -> None:
         seed=choices.seed,
         duration=choices.duration,
         external=list(choices.external) or None,
+        controller=choices.controller,
     )
     check_startable(scenario, choices)
     for sentence in not_simulated({robot.name: robot.platform for robot in scenario.robots}):

@@ -19,6 +19,7 @@ from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.controllers.plain.plain_controller import check_plain
 from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ class RunChoices:
     seed: int | None
     duration: str | None
     external: tuple[str, ...]
+    controller: str | None
     rate: float
     composed: bool
     in_process: bool
@@ -80,6 +82,7 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
         check_latency(scenario)
     for robot in scenario.robots:
         check_platform(robot.platform)
+    check_plain(scenario.robots)
     bodies = [describe_body(robot) for robot in scenario.robots]
     selected_topics(run_topics(bodies), scenario.recording.topics)
     domain_of_user()

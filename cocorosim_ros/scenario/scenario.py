@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
+from cocorosim_ros.scenario.parts.controller_choice import AnyController
 from cocorosim_ros.scenario.parts.corruption import Corruption, corruptions_tree, read_corruptions
 from cocorosim_ros.scenario.parts.light import Light
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -112,7 +112,7 @@ class RobotDescription:
 
     name: str
     platform: Platform
-    controller: ControllerDescription
+    controller: AnyController
     external: bool
 
     @property

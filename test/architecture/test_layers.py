@@ -97,6 +97,11 @@ def test_the_sources_keep_every_contract(copy: Path) -> None:
             "import cocorosim_ros.world.water",
             "A controller sees only what its robot senses",
         ),
+        (
+            "graph/runs/run_error.py",
+            "import cocorosim_ros.world.tick",
+            "The controller of a real robot needs no simulator",
+        ),
     ],
 )
 def test_a_planted_fault_is_found(copy: Path, file: str, line: str, contract: str) -> None:

@@ -35,6 +35,9 @@ def run(tmp_path: Path) -> Run:
     [
         (("no_such_scenario",), "no_such_scenario"),
         (("one_lily", "--external", "lily_77"), "lily_77"),
+        (("five_lilys", "--external", "jeff_*"), "lily_01, lily_02, lily_03, lily_04, lily_05"),
+        (("one_lily", "--controller", "mine.py:Mine"), "mine.py', which cannot be read"),
+        (("one_lily", "--controller", "mine.py"), "names no class of a Python file"),
         (("one_lily", "--duration", "60"), "duration"),
         (("one_lily", "--seed", "-3"), "seed"),
         (("one_lily", "--rate", "-1"), "--rate has -1"),

@@ -94,10 +94,12 @@ def test_command_is_understood(words: list[str]) -> None:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder in which the README's commands find what `make demo` leaves, from a shorter run."""
+    """A folder in which the README's commands find what `make demo` leaves, from a shorter run, and its controller."""
     place = tmp_path_factory.mktemp("readme")
     command = [BIN / "cocorosim", "run", "eleven_lilys", "--in-process", "--duration", "20 s", "--out", "runs/demo"]
     subprocess.run(command, cwd=place, check=True, capture_output=True)
+    (own,) = (code for code in fenced(README, "python") if "class Circle" in code)
+    (place / "circle.py").write_text(own, "utf-8")
     return place
 
 

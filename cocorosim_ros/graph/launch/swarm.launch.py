@@ -42,7 +42,7 @@ def nodes(context: LaunchContext) -> list[Node]:
     physics = {**run, "rate": rate, "recorded": True}
     force = given["force"].lower() == "true"
     metrics = {**run, "out": text(given["out"]), "force": force, "lock_step": rate == 0.0}
-    controller = {"scenario": text(given["scenario"]), "listeners": 2}
+    controller = {"scenario": text(given["scenario"]), "seed": int(given["seed"]), "listeners": 2}
     return [
         # The recorder ends when the run has ended and everything is written.
         node("metrics_node", metrics, on_exit=Shutdown(reason="the run has ended")),

@@ -31,7 +31,8 @@ class ComposedGraph:
     def __init__(self, plan: GraphPlan, record: RunRecord, tell: Callable[[str], None]) -> None:
         self.recorder = TickRecorder(_node("metrics_node"), record)
         self._controllers = [
-            ControllerShell(_node("controller_node", robot.name), robot) for robot in plan.scenario.robots
+            ControllerShell(_node("controller_node", robot.name), robot, plan.scenario.seed)
+            for robot in plan.scenario.robots
         ]
         physics_node = _node("physics_node")
         terms = Terms(recorded=True, wait=plan.wait, tell=tell)

@@ -11,6 +11,7 @@ import math
 import sys
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from rclpy.node import Node
@@ -20,15 +21,18 @@ from cocorosim_ros.graph.nodes.controller_shell import ControllerShell
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
 from cocorosim_ros.graph.nodes.wiring import LONGEST_WAIT, Waiter
-from cocorosim_ros.scenario.parts.controller_file import ControllerDescription, load_controller
+from cocorosim_ros.scenario.parts.controller_choice import AnyController, chosen_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.parts.python_controller import PythonController
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.controllers.plain.user_class import load_class
 
 PARAMETERS = (
     NodeParameter("scenario", "", "scenario that has this robot; empty: `platform` and `controller` say what it is"),
     NodeParameter("platform", "lily", "platform of the robot: a name in config/platforms, or a file"),
-    NodeParameter("controller", "boids_blt", "controller: a name in config/controllers, or a file"),
+    NodeParameter("controller", "boids_blt", "controller: a name in config/controllers, a file, or my_file.py:MyClass"),
+    NodeParameter("seed", -1, "seed of its random numbers; -1: the scenario's own, 0 without one", (-1, 2**63 - 1)),
     NodeParameter("period", 0.0, "s of wall clock between commands; 0: answer every complete set", (0.0, 3600.0)),
     NodeParameter("stale_after", 2.0, "s after which a reading is no longer used (with period)", (0.0, 3600.0)),
     NodeParameter("listeners", 1, "subscriptions to wait for before the first command", (0, 1000)),
@@ -39,29 +43,36 @@ Parameters (beside those of the controller, as controller.NAME, with the ranges 
 {usage_lines(PARAMETERS)}"""
 
 
-def robot_of(node: Node, values: dict[str, Any]) -> RobotDescription:
-    """The robot that the node's namespace and parameters name. Raises CocorosimError."""
+def robot_of(node: Node, values: dict[str, Any]) -> tuple[RobotDescription, int]:
+    """The robot that the node's namespace and parameters name, and its scenario's seed. Raises CocorosimError."""
     name = node.get_namespace().strip("/")
     if not name:
         raise CocorosimError(
             "controller_node has no namespace, which must be its robot's name; add '--ros-args -r __ns:=/lily_01'."
         )
     if not values["scenario"]:
-        platform, controller = load_platform(values["platform"]), load_controller(values["controller"])
-        return RobotDescription(name, platform, adjusted(node, controller), external=False)
-    robots = {robot.name: robot for robot in load_scenario(values["scenario"]).robots}
+        platform = load_platform(values["platform"])
+        controller = chosen_controller(values["controller"], "parameter 'controller'")
+        return RobotDescription(name, platform, adjusted(node, controller), external=False), 0
+    scenario = load_scenario(values["scenario"])
+    robots = {robot.name: robot for robot in scenario.robots}
     if name not in robots:
         raise CocorosimError(
             f"controller_node in namespace /{name}: the scenario '{values['scenario']}' has no such robot; "
             f"its robots are {', '.join(robots)}."
         )
     robot = robots[name]
-    return RobotDescription(name, robot.platform, adjusted(node, robot.controller), external=False)
+    return RobotDescription(name, robot.platform, adjusted(node, robot.controller), external=False), scenario.seed
 
 
-def adjusted(node: Node, controller: ControllerDescription) -> ControllerDescription:
+def adjusted(node: Node, controller: AnyController) -> AnyController:
     """The controller with the numbers that were given as ROS parameters controller.NAME."""
     given = {}
+    if isinstance(controller, PythonController):
+        for name, value in load_class(controller).scalar_arguments().items():
+            declared = NodeParameter(f"controller.{name}", value, f"argument of {controller.name}")
+            given[name] = declare(node, (declared,))[f"controller.{name}"]
+        return replace(controller, parameters={**controller.parameters, **given})
     for name, parameter in controller.parameters.items():
         span = None if isinstance(parameter.value, bool) else (parameter.minimum, parameter.maximum)
         words = f"{parameter.description} [{parameter.unit}]"
@@ -97,10 +108,10 @@ def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, An
 def run_controller(node: Node, described: RobotDescription | None = None) -> None:
     """The node's life, until it is told to stop; `described`, read already, is given by a supervisor."""
     values = declare(node, PARAMETERS)
-    robot = robot_of(node, values) if described is None else described
+    robot, seed = robot_of(node, values) if described is None else (described, 0)
     warn_of_unknown(node)
     waiter = Waiter(node, 16)
-    shell = ControllerShell(node, robot)
+    shell = ControllerShell(node, robot, seed if values["seed"] < 0 else values["seed"])
     on_termination(lambda: setattr(shell, "stop", True), supervised=described is not None)
     if values["period"] > 0.0:
         answer_periodically(shell, node, values)

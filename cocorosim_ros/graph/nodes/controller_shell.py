@@ -9,14 +9,18 @@ from rclpy.node import Node
 
 from cocorosim_ros.graph.nodes.complaints import tell_on_terminal
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import AnswerEncoder, ObservationDecoder
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 from cocorosim_ros.world.controllers.conduct import blank_memory, conduct_one
+from cocorosim_ros.world.controllers.crew_assembly import build_crew
+from cocorosim_ros.world.controllers.plain.faults import ControllerError
+from cocorosim_ros.world.controllers.plain.plain_controller import PlainController, plain_of
+from cocorosim_ros.world.controllers.request import REQUEST_SIZE
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE
-from cocorosim_ros.world.tick.assembly import build_crew
 
 SILENCE = 5.0  # s of waiting without a word
 
@@ -24,9 +28,11 @@ SILENCE = 5.0  # s of waiting without a word
 class ControllerShell:
     """One robot's controller on its topics."""
 
-    def __init__(self, node: Node, robot: RobotDescription) -> None:
+    def __init__(self, node: Node, robot: RobotDescription, seed: int = 0) -> None:
+        """`seed` is that of the run. Raises CocorosimError; RunError if a plain Python controller cannot be made."""
         self.body = describe_body(robot)
         self._crew = build_crew([robot])
+        self._plain = plain_controller(robot, seed)
         self._memory = blank_memory(1, 1)[0, 0]
         self._command = np.zeros(len(self.body.actuators))
         self._said = np.zeros(MESSAGE_SIZE)
@@ -94,9 +100,28 @@ class ControllerShell:
         return [name for name in self.body.topics if name not in self._latest]
 
     def answer(self, stamp: int, moment: float) -> None:
-        """Run one control cycle on the latest readings and publish command and message, stamped `stamp` [ns]."""
+        """Run one control cycle on the latest readings and publish command and message, stamped `stamp` [ns].
+
+        Raises RunError if a plain Python controller fails.
+        """
         observation = self._decoder.observation(moment, self._latest)
+        if self._plain is not None:
+            try:
+                self._plain.ask(observation, self._memory[:REQUEST_SIZE], self._said)
+            except ControllerError as error:
+                raise RunError(str(error)) from error
         conduct_one(self._crew, 0, observation, self._memory, self._command, self._said)
         if self.body.speaks:
             self._speakers[self.body.talk].publish(self._encoder.said(stamp, self._said))
         self._speakers["thruster_command"].publish(self._encoder.command(stamp, self._command))
+
+
+def plain_controller(robot: RobotDescription, seed: int) -> PlainController | None:
+    """The robot's controller if it is one in plain Python. Raises CocorosimError, or RunError if it cannot be made."""
+    named = plain_of(robot)
+    if named is None:
+        return None
+    try:
+        return PlainController(robot, named, seed)
+    except ControllerError as error:
+        raise RunError(str(error)) from error

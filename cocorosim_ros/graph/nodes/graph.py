@@ -43,7 +43,7 @@ class GraphPlan:
 
     def controller_arguments(self, robot: str) -> list[str]:
         """ROS arguments of one robot's controller node, which physics and recorder must hear."""
-        values = {"scenario": self.source, "listeners": 2}
+        values = {"scenario": self.source, "seed": self.scenario.seed, "listeners": 2}
         return [*ros_arguments(values), "-r", f"__ns:=/{robot}"]
 
     def _run(self) -> dict[str, Any]:

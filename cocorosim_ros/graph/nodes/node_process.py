@@ -14,8 +14,10 @@ from pathlib import Path
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.nodes.complaints import WARNING
 from cocorosim_ros.graph.nodes.node_shell import end_with_parent
+from cocorosim_ros.graph.runs.run_error import RunError
 
 DONE, FAILED = 0, 1
+RUN_FAILED = 3  # the node has said why the whole run cannot go on
 
 
 class NodeProcess:
@@ -37,6 +39,11 @@ class NodeProcess:
     def failed(self) -> bool:
         """Whether it has ended otherwise than it should."""
         return self.process.exitcode not in (None, DONE)
+
+    @property
+    def ends_run(self) -> bool:
+        """Whether it has ended with a sentence that ends the whole run."""
+        return self.process.exitcode == RUN_FAILED
 
     @property
     def ended(self) -> bool:
@@ -89,7 +96,7 @@ def _live(life: Callable[[], None], log: Path, parent: int, at_orphaning: signal
         life()
     except CocorosimError as error:
         sys.stderr.write(f"{error}\n")
-        status = FAILED
+        status = RUN_FAILED if isinstance(error, RunError) else FAILED
     except BaseException:
         traceback.print_exc()
         status = FAILED

@@ -43,6 +43,7 @@ class Supervisor:
         self._processes: list[NodeProcess] = []
         self._controllers: dict[int, NodeProcess] = {}
         self._told: set[int] = set()
+        self._failed_controller: NodeProcess | None = None  # one in plain Python that ends the run
 
     def interrupt(self) -> None:
         """Let the run end in order, at the next look."""
@@ -70,15 +71,19 @@ class Supervisor:
             wait([process.process.sentinel for process in (self._physics, self._metrics) if not process.ended], LOOK)
             self._look_around()
             show(self.state)
-            if self.interrupted:
+            if self.interrupted or self._failed_controller is not None:
                 self._physics.ask_to_end()
-            if self.interrupted or self._metrics.ended:  # then the physics node has little left to do
+            if (
+                self.interrupted or self._failed_controller is not None or self._metrics.ended
+            ):  # then the physics node has little left to do
                 limit = min(limit, time.monotonic() + END_PATIENCE)
         if not self._physics.ended and not self._is_done:
             self._physics.end(0.0)
-            self._fail_unless_interrupted(self._metrics)
+            self._fail_unless_interrupted(self._failed_controller or self._metrics)
         self._close_recording()
         self._look_around()
+        if self._failed_controller is not None:
+            self._fail_unless_interrupted(self._failed_controller)
         if self._physics.failed:
             self._fail_unless_interrupted(self._physics)
 
@@ -107,7 +112,9 @@ class Supervisor:
         for words in self._physics.warnings():
             self._warn(words)
         for number, process in self._controllers.items():
-            if process.ended and number not in self._told and not self._physics.ended:
+            if process.ends_run:
+                self._failed_controller = self._failed_controller or process
+            elif process.ended and number not in self._told and not self._physics.ended:
                 self._told.add(number)
                 self.state.mark_dead(number)
                 self._warn(f"{process.last_words()}, tick {self.state.ticks}")
@@ -122,7 +129,7 @@ class Supervisor:
 
     def _close_recording(self) -> None:
         """Wait until the recorder has written everything; if the run ended out of order, tell it to close."""
-        if self._physics.failed or self.interrupted:
+        if self._physics.failed or self.interrupted or self._failed_controller is not None:
             self._metrics.ask_to_end()
         deadline = time.monotonic() + CLOSE_PATIENCE
         while not self.state.closed and not self._metrics.ended and time.monotonic() < deadline:

@@ -13,6 +13,7 @@ from cocorosim_ros.wire.cdr.status import end_of_run
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import AnswerEncoder, read_payload
 from cocorosim_ros.wire.topics.topics import robot_topic
+from cocorosim_ros.world.controllers.plain.faults import ControllerError
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
@@ -24,7 +25,8 @@ def run_in_process(
     """Run all ticks of a scenario and record them; return how many were run.
 
     `run` is the number of the run, which with the scenario's seed decides its random numbers.
-    `progress(tick)` is called after every tick and ends the run by returning False. Does not close the record.
+    `progress(tick)` is called after every tick and ends the run by returning False. Does not close the
+    record, unless a plain Python controller fails, which raises ControllerError.
     """
     bodies = [describe_body(robot) for robot in scenario.robots]
     encoders = [AnswerEncoder(body) for body in bodies]
@@ -34,7 +36,12 @@ def run_in_process(
     while going and simulation.tick < scenario.ticks:
         stamp = simulation.time_ns
         messages = dict(side.tick(simulation))
-        simulation.decide()
+        try:
+            simulation.decide()
+        except ControllerError:
+            _write_end(record, simulation)
+            record.close()
+            raise
         for robot, (body, encoder) in enumerate(zip(bodies, encoders, strict=True)):
             command, said = simulation.command[0, robot], simulation.said[0, robot]
             messages[robot_topic(body.name, "thruster_command")] = encoder.command(stamp, command)
@@ -44,6 +51,11 @@ def run_in_process(
         record.write_tick(stamp, messages)
         simulation.advance()
         going = progress(simulation.tick)
-    last = max(0, simulation.time_ns - scenario.tick_ns)
-    record.write(STATUS_TOPIC, last, end_of_run(last, simulation.tick, 0))
+    _write_end(record, simulation)
     return simulation.tick
+
+
+def _write_end(record: RunRecord, simulation: Simulation) -> None:
+    """Record that the run has ended, at the last tick that is done."""
+    last = max(0, simulation.time_ns - simulation.world.tick_ns)
+    record.write(STATUS_TOPIC, last, end_of_run(last, simulation.tick, 0))

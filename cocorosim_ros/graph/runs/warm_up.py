@@ -13,9 +13,10 @@ from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.observations import ObservationDecoder
 from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.controllers.conduct import blank_memory, conduct_one
+from cocorosim_ros.world.controllers.crew_assembly import build_crew
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE
-from cocorosim_ros.world.tick.assembly import build_crew, build_world
+from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 
 

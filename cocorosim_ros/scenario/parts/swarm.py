@@ -6,11 +6,10 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from cocorosim_ros.scenario.parts.controller_file import (
-    ControllerDescription,
-    controller_tree,
-    read_controller,
-    read_controller_file,
+from cocorosim_ros.scenario.parts.controller_choice import (
+    AnyController,
+    controller_choice_tree,
+    read_controller_choice,
 )
 from cocorosim_ros.scenario.parts.platform import Platform, platform_tree, read_platform, read_platform_file
 from cocorosim_ros.scenario.parts.vehicle_parts import Vector3
@@ -71,7 +70,7 @@ class SwarmGroup:
     platform: Platform
     count: int
     prefix: str
-    controller: ControllerDescription
+    controller: AnyController
     start: Start
 
     def robot_names(self) -> list[str]:
@@ -98,7 +97,7 @@ def read_group(entry: Entry) -> SwarmGroup:
     """The group that a mapping describes."""
     section = entry.section(("platform", "controller", "start"), ("count", "prefix", "overrides"))
     platform = _read_platform_choice(section["platform"])
-    controller = _read_controller_choice(section["controller"])
+    controller = read_controller_choice(section["controller"])
     if "overrides" in section:
         controller = controller.with_override_entries(section["overrides"].mapping())
     start = _read_start(section["start"])
@@ -113,7 +112,7 @@ def swarm_tree(groups: tuple[SwarmGroup, ...]) -> list[dict[str, Any]]:
             "platform": platform_tree(group.platform),
             "count": group.count,
             "prefix": group.prefix,
-            "controller": controller_tree(group.controller),
+            "controller": controller_choice_tree(group.controller),
             "start": record_tree(group.start),
         }
         for group in groups
@@ -124,12 +123,6 @@ def _read_platform_choice(entry: Entry) -> Platform:
     if isinstance(entry.value, dict):
         return read_platform(entry)
     return read_platform_file(referenced_config("platforms", entry))
-
-
-def _read_controller_choice(entry: Entry) -> ControllerDescription:
-    if isinstance(entry.value, dict):
-        return read_controller(entry)
-    return read_controller_file(referenced_config("controllers", entry))
 
 
 def _read_start(entry: Entry) -> Start:

@@ -107,6 +107,15 @@ def entry_of(tree: Any, origin: str, key: str = "") -> Entry:
     return Entry(value, origin, 0, key)
 
 
+def plain_value(entry: Entry) -> Any:
+    """The value of an entry without the places: dict, list, text, number, truth value or None."""
+    if isinstance(entry.value, dict):
+        return {name: plain_value(part) for name, part in entry.value.items()}
+    if isinstance(entry.value, list):
+        return [plain_value(part) for part in entry.value]
+    return entry.value
+
+
 def quoted(names: Iterable[str]) -> str:
     """The names in quotes, with commas and a last 'and'."""
     return listed((f"'{name}'" for name in names), "and")

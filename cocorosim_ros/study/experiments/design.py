@@ -9,15 +9,18 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.python_controller import PythonController
 from cocorosim_ros.scenario.reading.config_files import config_names, find_config, referenced_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
+from cocorosim_ros.world.checks.controlled import with_controller
 from cocorosim_ros.world.checks.loading import read_scenario
 from cocorosim_ros.world.seeding.seeding import generator
 
 MOST_RUNS = 1_000_000  # whose table of results, about 1 kB a run, is put in order in memory
+CONTROLLER_FILES = "controller_files"  # in the summary of a design that has any
 _LARGEST_SEED = 2**63 - 1
 _REQUIRED = ("name", "description", "scenario", "numerics", "seed", "replicates", "groups", "baseline")
 _OPTIONAL = ("change", "metrics")
@@ -66,7 +69,7 @@ class Design:
 
     def summary(self) -> dict[str, Any]:
         """What a report tells about the design, ready for JSON."""
-        scenario = self.cells[0].scenario
+        scenario, own = self.cells[0].scenario, self.controller_files()
         return {
             "design": self.name,
             "digest": self.digest(),
@@ -87,7 +90,13 @@ class Design:
                 }
                 for cell in self.cells
             ],
+            **({CONTROLLER_FILES: own} if own else {}),
         }
+
+    def controller_files(self) -> dict[str, str]:
+        """The users' own Python files that robots are controlled by, each with the SHA-256 of its bytes."""
+        controllers = [group.controller for cell in self.cells for group in cell.scenario.swarm]
+        return {part.file: part.sha256 for part in controllers if isinstance(part, PythonController)}
 
     def digest(self) -> str:
         """16 hex digits that tell designs apart; the number of replicates does not count: more can be added."""
@@ -100,9 +109,11 @@ def load_design(
     replicates: int | None = None,
     groups: Sequence[str] = (),
     numerics: Sequence[str] = (),
+    controller: str | None = None,
 ) -> Design:
     """The design of that name in config/designs, or of that file; with fewer groups or numerics where given.
 
+    controller: of all robots in every group, as a scenario would have it.
     Raises CocorosimError: whatever is wrong with it, or a group or kind of numerics that it does not have.
     """
     top = load_yaml(find_config("designs", str(name_or_path)))
@@ -118,6 +129,8 @@ def load_design(
     names = _chosen(groups, list(named), "group", top)
     count = _replicates(section["replicates"], len(kinds) * len(names))
     base = load_yaml(referenced_config("scenarios", section["scenario"]))
+    if controller is not None:
+        section["controller"] = Entry(controller, "option '--controller'", 0, "controller")
     cells = tuple(_cell(section, base, kind, name) for kind in kinds for name in names)
     words = section["name"].text(), section["description"].text()
     return Design(*words, baseline, count, _metrics(section), cells)
@@ -158,6 +171,8 @@ def _cell(section: Mapping[str, Entry], base: Entry, kind: str, group: str) -> C
     changes += [part["change"] for part in (section, described) if "change" in part]
     for change in changes:
         base = changed(base, change)
+    if "controller" in section:
+        base = with_controller(base, section["controller"])
     scenario = read_scenario(replace(base, value={**base.mapping(), "seed": replace(entry, value=0)}))
     seed = section["seed"].whole_number(0, _LARGEST_SEED)
     draw = generator(seed, f"group {group}").integers(_LARGEST_SEED)

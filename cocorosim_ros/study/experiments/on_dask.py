@@ -1,7 +1,7 @@
 """Chunks on a Dask cluster: the same chunks, calculated by its workers and handed back to this process.
 
 Scheduler and workers need the package as it is here, with what it needs itself, but neither the design's files nor the
-folder of the results.
+folder of the results. A controller of the user's own has to lie at the same path there.
 """
 
 from __future__ import annotations

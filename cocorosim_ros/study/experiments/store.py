@@ -10,13 +10,14 @@ import json
 import os
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.experiments.code_version import version
-from cocorosim_ros.study.experiments.design import Design
+from cocorosim_ros.study.experiments.design import CONTROLLER_FILES, Design
 from cocorosim_ros.study.experiments.results_folder import (
     DESIGN,
     KEYS,
@@ -112,7 +113,16 @@ class Store:
         for name in (RESULTS, DESIGN):
             (self._folder / name).unlink(missing_ok=True)
 
-    def _compare(self, there: dict[str, str], mine: dict[str, str]) -> None:
+    def _compare(self, there: dict[str, Any], mine: dict[str, Any]) -> None:
+        before = there.get(CONTROLLER_FILES, {})
+        for file, sha256 in mine.get(CONTROLLER_FILES, {}).items():
+            if before.get(file, sha256) != sha256:
+                words = f"{before[file][:12]}..., now {sha256[:12]}..."
+                raise CocorosimError(
+                    f"The folder {self._folder} holds results of another version of {file} (SHA-256 {words}); rows of "
+                    "both would not be comparable: put the file back as it was, give another folder with --out, or "
+                    "--force to start again."
+                )
         if there.get("digest") != mine["digest"]:
             raise CocorosimError(
                 f"The folder {self._folder} holds results of another design, '{there.get('design')}' with digest "

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.scenario.scenario import RobotDescription
-from cocorosim_ros.world.controllers import CONTROLLERS
 from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.controllers.traits import traits_of
 from cocorosim_ros.world.sensors import SENSORS
 
 
@@ -35,7 +35,7 @@ class BodyDescription:
 
 def describe_body(robot: RobotDescription) -> BodyDescription:
     """The body of a scenario's robot. An external controller owes no messages, though it may send some."""
-    controller = CONTROLLERS[robot.controller.behaviour]
+    controller = traits_of(robot.controller)
     sensors = robot.platform.sensors
     present = {topic: sensors.has(topic) for topic, sensor in SENSORS.items() if not (sensor.asked or topic == "pose")}
     present["radio_rx"] = sensors.radio_range > 0.0
@@ -49,6 +49,6 @@ def describe_body(robot: RobotDescription) -> BodyDescription:
         sensors=sensors.blss,
         actuators=robot.platform.actuator_names,
         topics=(*(name for name, there in present.items() if there), *extra),
-        speaks=controller.payload_length > 0 and bool(talk) and not robot.external,
+        speaks=controller.speaks and bool(talk) and not robot.external,
         talk=talk,
     )

@@ -11,6 +11,7 @@ from cocorosim_ros.scenario.reading.entry import Entry, entry_of
 from cocorosim_ros.scenario.reading.records import read_record
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml
 from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.controlled import with_controller, with_external_named
 from cocorosim_ros.world.checks.scenario_checks import check_scenario
 
 
@@ -19,16 +20,21 @@ def load_scenario(
     seed: int | None = None,
     duration: str | None = None,
     external: Sequence[str] | None = None,
+    controller: str | None = None,
 ) -> Scenario:
     """The scenario of that name in config/scenarios, or of that file, with what is given replaced.
 
-    duration: text with a unit, such as '60 s'. external: names of robots that somebody else controls.
+    duration: text with a unit, such as '60 s'. external: names of robots that somebody else controls, or patterns such
+    as 'lily_*'. controller: of all robots, as a scenario would have it: a name, a file, or 'my_file.py:MyController'.
     Raises CocorosimError: one sentence with file, line and key for whatever is wrong with it.
     """
     entry = load_yaml(find_config("scenarios", str(name_or_path)))
     options = {"seed": seed, "duration": duration, "external": None if external is None else list(external)}
     given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
-    return read_scenario(replace(entry, value={**entry.mapping(), **given}))
+    entry = replace(entry, value={**entry.mapping(), **given})
+    if controller is not None:
+        entry = with_controller(entry, entry_of(controller, "option 'controller'", "controller"))
+    return read_scenario(entry)
 
 
 def parse_scenario(yaml: str, origin: str) -> Scenario:
@@ -38,6 +44,8 @@ def parse_scenario(yaml: str, origin: str) -> Scenario:
 
 def read_scenario(entry: Entry) -> Scenario:
     """The checked scenario that a mapping describes."""
-    scenario = replace(read_record(Scenario, entry), origin=entry.file)
-    check_scenario(scenario, entry.mapping())
+    scenario, sections = replace(read_record(Scenario, entry), origin=entry.file), entry.mapping()
+    if scenario.external:
+        scenario = with_external_named(scenario, sections["external"])
+    check_scenario(scenario, sections)
     return scenario

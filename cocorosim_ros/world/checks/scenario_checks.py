@@ -27,7 +27,6 @@ def check_scenario(scenario: Scenario, sections: Sections) -> None:
     """
     _check_times(scenario, sections)
     _check_stability(scenario, sections)
-    _check_external(scenario, sections)
     if "water" in sections:
         check_water(scenario, sections["water"])
     _check_corruption(scenario, sections)
@@ -76,13 +75,6 @@ def _check_stability(scenario: Scenario, sections: Sections) -> None:
 def _divisor_near(tick: int, step: int) -> int:
     """The largest divisor of the tick that is not above the step, among whole fractions down to 1/1000."""
     return next((tick // n for n in range(1, 1001) if tick % n == 0 and tick // n <= step), tick)
-
-
-def _check_external(scenario: Scenario, sections: Sections) -> None:
-    names = [robot.name for robot in scenario.robots]
-    for name in scenario.external:
-        if name not in names:
-            raise sections["external"].problem(f"has '{name}', the name of no robot{nearest(name, names)}.")
 
 
 def _check_corruption(scenario: Scenario, sections: Sections) -> None:

@@ -12,16 +12,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags
-from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.parts.controller_file import ControllerDescription
 from cocorosim_ros.scenario.parts.light import Light
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor, BuoyancyPump
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
-from cocorosim_ros.world.controllers import CONTROLLER_CODE, CONTROLLERS
-from cocorosim_ros.world.controllers.crew import Crew
-from cocorosim_ros.world.controllers.operating_system import SYSTEM_NUMBERS
+from cocorosim_ros.world.controllers.crew_assembly import build_crew
+from cocorosim_ros.world.controllers.plain.plain_controller import plain_of
+from cocorosim_ros.world.controllers.sensor_axes import cone_axis
+from cocorosim_ros.world.controllers.traits import traits_of
 from cocorosim_ros.world.links.blue_light import DELIVERY_CODE
 from cocorosim_ros.world.motion.contact import CONTACT_CODE
 from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
@@ -35,8 +34,6 @@ from cocorosim_ros.world.tick.water_assembly import build_water
 from cocorosim_ros.world.tick.world import World
 from cocorosim_ros.world.vehicle_model.platform_effects import active_bits, build_faults, check_platform, parameter_row
 from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
-
-STEERING_ACTUATORS = ("left", "right", "buoyancy")
 
 
 def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
@@ -63,12 +60,13 @@ def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
         seed=scenario.seed,
         first_run=first_run,
         water=build_water(scenario, first_run),
+        plain={number: robot for number, robot in enumerate(scenario.robots) if plain_of(robot) is not None},
     )
 
 
 def build_wants(robots: Sequence[RobotDescription]) -> Wants:
     """What the controllers of the robots ask for."""
-    controllers = [CONTROLLERS[robot.controller.behaviour] for robot in robots]
+    controllers = [traits_of(robot.controller) for robot in robots]
 
     def who(topic: str) -> Flags:
         return np.array([topic in controller.needs for controller in controllers])
@@ -140,78 +138,8 @@ def build_instruments(robots: Sequence[RobotDescription]) -> Instruments:
 
 def _measured(robot: RobotDescription) -> list[bool]:
     """Which sensors of the table a robot measures with."""
-    sensors, needs = robot.platform.sensors, CONTROLLERS[robot.controller.behaviour].needs
+    sensors, needs = robot.platform.sensors, traits_of(robot.controller).needs
     return [sensor.for_all or sensor.is_on(sensors, needs) for sensor in SENSORS.values()]
-
-
-def build_crew(robots: Sequence[RobotDescription]) -> Crew:
-    """The controllers of the robots."""
-    count = len(robots)
-    settings = [controller_settings(robot.controller) for robot in robots]
-    axes = [[cone_axis(sensor) for sensor in robot.platform.sensors.blss] for robot in robots]
-    crew = Crew(
-        code=np.array([CONTROLLER_CODE[robot.controller.behaviour] for robot in robots]),
-        settings=np.zeros((count, max(1, *(len(row) for row in settings)))),
-        settings_count=np.array([len(row) for row in settings]),
-        system=np.array([system_numbers(robot.platform) for robot in robots]),
-        actuator=np.array([_steering_columns(robot.platform) for robot in robots]),
-        sensor_axis=np.zeros((count, max(1, *(len(row) for row in axes)), 3)),
-        sensor_count=np.array([len(row) for row in axes]),
-    )
-    for robot in range(count):
-        crew.settings[robot, : len(settings[robot])] = settings[robot]
-        crew.sensor_axis[robot, : len(axes[robot])] = np.array(axes[robot]).reshape(-1, 3)
-    return crew
-
-
-def controller_settings(description: ControllerDescription) -> list[float]:
-    """The numbers of a controller file in the order in which the behaviour wants them.
-
-    Raises CocorosimError if the behaviour does not exist or the file's parameters are not its settings.
-    """
-    if description.behaviour not in CONTROLLERS:
-        raise CocorosimError(
-            f"{description.origin}: 'behaviour' has '{description.behaviour}', which does not exist; "
-            f"allowed: {', '.join(CONTROLLERS)}."
-        )
-    wanted = CONTROLLERS[description.behaviour].settings
-    if set(wanted) != set(description.parameters):
-        raise CocorosimError(
-            f"{description.origin}: the parameters of behaviour '{description.behaviour}' are "
-            f"{', '.join(wanted) or 'none'}; found {', '.join(description.parameters) or 'none'}."
-        )
-    return [description.parameters[name].value for name in wanted]
-
-
-def system_numbers(platform: Platform) -> list[float]:
-    """The numbers of a platform's operating system in the order of SYSTEM_NUMBERS; zeros for one without."""
-    system = platform.operating_system
-    if system is None:
-        return [0.0] * len(SYSTEM_NUMBERS)
-    return [
-        system.wall_threshold,
-        system.floor_threshold,
-        system.surface_depth,
-        system.depth_margin,
-        system.avoidance_thrust,
-        system.avoidance_gain,
-        system.heading_proportional,
-        system.heading_damping,
-        system.vertical_proportional,
-        system.vertical_damping,
-        system.depth_proportional,
-        system.dive_limit,
-        system.command_full_scale,
-        system.units_per_volt * system.full_voltage,
-        platform.water_density,
-        platform.gravity,
-    ]
-
-
-def cone_axis(sensor: BlueLightSensor, offset: float = 0.0) -> tuple[float, float, float]:
-    """Unit vector [body] of a sensor's axis, turned by `offset` [rad] in azimuth."""
-    azimuth, level = sensor.azimuth + offset, math.cos(sensor.elevation)
-    return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(sensor.elevation)
 
 
 def _stepping(scenario: Scenario) -> Stepping:
@@ -232,8 +160,3 @@ def _place_sensor(instruments: Instruments, robot: int, index: int, sensor: Blue
     instruments.ray_count[robot, index] = len(sensor.obstacle_rays)
     for ray, offset in enumerate(sensor.obstacle_rays):
         instruments.ray[robot, index, ray] = cone_axis(sensor, offset)
-
-
-def _steering_columns(platform: Platform) -> list[int]:
-    names = platform.actuator_names
-    return [names.index(name) if name in names else -1 for name in STEERING_ACTUATORS]

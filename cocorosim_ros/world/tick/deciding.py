@@ -40,6 +40,10 @@ observe = compile_lines(
 rate. That is a copy in `angular_rate` (3,), because a robot without a gyro puts its own estimate there."""
 
 
+observe_plainly = observe.py_func  # type: ignore[attr-defined]
+"""The same outside of compiled functions."""
+
+
 @kernel
 def decide(time: float, perception: Perception, crew: Crew, memory: Floats, answer: tuple[Floats, Floats]) -> None:
     """Let every controller run once at `time` [s].

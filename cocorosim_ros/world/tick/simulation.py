@@ -21,6 +21,7 @@ from cocorosim_ros.world.tick.deciding import decide, speak
 from cocorosim_ros.world.tick.divergence import check_motion
 from cocorosim_ros.world.tick.exchange import Exchange
 from cocorosim_ros.world.tick.perception import Perception
+from cocorosim_ros.world.tick.plain_deciding import PlainCrew
 from cocorosim_ros.world.tick.sensing import Afloat, sense
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.water import MovingWater
@@ -56,6 +57,7 @@ class Simulation:
         self._corruption = corrupted_channels(world.corruption, world.seed, world.names, numbers)
         self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
         self.memory = blank_memory(runs, robots)
+        self._plain = PlainCrew(world.plain, world.seed, numbers) if world.plain else None
         self._search = NeighbourSearch(runs, robots, world.tank, world.reach)
         self._cones = cones_of(world.instruments)
         self._neighbours: Neighbours | None = None  # of the present state, once somebody has looked
@@ -101,7 +103,12 @@ class Simulation:
         return self.readings
 
     def decide(self) -> None:
-        """Run every controller on the present readings: sets `command` and `said`."""
+        """Run every controller on the present readings: sets `command` and `said`.
+
+        Raises ControllerError if one in plain Python fails.
+        """
+        if self._plain is not None:
+            self._plain.ask(self.time_ns * 1e-9, self.perception, self.memory, self.said)
         answer = (self.command, self.said)
         decide(self.time_ns * 1e-9, self.perception, self.world.crew, self.memory, answer)
 

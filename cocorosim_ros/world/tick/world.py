@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.corruption import Corruption
+from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.links.blue_light import TO_NEAREST
 from cocorosim_ros.world.motion.motion import Stepping
@@ -40,6 +42,7 @@ class World:
     seed: int = 0  # of what is random while the run goes on
     first_run: int = 0  # the number of the first of the runs, by which their random numbers differ
     water: Water = field(default_factory=Water)
+    plain: Mapping[int, RobotDescription] = field(default_factory=dict)  # robots with a plain Python controller
 
     @property
     def reach(self) -> float:
