@@ -21,9 +21,10 @@ from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_o
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings
-from cocorosim_ros.wire.bags.tracks import RecordedTrack, read_poses
+from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings, readable_topics
+from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses
 from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.topics.topics import robot_topic, split_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
 
 if TYPE_CHECKING:
@@ -61,8 +62,8 @@ class Recording(Shown):
 
     @property
     def robots(self) -> tuple[str, ...]:
-        """The namespaces of all robots that have poses or readings, sorted."""
-        return tuple(sorted({*self.tracks, *self.readings}))
+        """The namespaces of all robots that have topics of poses or readings, sorted; no message is read for it."""
+        return tuple(sorted({split_topic(topic)[0] for topic in (*self._pose_topics(), *readable_topics(self.bag)[0])}))
 
     @cached_property
     def tracks(self) -> Mapping[str, RecordedTrack]:
@@ -150,7 +151,7 @@ class Recording(Shown):
         return data_frame({"stamp_ns": all_stamps, "time": all_stamps / NANOSECONDS, "robot": robots, **rows})
 
     def card(self) -> Card:
-        """What the recording holds, robot by robot."""
+        """What the recording holds, robot by robot, as its own summary says; no message is read for it."""
         summary = self.bag.summary
         facts = {
             "robots": str(len(self.robots)),
@@ -158,12 +159,16 @@ class Recording(Shown):
             "length": f"{(summary.end_ns - summary.start_ns) / NANOSECONDS:.3f} s",
             "digest": self.digest or "-",
         }
+        topics, unread = readable_topics(self.bag)
         rows = []
         for robot in self.robots:
-            poses = len(self.tracks[robot].stamp_ns) if robot in self.tracks else 0
-            topics = ", ".join(self.readings.get(robot, {}))
-            rows.append((robot, str(poses), topics))
-        return Card(f"recording {self.path.name}", facts, ("robot", "poses", "readings"), rows, self.findings)
+            names = [split_topic(topic)[1] for topic in topics if split_topic(topic)[0] == robot]
+            rows.append((robot, str(summary.counts.get(robot_topic(robot, "pose"), 0)), ", ".join(names)))
+        remarks = [*([self.damage] if self.damage else []), *unread]
+        return Card(f"recording {self.path.name}", facts, ("robot", "poses", "readings"), rows, remarks)
+
+    def _pose_topics(self) -> list[str]:
+        return [each.topic for each in self.bag.summary.topics if is_pose(each.topic, each.type_name)]
 
     @cached_property
     def _readings(self) -> tuple[dict[str, dict[str, TopicReadings]], tuple[str, ...]]:

@@ -149,6 +149,18 @@ def test_it_shows_itself(shipped: Path, foreign: Path, parse: Callable[[str], An
     assert "robots 1" in repr(odd)
 
 
+def test_to_look_at_it_reads_no_message(shipped: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What it shows of itself, large recordings too, is what their summary says."""
+    with AnyReader([shipped / "bag"], default_typestore=type_store()) as reader:
+        messages = reader.message_count
+    recording = cocorosim.read_recording(shipped)
+    monkeypatch.setattr(type(recording.bag), "messages", None)
+    assert recording.robots[0] == "lily_01"
+    assert f"messages {messages}," in repr(recording) and "lily_05" in recording._repr_html_()
+    with pytest.raises(TypeError):
+        _ = recording.tracks
+
+
 @pytest.mark.parametrize("name", ["absent", "empty"])
 def test_what_is_no_recording(name: str, tmp_path: Path) -> None:
     """One sentence names the path."""

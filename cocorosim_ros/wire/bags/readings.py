@@ -103,7 +103,7 @@ def read_readings(bag: Bag) -> tuple[dict[str, dict[str, TopicReadings]], list[s
 
     The sentences name topics that have another type than the contract's, and messages that could not be read.
     """
-    wanted, findings = _wanted(bag)
+    wanted, findings = readable_topics(bag)
     messages: dict[str, list[bytes]] = {topic: [] for topic in wanted}
     for message in bag.messages(wanted):
         if message.type_name == ROBOT_TOPICS[split_topic(message.topic)[1]].type_name:
@@ -132,8 +132,8 @@ def topic_readings(robot: str, topic: str, messages: Sequence[bytes]) -> TopicRe
     return _kept(robot, topic, (stamps, values, readable), columns, (layout.unit,) * len(columns))
 
 
-def _wanted(bag: Bag) -> tuple[list[str], list[str]]:
-    """The topics to be read, and a sentence for each that has the name but not the type."""
+def readable_topics(bag: Bag) -> tuple[list[str], list[str]]:
+    """The topics that are read, and a sentence for each that has the name but not the type of one."""
     wanted, findings = [], []
     for recorded in bag.summary.topics:
         name = split_topic(recorded.topic)[1]
