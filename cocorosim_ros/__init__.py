@@ -1,6 +1,6 @@
 """Swarms of underwater robots on ROS 2.
 
-What the commands do, Python does by the names below, without ROS, on paths and arrays:
+What `run --in-process`, `metrics`, `convert`, `diagnose` and `experiment` do, the names below do, without ROS:
 
     import cocorosim_ros as cocorosim
 
@@ -20,7 +20,7 @@ The wings are the flow of the data, and each may import those above it only:
     study         shoaling statistics, many runs at once, calibration, the claims of the paper
     graph         the ROS nodes (the only ones that import rclpy), and the same run in one process
     diagnosis     where a recording and the model differ, and what physics is missing
-    library       the names below: each command's work as a function, its result as a record
+    library       the names below: the work of these commands as functions, the results as records
     commands      the command `cocorosim`
 """
 

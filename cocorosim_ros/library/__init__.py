@@ -1,1 +1,1 @@
-"""What `import cocorosim_ros` gives: the work of each command as a function, and its result as a record."""
+"""What `import cocorosim_ros` gives: the work of the commands as functions, their results as records."""
