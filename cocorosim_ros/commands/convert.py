@@ -7,10 +7,7 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from cocorosim_ros.scenario.reading.config_files import find_config
-from cocorosim_ros.wire.conversion.assembly import Stream
-from cocorosim_ros.wire.conversion.conversion import Converted, convert
-from cocorosim_ros.wire.conversion.map_file import load_map
+from cocorosim_ros.library.convert import ConvertedRecording, TopicExtent, convert
 
 _MOST_SHOWN_IN_FULL = 3
 
@@ -27,30 +24,24 @@ def command(map_file: str, source: Path, out: Path, force: bool) -> None:
     below the folder given with --out.
     """
     console = Console(highlight=False, soft_wrap=True, markup=False)
-    mapped = load_map(find_config("maps", map_file))
     with console.status("reading") as status:
-        done = convert(mapped, source, out, force=force, progress=lambda run: status.update(f"reading {run}"))
-    for converted in done:
-        _show(console, converted, full=len(done) <= _MOST_SHOWN_IN_FULL)
+        done = convert(map_file, source, out, force=force, progress=lambda run: status.update(f"reading {run}"))
+    for made in done.recordings:
+        _show(console, made, full=len(done.recordings) <= _MOST_SHOWN_IN_FULL)
 
 
-def _show(console: Console, converted: Converted, *, full: bool) -> None:
-    conversion = converted.conversion
-    count = sum(len(stream.stamp_ns) for stream in conversion.streams)
-    console.print(f"{converted.folder}: {len(conversion.streams)} topics, {count} messages, digest {converted.digest}")
+def _show(console: Console, made: ConvertedRecording, *, full: bool) -> None:
+    console.print(f"{made.folder}: {len(made.topics)} topics, {made.messages} messages, digest {made.digest}")
     if full:
-        for stream in conversion.streams:
-            console.print(f"  /{stream.robot}/{stream.topic}: {_extent(stream)}")
-    for sentence in conversion.findings:
+        for extent in made.topics:
+            console.print(f"  /{extent.robot}/{extent.topic}: {_words(extent)}")
+    for sentence in made.findings:
         console.print(f"  {sentence}", style="yellow")
 
 
-def _extent(stream: Stream) -> str:
+def _words(extent: TopicExtent) -> str:
     """How many messages, how long, how often, and the longest gap."""
-    stamps = stream.stamp_ns
-    if len(stamps) < 2:
+    if extent.longest_gap is None:
         return "1 message"
-    steps = (stamps[1:] - stamps[:-1]) / 1e9
-    span = (stamps[-1] - stamps[0]) / 1e9
-    rate = f", {(len(stamps) - 1) / span:.4g} Hz" if span > 0 else ""
-    return f"{len(stamps)} messages in {span:.3f} s{rate}, longest gap {steps.max():.3g} s"
+    rate = "" if extent.rate is None else f", {extent.rate:.4g} Hz"
+    return f"{extent.messages} messages in {extent.duration:.3f} s{rate}, longest gap {extent.longest_gap:.3g} s"

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Generator, Iterator
-from contextlib import closing, contextmanager
+from collections.abc import Callable
+from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
-from typing import Any
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
@@ -21,12 +22,14 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
+from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
+
+if TYPE_CHECKING:
+    from cocorosim_ros.study.experiments.design import Cell, Design
 
 FAILED, INTERRUPTED = 1, 130
 _SPEED_OVER = 3600.0  # s; rich's own 30 s hold no two chunks of a long design, and without two it knows no time left
-Going = Callable[[], bool]
-Calculate = Callable[[list[Any], Going], Generator[Any, None, None]]
 # Workers and OpenBLAS would fight for the same processors.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -73,74 +76,63 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     ctx.exit(status)
 
 
-def _run_all(design: Any, options: dict[str, Any], console: Console) -> int:
-    with _calculator(options) as calculate:  # before the folder is made: a scheduler may not answer
-        from cocorosim_ros.study.experiments.store import Store
+def _run_all(design: Design, options: dict[str, Any], console: Console) -> int:
+    from cocorosim_ros.library.design import Watch, run_design
 
-        store = Store(options["out"], design, force=options["force"])
-        began = time.monotonic()
-        missing = _add_missing(store, design, calculate, console)
-    if missing:
-        console.print(f"Interrupted; {design.runs - missing} of {design.runs} runs are kept. The same command goes on.")
+    with _Bar(console, design) as bar:
+        workers = options["dask"] or options["workers"]
+        results = run_design(
+            design, options["out"], workers=workers, force=options["force"], watch=Watch(bar.show, bar.going)
+        )
+    if results.missing:
+        kept = design.runs - results.missing
+        console.print(f"Interrupted; {kept} of {design.runs} runs are kept. The same command goes on.")
         return INTERRUPTED
-    table = store.complete()
-    console.print(f"{store.results}: {table.num_rows} rows, {time.monotonic() - began:.1f} s")
-    _say_what_ran_away(table, design, console)
+    console.print(f"{results.file}: {results.table.num_rows} rows, {time.monotonic() - bar.began:.1f} s")
+    for sentence in results.findings:
+        say(console, sentence, "yellow")
     console.print(f"cocorosim report {options['out']}   shows them")
     return 0
 
 
-def _say_what_ran_away(table: Any, design: Any, console: Console) -> None:
-    from cocorosim_ros.commands.terminal import say
+class _Bar(AbstractContextManager["_Bar"]):
+    """The bar of a design, from when it is known how many runs are there; an interruption is noted from then on."""
 
-    made = list(zip(*(table[column].to_pylist() for column in ("group", "numerics", "ticks")), strict=True))
-    for cell in design.cells:
-        ticks = [ticks for group, numerics, ticks in made if (group, numerics) == (cell.group, cell.numerics)]
-        away = sum(count < cell.scenario.ticks for count in ticks)
-        if away:
-            told = f"{away} of {len(ticks)} runs of the group '{cell.group}', {cell.numerics} numerics, ran away"
-            why = "forces or currents are too strong for the integrator's step. Their rows have no values"
-            say(console, f"{told}: {why}; a shorter step in that group's change would keep them.", "yellow")
+    def __init__(self, console: Console, design: Design) -> None:
+        from cocorosim_ros.commands.interruption import Interruption
 
+        self.began = time.monotonic()
+        self._console, self._design = console, design
+        self._interruption, self._open = Interruption(), ExitStack()
+        self._shown: tuple[Progress, TaskID] | None = None
+        self._done = 0
 
-def _add_missing(store: Any, design: Any, calculate: Calculate, console: Console) -> int:
-    """Calculate what is not there yet; how many runs are missing in the end, more than none after an interruption."""
-    from cocorosim_ros.commands.interruption import Interruption
-    from cocorosim_ros.study.experiments.rows import chunks
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._open.close()
 
-    left = list(chunks(design, store.done()))
-    missing = sum(chunk.count for chunk in left)
-    if missing < design.runs:
-        console.print(f"{design.runs - missing} of {design.runs} runs are there already")
-    bar, task = new_bar(console, design.name, design.runs, design.runs - missing)
-    with Interruption() as interruption, bar:
-        with closing(calculate(left, lambda: not interruption.happened)) as tables:
-            for rows in tables:
-                store.add(rows)
-                bar.advance(task, rows.num_rows)
-                missing -= rows.num_rows
-    return missing
+    def going(self) -> bool:
+        """Whether nobody has interrupted it."""
+        return not self._interruption.happened
 
+    def show(self, done: int, runs: int) -> None:
+        """Show that so many of all runs are there."""
+        if self._shown is None:
+            self._shown = self._begin(done, runs)
+        else:
+            bar, task = self._shown
+            bar.advance(task, done - self._done)
+        self._done = done
 
-@contextmanager
-def _calculator(options: dict[str, Any]) -> Iterator[Calculate]:
-    """What calculates chunks, in this process, in several or on a cluster."""
-    if options["dask"]:
-        from cocorosim_ros.study.experiments.on_dask import connected, run_on_dask
-
-        with connected(options["dask"]) as client:
-            yield lambda left, going: run_on_dask(left, client, going)
-    else:
-        yield lambda left, going: _calculated_here(left, options["workers"], going)
-
-
-def _calculated_here(left: list[Any], asked: int | None, going: Going) -> Generator[Any, None, None]:
-    from cocorosim_ros.study.experiments import execution
-
-    workers = min(asked or execution.usual_workers(), len(left))
-    if workers <= 1:
-        return execution.run_here(left, going)
-    return execution.run_in_processes(left, workers, going)
+    def _begin(self, done: int, runs: int) -> tuple[Progress, TaskID]:
+        self.began = time.monotonic()
+        if done:
+            self._console.print(f"{done} of {runs} runs are there already")
+        bar, task = new_bar(self._console, self._design.name, runs, done)
+        self._open.enter_context(self._interruption)
+        self._open.enter_context(bar)
+        return bar, task
 
 
 def new_bar(
@@ -165,7 +157,7 @@ def new_bar(
     return bar, task
 
 
-def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
+def _record_row(design: Design, options: dict[str, Any], console: Console) -> int:
     """One run of the design again, with its bag, statistics and picture."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.commands.progress import RunProgress
@@ -173,15 +165,13 @@ def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
     from cocorosim_ros.commands.run_modes import Outcome
     from cocorosim_ros.commands.show_results import show_results
     from cocorosim_ros.graph.runs.in_process import run_in_process
-    from cocorosim_ros.graph.runs.results import recording_metadata
-    from cocorosim_ros.graph.runs.run_record import RunRecord
-    from cocorosim_ros.wire.topics.body import describe_body
+    from cocorosim_ros.library.record import new_record
 
     cell, replicate = _run_of_row(design, options, console)
     scenario = cell.scenario
     folder = prepare_folder(options["out"], force=options["force"])
-    metadata = {**recording_metadata(scenario), "run": str(replicate), "group": cell.group, "numerics": cell.numerics}
-    record = RunRecord(folder / "bag", [describe_body(robot) for robot in scenario.robots], metadata)
+    made_by = {"run": str(replicate), "group": cell.group, "numerics": cell.numerics}
+    record = new_record(scenario, folder / "bag", made_by=made_by)
     start = time.monotonic()
     console.print(f"row {options['row']}: group {cell.group}, {cell.numerics} numerics, replicate {replicate}")
     with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
@@ -196,9 +186,8 @@ def _record_row(design: Any, options: dict[str, Any], console: Console) -> int:
     return INTERRUPTED if outcome.interrupted else 0
 
 
-def _run_of_row(design: Any, options: dict[str, Any], console: Console) -> tuple[Any, int]:
+def _run_of_row(design: Design, options: dict[str, Any], console: Console) -> tuple[Cell, int]:
     """The cell and the replicate of a row of the table that the options tell."""
-    from cocorosim_ros.commands.terminal import say
     from cocorosim_ros.study.experiments.code_version import version
     from cocorosim_ros.study.experiments.table_row import row_of_table
 
@@ -207,7 +196,7 @@ def _run_of_row(design: Any, options: dict[str, Any], console: Console) -> tuple
         if options["replicates"] is None:
             told = f"Row {row} of a table with the design's own {design.replicates} runs in each group"
             say(console, f"{told}; name the folder of another one with --results.", "yellow")
-        return design.cell_of_row(row)  # type: ignore[no-any-return]
+        return design.cell_of_row(row)
     if options["replicates"] is not None or options["groups"] or options["numerics"]:
         raise CocorosimError("The table of --results tells its own; leave out --replicates, --group and --numerics.")
     found = row_of_table(design, folder, row)

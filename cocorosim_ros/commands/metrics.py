@@ -10,10 +10,11 @@ from rich.console import Console
 from cocorosim_ros.commands.show_results import metrics_table
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.graph.runs.results import draw_picture, measure_recording, summary_of, write_json
+from cocorosim_ros.graph.runs.results import write_json
+from cocorosim_ros.library.recording import read_recording
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
-from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
 
 
 @click.command("metrics", short_help="shoaling statistics of any recording that has poses")
@@ -34,19 +35,21 @@ def command(
     console = Console()
     for file in (json_file, picture):
         check_file(file, force=force)
-    opened = read_bag(bag)
-    tracks, samples, monitor = measure_recording(opened, _nanoseconds(interval))
-    summary = summary_of(opened, samples, monitor)
-    show_table(console, metrics_table(summary, paper_only=not all_metrics))
-    for sentence in summary["findings"]:
+    recording = read_recording(bag)
+    statistics = recording.measure(_seconds(interval))
+    show_table(console, metrics_table(statistics, paper_only=not all_metrics))
+    for sentence in statistics.findings:
         say(console, sentence, "yellow")
     if json_file is not None:
-        write_json(json_file, summary)
+        write_json(json_file, statistics.tree())
         say(console, f"wrote {json_file}")
     if picture is not None:
-        draw_picture(picture, opened, tracks, monitor)
+        recording.draw(picture, statistics, force=True)  # whether it may be written was asked before the work
         say(console, f"wrote {picture}")
 
 
-def _nanoseconds(interval: str | None) -> int | None:
-    return None if interval is None else read_nanoseconds(Entry(interval, "the command line", 0, "--interval"))
+def _seconds(interval: str | None) -> float | None:
+    """The time that was typed."""
+    if interval is None:
+        return None
+    return read_nanoseconds(Entry(interval, "the command line", 0, "--interval")) / NANOSECONDS

@@ -20,8 +20,8 @@ from cocorosim_ros.commands.run_modes import (
 )
 from cocorosim_ros.commands.show_results import show_results
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.library.scenario import load_scenario
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
 
 FAILED, INTERRUPTED = 1, 130

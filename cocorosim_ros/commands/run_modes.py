@@ -134,12 +134,9 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
     """The same ticks and the same bag, without ROS."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.graph.runs.in_process import run_in_process
-    from cocorosim_ros.graph.runs.results import recording_metadata
-    from cocorosim_ros.graph.runs.run_record import RunRecord
+    from cocorosim_ros.library.record import new_record
 
-    bodies = [describe_body(robot) for robot in scenario.robots]
-    selection = scenario.recording.topics
-    record = RunRecord(folder / "bag", bodies, recording_metadata(scenario), selection=selection)
+    record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
     start = time.monotonic()
     with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from rich.console import Console
 from rich.markup import escape
@@ -11,9 +10,10 @@ from rich.table import Table
 
 from cocorosim_ros.commands.run_modes import Outcome
 from cocorosim_ros.commands.terminal import say, show_table
-from cocorosim_ros.graph.runs.results import draw_picture, measure_recording, summary_of, write_json
+from cocorosim_ros.graph.runs.results import write_json
+from cocorosim_ros.library.recording import read_recording
+from cocorosim_ros.library.shoal_statistics import ShoalStatistics
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 
 def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Outcome) -> None:
@@ -21,16 +21,15 @@ def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Ou
     if outcome.ticks == 0:
         say(console, f"Not a single tick was run; {folder} holds what there is.")
         return
-    bag = read_bag(folder / "bag")
-    tracks, samples, monitor = measure_recording(bag)
-    summary = summary_of(bag, samples, monitor)
-    write_json(folder / "metrics.json", summary)
-    draw_picture(folder / "shoal.png", bag, tracks, monitor)
-    show_table(console, metrics_table(summary, paper_only=True))
-    for sentence in summary["findings"]:
+    recording = read_recording(folder / "bag")
+    statistics = recording.measure()
+    write_json(folder / "metrics.json", statistics.tree())
+    recording.draw(folder / "shoal.png", statistics, force=True)
+    show_table(console, metrics_table(statistics, paper_only=True))
+    for sentence in statistics.findings:
         say(console, sentence, "yellow")
     say(console, _pace(scenario, outcome))
-    say(console, f"digest {bag_digest(summary)}")
+    say(console, f"digest {statistics.digest or 'unknown'}")
     say(console, f"{folder}: bag, metrics.json, shoal.png")
 
 
@@ -42,17 +41,12 @@ def _pace(scenario: Scenario, outcome: Outcome) -> str:
     return words + (" (interrupted)" if outcome.interrupted else "")
 
 
-def bag_digest(summary: dict[str, Any]) -> str:
-    """The recording's digest."""
-    return str(summary["digest"] or "unknown")
-
-
-def metrics_table(summary: dict[str, Any], *, paper_only: bool) -> Table:
+def metrics_table(statistics: ShoalStatistics, *, paper_only: bool) -> Table:
     """The statistics of a recording as a table; numbers have four significant digits."""
-    table = Table(title=f"shoaling statistics of {escape(summary['recording'])}", title_justify="left")
+    table = Table(title=f"shoaling statistics of {escape(statistics.name)}", title_justify="left")
     for heading in ("metric", "value", "unit", "mean", "median", "value is the"):
         table.add_column(heading, justify="right" if heading in ("value", "mean", "median") else "left")
-    for name, entry in summary["metrics"].items():
+    for name, entry in statistics.summary["metrics"].items():
         if entry["paper"] or not paper_only:
             numbers = [_digits(entry[key]) for key in ("value", "mean", "median")]
             table.add_row(name, numbers[0], entry["unit"], *numbers[1:], entry["summarised_by"])

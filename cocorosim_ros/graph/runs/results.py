@@ -14,12 +14,9 @@ from cocorosim_ros import __version__
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples, sample_tracks
-from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
-from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.bags.tracks import read_poses
+from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
 from cocorosim_ros.world.state.pose_track import PoseTrack
@@ -44,18 +41,6 @@ def recording_metadata(scenario: Scenario) -> dict[str, str]:
     }
 
 
-def measure_recording(
-    bag: Bag | Path, interval_ns: int | None = None
-) -> tuple[dict[str, PoseTrack], SampledTracks, ShoalMonitor]:
-    """Tracks, common moments and statistics of any recording that has poses. Raises CocorosimError if it has none."""
-    opened = bag if isinstance(bag, Bag) else read_bag(bag)
-    tracks: dict[str, PoseTrack] = dict(read_poses(opened))
-    if not any(track.stamp_ns.size for track in tracks.values()):
-        raise CocorosimError(no_poses(opened, list(tracks)))
-    samples = sample_tracks(tracks, interval_ns)
-    return tracks, samples, measure_samples(samples)
-
-
 def no_poses(bag: Bag, robots: list[str]) -> str:
     """The sentence for a recording that has no usable poses of `robots`, those that have a topic for them."""
     others = [f"{topic} ({type_name})" for topic, type_name in bag.summary.types.items()]
@@ -71,21 +56,6 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
     )
 
 
-def summary_of(bag: Bag, samples: SampledTracks, monitor: ShoalMonitor) -> dict[str, Any]:
-    """The statistics of a recording and what was found on the way, ready for JSON."""
-    summary = monitor.summary()
-    damage = [bag.summary.damage] if bag.summary.damage else []
-    return {
-        "recording": bag.path.resolve().name,
-        "digest": bag.summary.metadata.get("cocorosim", {}).get("digest"),
-        "robots": list(samples.names),
-        "start_ns": int(samples.stamp_ns[0]),
-        "end_ns": int(samples.stamp_ns[-1]),
-        "findings": [*damage, *samples.findings, *summary["notes"]],
-        **{key: value for key, value in summary.items() if key not in ("robots", "notes")},
-    }
-
-
 def write_json(path: Path, content: dict[str, Any]) -> None:
     """Write `content` as indented JSON; NaN cannot occur in it. Raises CocorosimError if there is no room."""
     text = json.dumps(content, indent=2, allow_nan=False) + "\n"
@@ -99,10 +69,9 @@ def write_json(path: Path, content: dict[str, Any]) -> None:
         raise CocorosimError(f"{path} cannot be written: {error.strerror}; choose another place.") from error
 
 
-def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, PoseTrack], monitor: ShoalMonitor) -> None:
+def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, PoseTrack], series: MetricSeries) -> None:
     """The run's picture; the tank's walls are drawn where the recording knows its scenario."""
-    facts = scenario_facts(bag)
-    draw_shoal(path, tracks, MetricSeries(monitor.stamps_ns, monitor.series), facts, force=True)
+    draw_shoal(path, tracks, series, scenario_facts(bag), force=True)
 
 
 def scenario_facts(bag: Bag) -> ScenarioFacts:

@@ -45,16 +45,17 @@ def read_poses(bag: Bag | Path | str) -> dict[str, RecordedTrack]:
     Robots are the topics NAMESPACE/pose of type geometry_msgs/PoseStamped, at any depth of namespace.
     """
     opened = bag if isinstance(bag, Bag) else read_bag(bag)
-    topics = [
-        topic.topic
-        for topic in opened.summary.topics
-        if topic.type_name == POSE.type_name and split_topic(topic.topic)[1] == POSE.name
-    ]
+    topics = [topic.topic for topic in opened.summary.topics if is_pose(topic.topic, topic.type_name)]
     recorded: dict[str, list[bytes]] = {topic: [] for topic in topics}
     for message in opened.messages(topics):
         if message.type_name == POSE.type_name:
             recorded[message.topic].append(message.data)
     return {split_topic(topic)[0]: pose_track(recorded[topic]) for topic in sorted(topics)}
+
+
+def is_pose(topic: str, type_name: str) -> bool:
+    """Whether a topic holds the poses of a robot."""
+    return type_name == POSE.type_name and split_topic(topic)[1] == POSE.name
 
 
 def pose_track(messages: Sequence[bytes]) -> RecordedTrack:

@@ -10,8 +10,8 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers.plain.plain_controller import PlainController, plain_of
 from cocorosim_ros.world.controllers.request import REQUEST_SIZE
-from cocorosim_ros.world.tick.perception import Perception
 from cocorosim_ros.world.tick.deciding import observe_plainly
+from cocorosim_ros.world.tick.perception import Perception
 
 
 class PlainCrew:

@@ -1,0 +1,68 @@
+"""Where recordings and the model of a platform disagree, why, and a model that does not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from os import PathLike, fspath
+from pathlib import Path
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.library.diagnosis_result import DiagnosisResult
+from cocorosim_ros.library.recording import Recording
+from cocorosim_ros.library.scenario import Place
+from cocorosim_ros.scenario.parts.known_effects import knowing
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+
+Source = Place | Recording
+Progress = Callable[[str, float], None]
+
+
+def diagnose(
+    bags: Source | Sequence[Source],
+    platform: Place | Platform,
+    *,
+    known: Place | Platform | None = None,
+    out: Place | None = None,
+    force: bool = False,
+    progress: Progress = lambda words, share: None,
+) -> DiagnosisResult:
+    """Compare recordings of robots of one platform with what the simulator makes of the commands.
+
+    bags: one recording or several, as paths or as records of `read_recording`. platform: a name in config/platforms, a
+    file (a model.yaml too), or a record of `load_platform`. known: a platform whose effects, axes and units are taken
+    as given. out: folder for the files, written as `save` does; whether it may be written is asked first.
+    progress(words, share): told what is being done, and the share (0..1) that is done.
+
+    Returns verdict, effects with intervals, moved numbers, and the texts of all files. Raises CocorosimError if the
+    folder holds a diagnosis already (without `force`), or a recording or platform cannot be used; one that merely says
+    too little gets the verdict 'insufficient'. Takes from seconds to minutes, the first time a minute more.
+
+    Example: `diagnose("tank_bag", "lily").to_frame()`.
+    """
+    from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
+    from cocorosim_ros.diagnosis.report.output_folder import check_folder
+
+    if out is not None:
+        check_folder(Path(fspath(out)), force=force)
+    model = _platform(platform) if known is None else knowing(_platform(platform), _platform(known))
+    progress("reading", 0.0)
+    evidence = gather_evidence(_paths(bags), model)
+    # Loaded here: recordings that cannot be used are refused before the filter is.
+    from cocorosim_ros.diagnosis.diagnose import diagnose as diagnose_evidence
+
+    result = DiagnosisResult(diagnose_evidence(evidence, progress), evidence)
+    if out is not None:
+        progress("writing", 1.0)
+        result.save(out, force=force)
+    return result
+
+
+def _platform(platform: Place | Platform) -> Platform:
+    return platform if isinstance(platform, Platform) else load_platform(fspath(platform))
+
+
+def _paths(bags: Source | Sequence[Source]) -> list[Path]:
+    several = [bags] if isinstance(bags, str | PathLike | Recording) else list(bags)
+    if not several:
+        raise CocorosimError("There is no recording to diagnose; give one at least.")
+    return [bag.path if isinstance(bag, Recording) else Path(fspath(bag)) for bag in several]

@@ -1,0 +1,168 @@
+"""What a diagnosis has found, as a record: verdict, numbers, and the texts of the files about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from os import fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated, Verdict
+from cocorosim_ros.library.card import Card, Shown
+from cocorosim_ros.library.frame import data_frame
+from cocorosim_ros.library.scenario import Place
+from cocorosim_ros.scenario.parts.platform import Platform
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+
+JSON, MODEL, REPORT, NEXT = "diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class DiagnosisResult(Shown):
+    """What a diagnosis has found, and the files that `cocorosim diagnose` writes about it."""
+
+    diagnosis: Diagnosis
+    """Everything that was found, typed: also what is located, screened and left over."""
+    evidence: Evidence
+    """What was taken from the recordings, and the platform that was diagnosed."""
+
+    @property
+    def verdict(self) -> Verdict:
+        """'consistent', 'recalibrate', 'mismatch' or 'insufficient'."""
+        return self.diagnosis.verdict
+
+    @property
+    def sentence(self) -> str:
+        """The finding as an engineer would say it."""
+        return self.diagnosis.sentence
+
+    @property
+    def effects(self) -> tuple[FoundEffect, ...]:
+        """What the model lacked: identifier, equation, robots, numbers with 95 % intervals, nats, rivals."""
+        return self.diagnosis.effects
+
+    @property
+    def recalibrated(self) -> tuple[Recalibrated, ...]:
+        """The platform's numbers that have moved, with 95 % intervals."""
+        return self.diagnosis.recalibrated
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What was odd about the recordings, in sentences."""
+        return self.diagnosis.remarks
+
+    @cached_property
+    def tree(self) -> dict[str, Any]:
+        """The content of diagnosis.json: nested plain values."""
+        from cocorosim_ros.diagnosis.report.json_file import diagnosis_tree
+
+        return diagnosis_tree(self.diagnosis)
+
+    @property
+    def model_yaml(self) -> str:
+        """The text of model.yaml: the platform with the fitted numbers and the missing effects."""
+        return self.files[MODEL]
+
+    @property
+    def report_html(self) -> str:
+        """The text of report.html, a page that needs no other file."""
+        return self.files[REPORT]
+
+    @property
+    def next_manoeuvre_yaml(self) -> str | None:
+        """The text of next_manoeuvre.yaml: a scenario that drives what would show more; None if there is none."""
+        return self.files.get(NEXT)
+
+    @cached_property
+    def files(self) -> Mapping[str, str]:
+        """The texts of all files by name; made when asked for first, which draws the report's figures."""
+        return _texts(self.diagnosis, self.evidence)
+
+    def save(self, folder: Place, *, force: bool = False) -> Path:
+        """Write all files into a folder, which is made if need be; they appear together or not at all.
+
+        Returns the folder. Raises CocorosimError if it holds a diagnosis already (without `force`), is a file, or
+        cannot be written.
+        """
+        from cocorosim_ros.diagnosis.report.output_folder import check_folder, write_folder
+
+        place = Path(fspath(folder))
+        check_folder(place, force=force)
+        write_folder(place, self.files)
+        return place
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a number that was found.
+
+        Columns: `kind` (effect or recalibrated), id, robots, parameter, value, its 95 % interval low and high, unit;
+        tier and nats, of effects alone.
+        """
+        names = ("kind", "id", "robots", "parameter", "value", "low", "high", "unit", "tier", "nats")
+        rows = list(self._numbers())
+        return data_frame({name: [row[place] for row in rows] for place, name in enumerate(names)})
+
+    def card(self) -> Card:
+        """The sentence, and the numbers of what was found."""
+        from cocorosim_ros.diagnosis.report.number_text import estimate_words
+
+        facts = {"verdict": self.verdict, "recordings": str(len(self.evidence.recordings)), "finding": self.sentence}
+        rows = [
+            (found.id, ", ".join(found.robots), name, *estimate_words(estimate))
+            for found in self.effects
+            for name, estimate in found.parameters.items()
+        ]
+        rows += [
+            ("recalibrated", ", ".join(found.robots), found.parameter, *estimate_words(found.estimate))
+            for found in self.recalibrated
+        ]
+        headings = ("effect", "robots", "parameter", "value", "95 % interval")
+        return Card(f"diagnosis of {self.evidence.platform.name}", facts, headings, rows, self.remarks)
+
+    def _numbers(self) -> Iterator[tuple[Any, ...]]:
+        for found in self.effects:
+            for name, estimate in found.parameters.items():
+                beside = (found.tier, found.nats)
+                yield "effect", found.id, ", ".join(found.robots), name, *_interval(estimate), *beside
+        for moved in self.recalibrated:
+            who = ", ".join(moved.robots)
+            yield "recalibrated", moved.parameter, who, moved.parameter, *_interval(moved.estimate), None, float("nan")
+
+
+def _interval(estimate: Estimate) -> tuple[float, float, float, str]:
+    return estimate.value, estimate.low, estimate.high, estimate.unit
+
+
+def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
+    """The files by name."""
+    from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
+    from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
+    from cocorosim_ros.diagnosis.report.report import render_report
+
+    recordings = tuple(recording.origin for recording in evidence.recordings)
+    recorded = [robot.name for recording in evidence.recordings for robot in recording.robots]
+    # Robots that could not be fitted at all say nothing about what the others have in common.
+    fitted = [robot for found in diagnosis.all_recalibrated for robot in found.robots]
+    robots = dict.fromkeys(fitted or recorded)
+    duration = max(recording.duration for recording in evidence.recordings)
+    origin = Origin(evidence.platform, recordings, tuple(robots), duration)
+    return {
+        **_next_manoeuvre(diagnosis, evidence.platform),
+        JSON: diagnosis_json(diagnosis),
+        MODEL: model_yaml(diagnosis, origin),
+        REPORT: render_report(diagnosis, origin),
+    }
+
+
+def _next_manoeuvre(diagnosis: Diagnosis, platform: Platform) -> dict[str, str]:
+    """The first of the advised manoeuvres as a scenario, where there is one that the platform can be driven through."""
+    from cocorosim_ros.diagnosis.report.manoeuvre_scenario import can_be_driven, scenario_of
+
+    if not diagnosis.manoeuvres or not can_be_driven(platform):
+        return {}
+    return {NEXT: scenario_of(diagnosis.manoeuvres[0], platform, MODEL)}

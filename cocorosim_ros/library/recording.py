@@ -1,0 +1,203 @@
+"""A recording as arrays: the robots' tracks, their readings and commands, and what made it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from os import fspath
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.library.card import Card, Shown
+from cocorosim_ros.library.frame import data_frame
+from cocorosim_ros.library.scenario import Place, Time, nanoseconds
+from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
+from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.study.metrics.from_tracks import sample_tracks
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings, readable_topics
+from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses
+from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.topics.topics import robot_topic, split_topic
+from cocorosim_ros.world.checks.loading import parse_scenario
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+MADE_FROM = "cocorosim"  # the record of a bag's metadata that says what made it
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording(Shown):
+    """What a recording holds of its robots. Its messages are read when something of them is asked for first."""
+
+    bag: Bag
+    """The open recording, for its raw messages."""
+
+    @property
+    def path(self) -> Path:
+        """Where it lies."""
+        return self.bag.path
+
+    @property
+    def damage(self) -> str:
+        """What is missing or broken, in a sentence; empty if nothing is."""
+        return self.bag.summary.damage
+
+    @property
+    def metadata(self) -> Mapping[str, str]:
+        """What made it, as written: digest, seed, versions, the scenario's text; empty for recordings of others."""
+        return self.bag.summary.metadata.get(MADE_FROM, {})
+
+    @property
+    def digest(self) -> str | None:
+        """The digest that it was closed with; None where it has none."""
+        return self.metadata.get("digest")
+
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """The namespaces of all robots that have topics of poses or readings, sorted; no message is read for it."""
+        return tuple(sorted({split_topic(topic)[0] for topic in (*self._pose_topics(), *readable_topics(self.bag)[0])}))
+
+    @cached_property
+    def tracks(self) -> Mapping[str, RecordedTrack]:
+        """The poses of each robot by its namespace, each stamp once, sorted by stamp.
+
+        Of a track: `stamp_ns` (n,) [ns], `time` (n,) [s] since its first pose, `position` (n, 3) [m; world], `yaw` (n,)
+        [rad; world, -pi..pi], and how many poses were left out. Robots are the topics NAMESPACE/pose of type
+        geometry_msgs/msg/PoseStamped.
+        """
+        return read_poses(self.bag)
+
+    @property
+    def readings(self) -> Mapping[str, Mapping[str, TopicReadings]]:
+        """By robot and topic what was measured and commanded, as it was recorded.
+
+        Topics: compass, pressure, imu, velocity, blss, illuminance, concentration, thruster_command. Of each:
+        `stamp_ns` (n,) [ns], `time` (n,) [s], `columns`, their `units`, and `values` (n, columns).
+        """
+        return self._readings[0]
+
+    @cached_property
+    def scenario(self) -> Scenario | None:
+        """The scenario that the recording was made from; None where it tells none.
+
+        Raises CocorosimError if this version cannot read it.
+        """
+        text = self.metadata.get("scenario")
+        return None if text is None else parse_scenario(text, str(self.path))
+
+    @property
+    def findings(self) -> tuple[str, ...]:
+        """Damage, topics of another type than the contract's, messages that could not be read; in sentences."""
+        return (*([self.damage] if self.damage else []), *self._readings[1])
+
+    def measure(self, interval: Time | None = None) -> ShoalStatistics:
+        """The shoaling statistics, as `cocorosim metrics` gives them.
+
+        interval: measure every so often, such as '0.5 s' or 0.5 [s], by interpolation; left out, at the robots' own
+        stamps if they share them, else at the median interval of their poses. Raises CocorosimError if the recording
+        has no poses, or the interval is no time.
+        """
+        every = None if interval is None else nanoseconds(interval, "interval")
+        if not any(track.stamp_ns.size for track in self.tracks.values()):
+            from cocorosim_ros.graph.runs.results import no_poses
+
+            raise CocorosimError(no_poses(self.bag, list(self.tracks)))
+        damage = [self.damage] if self.damage else []
+        return statistics_of(sample_tracks(self.tracks, every), self.path.resolve().name, self.digest, damage)
+
+    def draw(self, out: Place, statistics: ShoalStatistics | None = None, *, force: bool = False) -> Path:
+        """Draw tracks and statistics into a PNG file; returns its path.
+
+        statistics: what `measure` gave, if it has been asked already. Raises CocorosimError if there are no poses, or
+        if the file exists (without `force`) or cannot be written.
+        """
+        from cocorosim_ros.graph.runs.results import draw_picture
+        from cocorosim_ros.study.pictures.facts import MetricSeries
+
+        file = Path(fspath(out))
+        check_file(file, force=force)
+        measured = statistics or self.measure()
+        draw_picture(file, self.bag, self.tracks, MetricSeries(measured.stamp_ns, measured.series))
+        return file
+
+    def to_frame(self, topic: str = "pose") -> pd.DataFrame:
+        """One row a message of `topic`: stamp_ns [ns], time [s], robot, then its columns in their units.
+
+        topic: 'pose' (x, y, z [m], yaw [rad]; world) or one of `readings`. Rows of a robot that lacks a column have NaN
+        there. Raises CocorosimError for a topic that is none of these.
+        """
+        if topic != "pose" and topic not in READABLE:
+            raise CocorosimError(f"There is no topic '{topic}' of numbers; choose from pose, {', '.join(READABLE)}.")
+        parts = [self._columns(robot, topic) for robot in self.robots]
+        names = tuple(dict.fromkeys(name for _, columns in parts for name in columns))
+        stamps = [stamp_ns for stamp_ns, _ in parts]
+        robots = np.repeat(np.array(self.robots, dtype=object), [len(stamp_ns) for stamp_ns in stamps])
+        missing = [np.full(len(stamp_ns), np.nan) for stamp_ns in stamps]
+        all_stamps = np.concatenate([np.empty(0, np.int64), *stamps])
+        rows = {
+            name: np.concatenate(
+                [np.empty(0), *(part[1].get(name, blank) for part, blank in zip(parts, missing, strict=True))]
+            )
+            for name in names
+        }
+        return data_frame({"stamp_ns": all_stamps, "time": all_stamps / NANOSECONDS, "robot": robots, **rows})
+
+    def card(self) -> Card:
+        """What the recording holds, robot by robot, as its own summary says; no message is read for it."""
+        summary = self.bag.summary
+        facts = {
+            "robots": str(len(self.robots)),
+            "messages": str(summary.message_count),
+            "length": f"{(summary.end_ns - summary.start_ns) / NANOSECONDS:.3f} s",
+            "digest": self.digest or "-",
+        }
+        topics, unread = readable_topics(self.bag)
+        rows = []
+        for robot in self.robots:
+            names = [split_topic(topic)[1] for topic in topics if split_topic(topic)[0] == robot]
+            rows.append((robot, str(summary.counts.get(robot_topic(robot, "pose"), 0)), ", ".join(names)))
+        remarks = [*([self.damage] if self.damage else []), *unread]
+        return Card(f"recording {self.path.name}", facts, ("robot", "poses", "readings"), rows, remarks)
+
+    def _pose_topics(self) -> list[str]:
+        return [each.topic for each in self.bag.summary.topics if is_pose(each.topic, each.type_name)]
+
+    @cached_property
+    def _readings(self) -> tuple[dict[str, dict[str, TopicReadings]], tuple[str, ...]]:
+        readings, findings = read_readings(self.bag)
+        return readings, tuple(findings)
+
+    def _columns(self, robot: str, topic: str) -> tuple[Integers, dict[str, Floats]]:
+        """Stamps (n,) [ns] and columns (n,) of one topic of one robot."""
+        if topic == "pose":
+            track = self.tracks.get(robot)
+            if track is None:
+                return np.empty(0, np.int64), {}
+            places = {name: track.position[:, place] for place, name in enumerate("xyz")}
+            return track.stamp_ns, {**places, "yaw": track.yaw}
+        found = self.readings.get(robot, {}).get(topic)
+        if found is None:
+            return np.empty(0, np.int64), {}
+        return found.stamp_ns, {name: found.column(name) for name in found.columns}
+
+
+def read_recording(path: Place) -> Recording:
+    """Open a recording: a rosbag2 folder with MCAP files, one .mcap file, or the folder of a run.
+
+    Damaged and unfinished ones are read as far as they go; `damage` says what is missing. Recordings of others in MCAP
+    do as well, as far as their topics are those of the contract; `convert` brings in the rest.
+
+    Returns a record whose messages are read when they are asked for. Raises CocorosimError if there is no recording at
+    the path, or nothing of it can be read.
+
+    Example: `read_recording("runs/demo").tracks["lily_01"].position` is (n, 3) [m; world].
+    """
+    return Recording(read_bag(Path(fspath(path))))

@@ -1,0 +1,175 @@
+"""What a recording's robots measured and what was asked of their actuators, topic by topic, as rows of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.wire.bags.bag_reader import Bag
+from cocorosim_ros.wire.bags.stamped_numbers import read_stamped_numbers
+from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.type_store import deserialize
+from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
+
+Named = dict[str, float]
+
+
+@dataclass(frozen=True)
+class TopicReadings:
+    """n messages of one topic of one robot, in recorded order, as they were recorded: nothing is sorted or repaired."""
+
+    robot: str
+    topic: str
+    stamp_ns: Integers
+    """(n,) moment of each measurement by its header [ns]."""
+    columns: tuple[str, ...]
+    units: tuple[str, ...]
+    """Of each column; "1" for none."""
+    values: Floats
+    """(n, columns), NaN where a message does not have the column."""
+    unreadable: int
+    """How many messages were left out because their bytes are not of the topic's type."""
+
+    @property
+    def time(self) -> Floats:
+        """(n,) [s] by the header stamps, from the same zero for all topics of a recording."""
+        return np.asarray(self.stamp_ns / NANOSECONDS)
+
+    def column(self, name: str) -> Floats:
+        """(n,) the values of one column, in its unit. Raises CocorosimError if there is none of that name."""
+        if name not in self.columns:
+            known = ", ".join(self.columns) or "none"
+            raise CocorosimError(f"{self.robot}/{self.topic} has no column '{name}'; its columns are: {known}.")
+        return np.asarray(self.values[:, self.columns.index(name)])
+
+
+@dataclass(frozen=True)
+class _Numbers:
+    """A type that is a header and float64 numbers: how many there are, and which of them are shown."""
+
+    count: int
+    shown: Mapping[str, tuple[int, str]]  # column: its place among the numbers, its unit
+
+
+@dataclass(frozen=True)
+class _Elements:
+    """A type that is a header and a list of named elements."""
+
+    read: Callable[[Any], Named]
+    unit: str
+
+
+def _with_variance(name: str, unit: str) -> _Numbers:
+    squared = f"({unit})^2" if "/" in unit else f"{unit}^2"
+    return _Numbers(2, {name: (0, unit), "variance": (1, squared)})
+
+
+def _commands(message: Any) -> Named:
+    return dict(zip(message.name, message.command.tolist(), strict=True))
+
+
+def _ranges(message: Any) -> Named:
+    ranges = ("neighbour_range", "obstacle_range")
+    return {f"{part.sensor}.{name}": getattr(part, name) for part in message.readings for name in ranges}
+
+
+# An Imu is orientation (4), its covariance (9), angular rate (3), its covariance (9), specific force (3), covariance.
+_IMU = {f"angular_rate_{axis}": (13 + place, "rad/s") for place, axis in enumerate("xyz")} | {
+    f"specific_force_{axis}": (25 + place, "m/s^2") for place, axis in enumerate("xyz")
+}
+_VELOCITY = {name: (place, "m/s") for place, name in enumerate("uvw")} | {
+    name: (3 + place, "rad/s") for place, name in enumerate("pqr")
+}
+READABLE: dict[str, _Numbers | _Elements] = {
+    "compass": _with_variance("heading", "rad"),
+    "pressure": _with_variance("pressure", "Pa"),
+    "imu": _Numbers(37, _IMU),
+    "velocity": _Numbers(6, _VELOCITY),
+    "blss": _Elements(_ranges, "m"),
+    "illuminance": _with_variance("illuminance", "lx"),
+    "concentration": _with_variance("concentration", "kg/m^3"),
+    "thruster_command": _Elements(_commands, "1"),
+}
+"""The topics that are numbers, by name."""
+
+
+def read_readings(bag: Bag) -> tuple[dict[str, dict[str, TopicReadings]], list[str]]:
+    """The readings of every robot by namespace (lily_01, tank/lily_01), sorted, then by topic; what is not read.
+
+    The sentences name topics that have another type than the contract's, and messages that could not be read.
+    """
+    wanted, findings = readable_topics(bag)
+    messages: dict[str, list[bytes]] = {topic: [] for topic in wanted}
+    for message in bag.messages(wanted):
+        if message.type_name == ROBOT_TOPICS[split_topic(message.topic)[1]].type_name:
+            messages[message.topic].append(message.data)
+    found: dict[str, dict[str, TopicReadings]] = {}
+    for topic in sorted(wanted):
+        robot, name = split_topic(topic)
+        readings = topic_readings(robot, name, messages[topic])
+        found.setdefault(robot, {})[name] = readings
+        if readings.unreadable:
+            findings.append(f"{topic}: {readings.unreadable} of {len(messages[topic])} messages could not be read.")
+    return found, findings
+
+
+def topic_readings(robot: str, topic: str, messages: Sequence[bytes]) -> TopicReadings:
+    """The readings in the CDR bytes of the messages of one topic, a name in READABLE."""
+    layout = READABLE[topic]
+    if isinstance(layout, _Numbers):
+        read = read_stamped_numbers(messages, layout.count)
+        places = [place for place, _ in layout.shown.values()]
+        units = tuple(unit for _, unit in layout.shown.values())
+        return _kept(robot, topic, (read.stamp_ns, read.numbers[:, places], read.readable), tuple(layout.shown), units)
+    stamps, rows, readable = _named_rows(topic, messages, layout)
+    columns = tuple(dict.fromkeys(name for row in rows for name in row))
+    values = np.array([[row.get(name, np.nan) for name in columns] for row in rows]).reshape(len(rows), len(columns))
+    return _kept(robot, topic, (stamps, values, readable), columns, (layout.unit,) * len(columns))
+
+
+def readable_topics(bag: Bag) -> tuple[list[str], list[str]]:
+    """The topics that are read, and a sentence for each that has the name but not the type of one."""
+    wanted, findings = [], []
+    for recorded in bag.summary.topics:
+        name = split_topic(recorded.topic)[1]
+        if name not in READABLE:
+            continue
+        right = ROBOT_TOPICS[name].type_name
+        if recorded.type_name == right:
+            wanted.append(recorded.topic)
+        else:
+            findings.append(f"{recorded.topic} is of type {recorded.type_name} instead of {right} and is not read.")
+    return wanted, findings
+
+
+def _named_rows(topic: str, messages: Sequence[bytes], layout: _Elements) -> tuple[Integers, list[Named], Flags]:
+    """(n,) stamps [ns], the elements of each message by name, and (n,) which messages could be read."""
+    stamps, readable = np.zeros(len(messages), np.int64), np.ones(len(messages), np.bool_)
+    rows: list[Named] = []
+    for index, data in enumerate(messages):
+        try:
+            message = deserialize(ROBOT_TOPICS[topic].type_name, data)
+            rows.append(layout.read(message))
+            stamps[index] = message.header.stamp.sec * NANOSECONDS + message.header.stamp.nanosec
+        except (CocorosimError, ValueError):
+            readable[index] = False
+            rows.append({})
+    return stamps, rows, readable
+
+
+def _kept(
+    robot: str,
+    topic: str,
+    read: tuple[Integers, Floats, Flags],
+    columns: tuple[str, ...],
+    units: tuple[str, ...],
+) -> TopicReadings:
+    """The readings of the messages that could be read."""
+    stamps, values, readable = read
+    unreadable = int(np.count_nonzero(~readable))
+    return TopicReadings(robot, topic, stamps[readable], columns, units, values[readable], unreadable)
