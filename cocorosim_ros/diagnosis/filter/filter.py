@@ -52,25 +52,8 @@ from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel,
 from cocorosim_ros.world.motion import dynamics
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.blocks import (
-    HFX,
-    HFY,
-    HGN,
-    HGX,
-    HGY,
-    HN,
-    HORIZONTAL,
-    HR,
-    HU,
-    HV,
-    HX,
-    HY,
-    HYAW,
-    VERTICAL,
-    VFZ,
-    VGZ,
-    VW,
-    VZ,
-)
+    HFX, HFY, HGN, HGX, HGY, HN, HORIZONTAL, HR, HU, HV, HX, HY, HYAW, VERTICAL, VFZ, VGZ, VW, VZ,
+)  # fmt: skip
 from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
