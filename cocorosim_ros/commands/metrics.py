@@ -14,7 +14,7 @@ from cocorosim_ros.graph.runs.results import write_json
 from cocorosim_ros.library.recording import read_recording
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 
 @click.command("metrics", short_help="shoaling statistics of any recording that has poses")

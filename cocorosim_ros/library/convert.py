@@ -15,7 +15,7 @@ from cocorosim_ros.library.frame import data_frame
 from cocorosim_ros.library.recording import Recording, read_recording
 from cocorosim_ros.library.scenario import Place
 from cocorosim_ros.scenario.reading.config_files import find_config
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.assembly import Stream
 from cocorosim_ros.wire.conversion.conversion import Converted
 from cocorosim_ros.wire.conversion.conversion import convert as convert_source

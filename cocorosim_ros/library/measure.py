@@ -15,7 +15,7 @@ from cocorosim_ros.library.scenario import Place, Time, nanoseconds
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.library.simulated_run import SimulatedRun
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, sample_tracks
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
 Tracks = Mapping[str, PoseTrack]

@@ -23,7 +23,7 @@ from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings, readable_topics
 from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.topics.topics import robot_topic, split_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from os import PathLike, fspath
 from typing import Any
 
@@ -31,11 +30,13 @@ def load_scenario(
     seed: Seed | None = None,
     duration: Time | None = None,
     external: Sequence[str] | None = None,
+    controller: str | None = None,
 ) -> Scenario:
     """The checked scenario of a name in config/scenarios, of a file, or of a record, with what is given replaced.
 
     seed: from 0 to 2**63 - 1. duration: of the run, such as '60 s' or 60.0 [s], a whole number of ticks. external:
-    names of robots whose controllers are left to somebody else.
+    names of robots whose controllers are left to others, or patterns such as 'lily_*'. controller: of all robots
+    instead of their own: a name, a file, or 'my_file.py:MyController'.
 
     Returns a frozen record; `robots`, `tick` [s], `duration` [s] and `to_yaml()` are its ways in. Raises
     CocorosimError: one sentence with file, line and key for whatever is wrong with it.
@@ -45,13 +46,13 @@ def load_scenario(
     number = seed.item() if isinstance(seed, np.integer) else seed
     length = None if duration is None else time_text(duration)
     if not isinstance(source, Scenario):
-        return loading.load_scenario(fspath(source), number, length, external)
+        return loading.load_scenario(fspath(source), number, length, external, controller)
     options = {"seed": number, "duration": length, "external": None if external is None else list(external)}
     given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
-    if not given:
+    if not given and controller is None:
         return source
     entry = parse_yaml(source.to_yaml(), source.origin)
-    return loading.read_scenario(replace(entry, value={**entry.mapping(), **given}))
+    return loading.read_with(entry, given, controller)
 
 
 def time_text(time: Time) -> str:

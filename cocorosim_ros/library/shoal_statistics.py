@@ -15,7 +15,7 @@ from cocorosim_ros.library.frame import data_frame
 from cocorosim_ros.scenario.reading.entry import nearest
 from cocorosim_ros.study.metrics import COLUMN, METRICS, PAPER_METRICS
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -12,9 +12,9 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.library.scenario import Place, Seed, Time, check_runs_here, load_scenario
 from cocorosim_ros.library.simulated_run import SimulatedRun
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.wire.bags.tracks import yaw_of_quaternions
 from cocorosim_ros.world.seeding.seeding import start_poses
-from cocorosim_ros.world.state.readings import Readings
+from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
+from cocorosim_ros.world.sensors.readings import Readings
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW, YAW_RATE, X, Z
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation

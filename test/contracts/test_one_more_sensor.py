@@ -88,7 +88,7 @@ def add_both(package: Path) -> None:
     put_into_table(sensors / "__init__.py", module, "THERMOMETER", "THERMOMETER", ")\n\nSENSORS")
     (sensors / "errors" / "pressure_scale.py").write_text(recipe("Add an error of a sensor"))
     module, line = "cocorosim_ros.world.sensors.errors.pressure_scale", '"pressure_scale": PRESSURE_SCALE'
-    put_into_table(sensors / "errors" / "__init__.py", module, "PRESSURE_SCALE", line, "}\n\nERROR_COLUMNS")
+    put_into_table(sensors / "errors" / "__init__.py", module, "PRESSURE_SCALE", line, '}\n"""Every error')
 
 
 @pytest.fixture(scope="module")

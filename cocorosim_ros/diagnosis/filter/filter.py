@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.filter.correction import correct
 from cocorosim_ros.diagnosis.filter.covariance import (
     GATE,
     spread,
@@ -30,9 +31,6 @@ from cocorosim_ros.diagnosis.filter.covariance import (
 from cocorosim_ros.diagnosis.filter.layout import CORRELATION, FORCE_XY, FORCE_Z, MOMENT_YAW, SMOOTHNESS
 from cocorosim_ros.diagnosis.filter.motion import (
     FORCE,
-    FORCE_X,
-    FORCE_Y,
-    MOMENT,
     Clock,
     Motion,
     advance,
@@ -41,7 +39,6 @@ from cocorosim_ros.diagnosis.filter.motion import (
     responses,
     write_slopes,
 )
-from cocorosim_ros.diagnosis.filter.motion import FORCE_Z as FORCE_UP
 from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
 from cocorosim_ros.diagnosis.filter.reading import (
     deviation,
@@ -69,23 +66,12 @@ from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW,
 from cocorosim_ros.world.terms.blocks import (
     HFX,
     HFY,
-    HGN,
-    HGX,
-    HGY,
     HN,
     HORIZONTAL,
-    HR,
-    HU,
-    HV,
-    HX,
-    HY,
-    HYAW,
     VERTICAL,
     VFZ,
-    VGZ,
     VW,
-    VZ,
-)
+)  # fmt: skip
 from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
@@ -156,30 +142,6 @@ def _add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
 def relative_velocity(row: Floats, time: float, body: Body, relative: Floats) -> None:
     """`dynamics.relative_velocity`, out of line."""
     dynamics.relative_velocity(row, time, body, relative)
-
-
-@kernel
-def _correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: float) -> None:
-    """Move the mean by gain times innovation."""
-    row, gust = motion.row, motion.gust
-    if is_upright(kind):
-        row[Z] += gain[VZ] * innovation
-        row[HEAVE] += gain[VW] * innovation
-        body.parameters[FORCE_UP] += gain[VFZ] * innovation
-        gust[2] += gain[VGZ] * innovation
-        return
-    row[X] += gain[HX] * innovation
-    row[Y] += gain[HY] * innovation
-    row[YAW] += gain[HYAW] * innovation
-    row[SURGE] += gain[HU] * innovation
-    row[SWAY] += gain[HV] * innovation
-    row[YAW_RATE] += gain[HR] * innovation
-    body.parameters[FORCE_X] += gain[HFX] * innovation
-    body.parameters[FORCE_Y] += gain[HFY] * innovation
-    body.parameters[MOMENT] += gain[HN] * innovation
-    gust[0] += gain[HGX] * innovation
-    gust[1] += gain[HGY] * innovation
-    gust[3] += gain[HGN] * innovation
 
 
 @kernel
@@ -271,7 +233,7 @@ def _filter(
             belief.innovation[origin], belief.variance[origin] = innovation, variance
             for column in range(VERTICAL if is_upright(kind) else HORIZONTAL):
                 belief.gain[origin, column] = gain[column]
-            _correct(motion, body, kind, gain, innovation)
+            correct(motion, body, kind, gain, innovation)
         if keep:
             _remember_after(motion, body, parts, point, belief.history)
 
@@ -308,7 +270,7 @@ def _slope(
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
                 slope[origin] = deviation(kind, innovation, past.innovation[origin]) / step
-            _correct(motion, body, kind, past.gain[origin], innovation)
+            correct(motion, body, kind, past.gain[origin], innovation)
 
 
 @allocating_kernel

@@ -11,8 +11,8 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag
-from cocorosim_ros.wire.bags.stamped_numbers import read_stamped_numbers
-from cocorosim_ros.wire.cdr.stamps import NANOSECONDS
+from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
+from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
 from cocorosim_ros.wire.cdr.type_store import deserialize
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,6 +31,11 @@ def load_scenario(
     entry = load_yaml(find_config("scenarios", str(name_or_path)))
     options = {"seed": seed, "duration": duration, "external": None if external is None else list(external)}
     given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
+    return read_with(entry, given, controller)
+
+
+def read_with(entry: Entry, given: Mapping[str, Entry], controller: str | None) -> Scenario:
+    """The checked scenario that a mapping describes, with given entries in place of its own; a controller for all."""
     entry = replace(entry, value={**entry.mapping(), **given})
     if controller is not None:
         entry = with_controller(entry, entry_of(controller, "option 'controller'", "controller"))
