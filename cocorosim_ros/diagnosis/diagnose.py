@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, in_words
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
@@ -71,7 +71,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         located,
         effects,
         unseen,
-        in_words(manoeuvres),
+        manoeuvres,
         table,
         every,
         screened_effects(naming.screened),
@@ -81,7 +81,6 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
         needed_nats=THRESHOLD,
-        manoeuvres=manoeuvres,
         noise=noise_levels(naming.fit),
     )
 
@@ -105,7 +104,6 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     """What is said where no model can be fitted at all."""
     remarks = tuple(remark for recording in evidence.recordings for remark in recording.remarks)
     everything = ("frame_mixup", *IDS)
-    manoeuvres = advised((), everything)
     return Diagnosis(
         "insufficient",
         " ".join(reasons),
@@ -113,10 +111,9 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         (),
         (),
         everything,
-        in_words(manoeuvres),
+        advised((), everything),
         {},
         remarks=remarks,
-        manoeuvres=manoeuvres,
     )
 
 

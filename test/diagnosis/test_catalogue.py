@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
 # The contract's table, but for frame_mixup, which is told before any physics is.

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.findings import (
+    Concentration,
     Diagnosis,
     Estimate,
     FoundEffect,
@@ -115,12 +116,12 @@ def mismatch() -> Diagnosis:
         ),
         recalibrated=(DRAG,),
         mismatch=(
-            Located(LILY, "yaw", "u*v", "when turning, all over the tank", (12.0, 588.0), 22e-6, "N m", 47.3),
-            Located(LILY, "surge", "v*r", "when turning", (12.0, 588.0), 0.4e-3, "N", 6.2),
+            Located(LILY, "yaw", "u*v", Concentration("turning", 0.9), (12.0, 588.0), 22e-6, "N m", 47.3),
+            Located(LILY, "surge", "v*r", Concentration("turning", 0.8), (12.0, 588.0), 0.4e-3, "N", 6.2),
         ),
         effects=(ADDED_MASS,),
         not_shown=("thruster_deadband", "reverse_loss", "camera_scale"),
-        next_manoeuvre="push the robot sideways from rest, three times to each side, motors off",
+        manoeuvres=("zig_zag",),
         fit={
             "position": HeldOut(
                 0.0315, 0.0202, 0.0111, 0.0108, "m", {"nominal": (0.027, 0.036), "augmented": (0.0097, 0.0126)}
@@ -147,7 +148,7 @@ def recalibrate() -> Diagnosis:
         sentence="Nothing is missing: lily_01 has 4 % more drag than the platform says.",
         mismatch=(),
         effects=(),
-        next_manoeuvre=None,
+        manoeuvres=(),
         screened=screened("none", 0.0),
         residual_before=(swimming("lily_01", 3, 0.0),),
         residual_after=(),
@@ -174,7 +175,7 @@ def insufficient() -> Diagnosis:
         mismatch=(),
         effects=(),
         not_shown=("added_mass", "linear_drag"),
-        next_manoeuvre="drive at three speeds, turn both ways, and let it coast",
+        manoeuvres=("coast_down",),
         fit={},
         remarks=("The commands of lily_01 are zero throughout.",),
     )

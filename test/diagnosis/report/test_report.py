@@ -14,7 +14,7 @@ import pytest
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Located, ResidualReading
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
-from cocorosim_ros.diagnosis.showing.noise_levels import UNITS
+from cocorosim_ros.diagnosis.tracks.columns import NOISE_UNITS
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 Example = Callable[[str], Diagnosis]
@@ -118,7 +118,7 @@ def test_a_mismatch_is_told_with_numbers_and_rivals(pages: Pages) -> None:
     """Effect, typeset law, interval in handy units, rival, held-out errors, what cannot be seen, what to do."""
     text, content = pages("mismatch")
     for words in ("44.3 g", "43.1 to 45.5 g", "2.1 nats", "8.2 times less likely", "31.5 mm", "11.1 mm",
-                  "thruster deadband: from about width 0.110", "push the robot sideways", "3 poses came twice",
+                  "thruster deadband: from about width 0.110", "zig-zag at three speeds", "3 poses came twice",
                   "1.853 kg/m", "22.0 \u00b5N m"):  # fmt: skip
         assert words in content.text, words
     assert "<i>N</i> = \u2212(<i>m</i><sub>v</sub>" in text
@@ -158,7 +158,7 @@ def test_odd_findings_still_give_a_page(example: Example) -> None:
         {"coefficient": Estimate(-3e-4, -4e-4, math.nan, "N/(m)")}, 12.0,
     )  # fmt: skip
     places = tuple(
-        Located(("lily_01",), equation, regressor, "throughout", (0.0, math.nan), 1e-4, "N", math.nan)
+        Located(("lily_01",), equation, regressor, None, (0.0, math.nan), 1e-4, "N", math.nan)
         for equation, regressor in LAWS
     )
     time = np.linspace(0.0, 600.0, 500)
@@ -208,7 +208,7 @@ def test_recordings_of_one_robot_are_told_apart(example: Example, recordings: in
 
 def test_noise_is_called_by_words(example: Example) -> None:
     """Every number of noise that a fit knows has a name for readers."""
-    noise = {name: Estimate(1e-3, 9e-4, 1.1e-3, unit) for name, unit in UNITS.items()}
+    noise = {name: Estimate(1e-3, 9e-4, 1.1e-3, unit) for name, unit in NOISE_UNITS.items()}
     _, content = page(replace(example("mismatch"), noise=noise))
     assert "random force, horizontal" in content.text and "a reading of pose, x and y" in content.text
     assert "random." not in content.text and "reading." not in content.text
