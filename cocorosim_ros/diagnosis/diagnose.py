@@ -134,10 +134,10 @@ def _shifted(base: Fit) -> bool:
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:
     """The number that moved most, of those whose interval leaves out the nominal, where only all together are clear."""
 
-    def moved(part: Recalibrated) -> float:
-        width = part.estimate.high - part.estimate.low
-        return abs(part.estimate.value - part.nominal) / width if width > 0.0 else 0.0
+    def moved(number: Recalibrated) -> float:
+        width = number.estimate.high - number.estimate.low
+        return abs(number.estimate.value - number.nominal) / width if width > 0.0 else 0.0
 
     names = {name for name, _ in RECALIBRATED.values()}
-    own = [part for part in every if part.parameter in names and not part.estimate.holds(part.nominal)]
+    own = [number for number in every if number.parameter in names and not number.estimate.holds(number.nominal)]
     return (max(own, key=moved),) if own else ()
