@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, in_words
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
@@ -70,7 +70,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         located,
         effects,
         unseen,
-        in_words(manoeuvres),
+        manoeuvres,
         table,
         every,
         screened_effects(naming.screened),
@@ -80,7 +80,6 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
         needed_nats=NAMING.threshold,
-        manoeuvres=manoeuvres,
         noise=noise_levels(naming.fit),
     )
 
@@ -104,7 +103,6 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     """The diagnosis of evidence to which no model can be fitted."""
     remarks = tuple(remark for recording in evidence.recordings for remark in recording.remarks)
     everything = ("frame_mixup", *IDS)
-    manoeuvres = advised((), everything)
     return Diagnosis(
         "insufficient",
         " ".join(reasons),
@@ -112,10 +110,9 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         (),
         (),
         everything,
-        in_words(manoeuvres),
+        advised((), everything),
         {},
         remarks=remarks,
-        manoeuvres=manoeuvres,
     )
 
 
@@ -136,10 +133,10 @@ def _shifted(base: Fit) -> bool:
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:
     """The number that moved most, of those whose interval excludes the nominal; used where no number alone is clear."""
 
-    def moved(part: Recalibrated) -> float:
-        width = part.estimate.high - part.estimate.low
-        return abs(part.estimate.value - part.nominal) / width if width > 0.0 else 0.0
+    def moved(number: Recalibrated) -> float:
+        width = number.estimate.high - number.estimate.low
+        return abs(number.estimate.value - number.nominal) / width if width > 0.0 else 0.0
 
     names = {name for name, _ in RECALIBRATED.values()}
-    own = [part for part in every if part.parameter in names and not part.estimate.holds(part.nominal)]
+    own = [number for number in every if number.parameter in names and not number.estimate.holds(number.nominal)]
     return (max(own, key=moved),) if own else ()

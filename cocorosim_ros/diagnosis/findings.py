@@ -13,6 +13,8 @@ from cocorosim_ros.world.terms.course import Course
 
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]
+Regime = Literal["turning", "straight", "fast", "slow", "deep", "shallow", "climbing", "east", "west", "north", "south"]
+"""How a robot swam, or where: beyond or below the median of its course."""
 
 
 @dataclass(frozen=True)
@@ -40,13 +42,21 @@ class Recalibrated:
 
 
 @dataclass(frozen=True)
+class Concentration:
+    """A regime that holds more of the evidence than of the time."""
+
+    regime: Regime
+    share: float  # of the evidence
+
+
+@dataclass(frozen=True)
 class Located:
     """A difference of simulation and recording: its equation, its regressor, its place and its time."""
 
     robots: tuple[str, ...]
     equation: str
     regressor: str
-    where: str
+    where: Concentration | None  # None: throughout
     when: tuple[float, float]  # s
     size: float
     unit: str
@@ -174,7 +184,7 @@ class Diagnosis:
     mismatch: tuple[Located, ...]
     effects: tuple[FoundEffect, ...]
     not_shown: tuple[str, ...]
-    next_manoeuvre: str | None
+    manoeuvres: tuple[str, ...]  # that would show more, by the names of report.advice.MANOEUVRES
     fit: Mapping[str, HeldOut]
     all_recalibrated: tuple[Recalibrated, ...] = ()  # also those whose interval holds the nominal value
     screened: tuple[ScreenedEffect, ...] = ()
@@ -185,4 +195,3 @@ class Diagnosis:
     remarks: tuple[str, ...] = ()
     needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
-    manoeuvres: tuple[str, ...] = ()  # those that `next_manoeuvre` puts into words, by name

@@ -79,9 +79,7 @@ def test_what_to_drive_next_is_a_scenario(
 ) -> None:
     """Where something was not shown, the folder holds a scenario with its model; a later diagnosis takes it away."""
     names = ("four_headings",)
-    diagnose(
-        lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), ("tether",), "Drive.", {}, manoeuvres=names)
-    )
+    diagnose(lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), ("tether",), names, {}))
     arguments = ("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out")
     assert cocorosim(*arguments).status == 0
     scenario = load_scenario(tmp_path / "out" / "next_manoeuvre.yaml")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
+from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.diagnosis.report.manoeuvre_scenario import PROGRAMMES, RAMPED, scenario_of
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.checks.loading import load_scenario

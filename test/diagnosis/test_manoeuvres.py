@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES, advised, in_words, manoeuvre_of
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised, manoeuvre_of
 
 
 def effect(name: str, *rivals: str) -> Any:
@@ -24,12 +24,6 @@ def test_what_was_not_seen_is_shown_whatever_was_found() -> None:
     for found in ([], [effect("thruster_lag")]):
         assert advised(found, ["wall_effect"]) == ("along_wall",)
     assert advised([effect("thruster_lag")], []) == ()
-
-
-def test_manoeuvres_in_words() -> None:
-    """One sentence, or none."""
-    assert in_words(["along_wall"]) == MANOEUVRES["along_wall"].capitalize() + "."
-    assert in_words([]) is None
 
 
 def test_what_was_not_recorded_is_not_for_driving(swim: Any) -> None:

@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, HeldOut, Located, Recalibrated
+from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 
 
 def diagnosis_json(diagnosis: Diagnosis) -> str:
@@ -22,7 +23,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "mismatch": [_located(each) for each in diagnosis.mismatch],
         "effects": [_effect(each) for each in diagnosis.effects],
         "not_shown_by_this_recording": list(diagnosis.not_shown),
-        "next_manoeuvre": diagnosis.next_manoeuvre,
+        "next_manoeuvre": manoeuvre_words(diagnosis.manoeuvres),
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
     }
 
@@ -41,7 +42,7 @@ def _located(found: Located) -> dict[str, Any]:
         "robots": list(found.robots),
         "equation": found.equation,
         "regressor": found.regressor,
-        "where": found.where,
+        "where": where_words(found.where),
         "when": [_finite(moment) for moment in found.when],
         "size": _finite(found.size),
         "unit": found.unit,

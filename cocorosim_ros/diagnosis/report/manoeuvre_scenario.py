@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from cocorosim_ros.diagnosis.catalogue.manoeuvres import MANOEUVRES
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
+from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump

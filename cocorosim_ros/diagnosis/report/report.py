@@ -10,6 +10,7 @@ from typing import Any
 from cocorosim_ros import __version__
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
+from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
@@ -59,7 +60,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         origin=origin,
         version=__version__,
         verdict=VERDICTS[diagnosis.verdict],
-        manoeuvre=_clause(diagnosis.next_manoeuvre),
+        manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),
         **_what(diagnosis),
         **_fit(diagnosis),
@@ -136,7 +137,7 @@ def _located(found: Located) -> Context:
         "regressor": typeset(regressor) if regressor != "1" else "nothing: it is constant",
         "size": quantity_words(found.size, found.unit),
         "z": plain_number(found.z),
-        "where": found.where,
+        "where": where_words(found.where),
         "when": f"{start:.0f} to {end:.0f}\u00a0s" if math.isfinite(start + end) else NONE,
         "robots": ", ".join(found.robots),
     }

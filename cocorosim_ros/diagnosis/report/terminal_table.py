@@ -9,6 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
+from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
     estimate_words,
@@ -23,8 +24,8 @@ def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     """Tables of effects, moved parameters and held-out errors; those that would be empty are left out."""
     tables = [_effects(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
-    if diagnosis.next_manoeuvre:
-        shown.append(Text(f"next: {diagnosis.next_manoeuvre}"))
+    if diagnosis.manoeuvres:
+        shown.append(Text(f"next: {manoeuvre_words(diagnosis.manoeuvres)}"))
     return Group(*shown)
 
 

@@ -10,14 +10,14 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
 from cocorosim_ros.diagnosis.criteria.showing import LOCATION
-from cocorosim_ros.diagnosis.findings import Located
+from cocorosim_ros.diagnosis.findings import Concentration, Located, Regime
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, X, Y, Z
@@ -120,31 +120,36 @@ def _window(time: Floats, gained: Floats) -> tuple[float, float]:
     return float(bins[first]), float(bins[min(last + 1, 30)])
 
 
-def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> str:
-    """In words: in which regime the gain is at home more than time is."""
+def _regimes(course: Smoothed, state: Floats) -> dict[Regime, Flags]:
+    """Which of these states (n, COURSE_SIZE) are in which regime of the course."""
+    middle = np.median(course.mean, axis=0)
+    pace, size = np.median(np.abs(course.mean), axis=0), np.abs(state)
+    return {
+        "turning": size[:, YAW_RATE] > pace[YAW_RATE],
+        "straight": size[:, YAW_RATE] <= pace[YAW_RATE],
+        "fast": size[:, SURGE] > pace[SURGE],
+        "slow": size[:, SURGE] <= pace[SURGE],
+        "deep": state[:, Z] < middle[Z],
+        "shallow": state[:, Z] >= middle[Z],
+        "climbing": size[:, HEAVE] > pace[HEAVE],
+        "east": state[:, X] > middle[X],
+        "west": state[:, X] <= middle[X],
+        "north": state[:, Y] > middle[Y],
+        "south": state[:, Y] <= middle[Y],
+    }
+
+
+def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> Concentration | None:
+    """The regime in which the gain is at home more than time is."""
     course = courses[screened.candidate.everybody[0]]
     index = np.clip(np.searchsorted(course.time, time), 0, len(course.time) - 1)
-    state = course.mean[index]
-    regimes = {
-        "mostly when turning": np.abs(state[:, YAW_RATE]) > np.median(np.abs(course.mean[:, YAW_RATE])),
-        "mostly when turning slowly or not": np.abs(state[:, YAW_RATE]) <= np.median(np.abs(course.mean[:, YAW_RATE])),
-        "mostly at speed": np.abs(state[:, SURGE]) > np.median(np.abs(course.mean[:, SURGE])),
-        "mostly when slow": np.abs(state[:, SURGE]) <= np.median(np.abs(course.mean[:, SURGE])),
-        "mostly when deep": state[:, Z] < np.median(course.mean[:, Z]),
-        "mostly when shallow": state[:, Z] >= np.median(course.mean[:, Z]),
-        "mostly when diving or rising": np.abs(state[:, HEAVE]) > np.median(np.abs(course.mean[:, HEAVE])),
-        "mostly in the eastern half": state[:, X] > np.median(course.mean[:, X]),
-        "mostly in the western half": state[:, X] <= np.median(course.mean[:, X]),
-        "mostly in the northern half": state[:, Y] > np.median(course.mean[:, Y]),
-        "mostly in the southern half": state[:, Y] <= np.median(course.mean[:, Y]),
-    }
     total = float(gained.sum())
     if total <= 0.0:
-        return "throughout"
-    shares = {
-        words: float(gained[chosen].sum()) / total
-        for words, chosen in regimes.items()
+        return None
+    shares = [
+        Concentration(regime, float(gained[chosen].sum()) / total)
+        for regime, chosen in _regimes(course, course.mean[index]).items()
         if chosen.mean() < LOCATION.everywhere  # as where a vehicle has one depth alone
-    }
-    words, share = max(shares.items(), key=lambda entry: entry[1], default=("", 0.0))
-    return f"{words} ({min(share, 1.0):.0%} of the evidence)" if share > LOCATION.concentrated else "throughout"
+    ]
+    best = max(shares, key=lambda each: each.share, default=None)
+    return best if best is not None and best.share > LOCATION.concentrated else None

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.findings import (
+    Concentration,
     Diagnosis,
     Estimate,
     FoundEffect,
@@ -125,7 +126,7 @@ def mismatch() -> Diagnosis:
                 LILY,
                 "yaw",
                 "u*v",
-                "when turning, all over the tank",
+                Concentration("turning", 0.9),
                 (12.0, 588.0),
                 22e-6,
                 "N m",
@@ -133,12 +134,20 @@ def mismatch() -> Diagnosis:
                 Law.parse("unknown:yaw~u*v"),
             ),
             Located(
-                LILY, "surge", "v*r", "when turning", (12.0, 588.0), 0.4e-3, "N", 6.2, Law.parse("unknown:surge~v*r")
+                LILY,
+                "surge",
+                "v*r",
+                Concentration("turning", 0.8),
+                (12.0, 588.0),
+                0.4e-3,
+                "N",
+                6.2,
+                Law.parse("unknown:surge~v*r"),
             ),
         ),
         effects=(ADDED_MASS,),
         not_shown=("thruster_deadband", "reverse_loss", "camera_scale"),
-        next_manoeuvre="push the robot sideways from rest, three times to each side, motors off",
+        manoeuvres=("zig_zag",),
         fit={
             "position": HeldOut(
                 0.0315, 0.0202, 0.0111, 0.0108, "m", {"nominal": (0.027, 0.036), "augmented": (0.0097, 0.0126)}
@@ -165,7 +174,7 @@ def recalibrate() -> Diagnosis:
         sentence="Nothing is missing: lily_01 has 4 % more drag than the platform says.",
         mismatch=(),
         effects=(),
-        next_manoeuvre=None,
+        manoeuvres=(),
         screened=screened("none", 0.0),
         residual_before=(swimming("lily_01", 3, 0.0),),
         residual_after=(),
@@ -192,7 +201,7 @@ def insufficient() -> Diagnosis:
         mismatch=(),
         effects=(),
         not_shown=("added_mass", "linear_drag"),
-        next_manoeuvre="drive at three speeds, turn both ways, and let it coast",
+        manoeuvres=("coast_down",),
         fit={},
         remarks=("The commands of lily_01 are zero throughout.",),
     )

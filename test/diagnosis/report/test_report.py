@@ -125,7 +125,7 @@ def test_a_mismatch_is_told_with_numbers_and_rivals(pages: Pages) -> None:
     """Effect, typeset law, interval in handy units, rival, held-out errors, what cannot be seen, what to do."""
     text, content = pages("mismatch")
     for words in ("44.3 g", "43.1 to 45.5 g", "2.1 nats", "8.2 times less likely", "31.5 mm", "11.1 mm",
-                  "thruster deadband: from about width 0.110", "push the robot sideways", "3 poses came twice",
+                  "thruster deadband: from about width 0.110", "zig-zag at three speeds", "3 poses came twice",
                   "1.853 kg/m", "22.0 \u00b5N m"):  # fmt: skip
         assert words in content.text, words
     assert "<i>N</i> = \u2212(<i>m</i><sub>v</sub>" in text
@@ -165,7 +165,7 @@ def test_odd_findings_still_give_a_page(example: Example) -> None:
         {"coefficient": Estimate(-3e-4, -4e-4, math.nan, "N/(m)")}, 12.0, law=PLACES[0][2],
     )  # fmt: skip
     places = tuple(
-        Located(("lily_01",), equation, regressor, "throughout", (0.0, math.nan), 1e-4, "N", math.nan, law)
+        Located(("lily_01",), equation, regressor, None, (0.0, math.nan), 1e-4, "N", math.nan, law)
         for equation, regressor, law in PLACES
     )
     time = np.linspace(0.0, 600.0, 500)

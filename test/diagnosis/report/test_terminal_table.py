@@ -35,5 +35,5 @@ def test_a_mismatch_shows_effects_numbers_and_errors(example: Example) -> None:
 def test_empty_tables_are_left_out(example: Example) -> None:
     """A recording that cannot tell shows what to record, and no table."""
     text = shown(example("insufficient"))
-    assert "next: drive at three speeds" in text
+    assert "next: Drive at three speeds" in text
     assert "\u2502" not in text

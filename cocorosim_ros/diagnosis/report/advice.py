@@ -1,0 +1,54 @@
+"""In words: which manoeuvre to drive next, and where the evidence of a mismatch is at home."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from cocorosim_ros.diagnosis.findings import Concentration, Regime
+
+MANOEUVRES: dict[str, str] = {
+    "coast_down": "drive at three speeds and let it coast to rest after each",
+    "zig_zag": "zig-zag at three speeds, turning both ways",
+    "four_headings": "drive to all four headings over the whole tank, and drift with the motors off",
+    "along_wall": "repeat the same straight run close to a wall and in the middle of the tank",
+    "follow_neighbour": "follow another robot closely, then repeat the run alone",
+    "steps": "step the commands of the thrusters up and down many times, with a fast gyro",
+    "ramps_through_zero": "ramp each thruster slowly through zero while the other is off",
+    "thrust_staircase": "climb a staircase of thrust with equal commands left and right",
+    "reverse_steps": "drive forwards and backwards on the same line with equal commands",
+    "repeat_at_end": "drive the same programme at the beginning and at the end of a long recording",
+    "depth_staircase": "hold five depths from the surface to the floor, twice up and down",
+    "pump_triangle": "sweep the pump up and down in triangles of several widths",
+    "slow_turns": "turn slowly through full circles both ways",
+    "surface_touch": "touch the surface at the beginning and at the end",
+    "rest": "lie still for a minute before and after",
+    "ruler": "put a ruler, or two marks of known distance, into the water at the depth of the run",
+}
+"""What to drive so that a recording shows what this one leaves open."""
+
+REGIMES: dict[Regime, str] = {
+    "turning": "mostly when turning",
+    "straight": "mostly when turning slowly or not",
+    "fast": "mostly at speed",
+    "slow": "mostly when slow",
+    "deep": "mostly when deep",
+    "shallow": "mostly when shallow",
+    "climbing": "mostly when diving or rising",
+    "east": "mostly in the eastern half",
+    "west": "mostly in the western half",
+    "north": "mostly in the northern half",
+    "south": "mostly in the southern half",
+}
+
+
+def manoeuvre_words(manoeuvres: Sequence[str]) -> str | None:
+    """Manoeuvres, given by name, as a sentence; None if there are none."""
+    words = "; ".join(MANOEUVRES[name] for name in manoeuvres)
+    return f"{words[0].upper()}{words[1:]}." if words else None
+
+
+def where_words(where: Concentration | None) -> str:
+    """Where the evidence is at home, and how much of it."""
+    if where is None:
+        return "throughout"
+    return f"{REGIMES[where.regime]} ({min(where.share, 1.0):.0%} of the evidence)"
