@@ -25,7 +25,7 @@ def traits_of(controller: AnyController) -> Traits:
     """The traits of a controller. Raises CocorosimError: no such behaviour, or no such class in the user's file."""
     if isinstance(controller, PythonController):
         user_class = load_class(controller)
-        return Traits(user_class.needs, user_class.medium, speaks=True)
+        return Traits(user_class.needs(), user_class.medium(), speaks=True)
     behaviour = behaviour_of(controller)
     return Traits(behaviour.needs, behaviour.medium, behaviour.payload_length > 0)
 

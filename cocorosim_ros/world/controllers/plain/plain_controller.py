@@ -34,7 +34,7 @@ def check_plain(robots: Iterable[RobotDescription]) -> None:
         if (named := plain_of(robot)) is None:
             continue
         user_class = load_class(named)
-        user_class.check_arguments()
+        user_class.check()
         if len(robot.platform.actuators) > DIRECT_LIMIT:
             raise CocorosimError(
                 f"{user_class.place}: the platform '{robot.platform.name}' has {len(robot.platform.actuators)} "
@@ -52,7 +52,7 @@ class PlainController:
         self._user_class = load_class(named)
         self._owner = f"'{named.name}' of {robot.name}" + (f" in run {run}" if run else "")
         self._senses = Senses(robot)
-        self._check = AnswerCheck(robot, self._user_class.medium)
+        self._check = AnswerCheck(robot, self._user_class.medium())
         self._tick = 0
         arguments = named.values
         if self._user_class.wants_random:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -33,11 +33,10 @@ class UserClass:
         """Its `__call__`, as file:line."""
         return _place(self.named, self.kind)
 
-    @property
     def needs(self) -> tuple[str, ...]:
         """Topics of EXTRA_TOPICS that it asks for, by its attribute `needs`. Raises CocorosimError for others."""
         needs = getattr(self.kind, "needs", ())
-        listed = (needs,) if isinstance(needs, str) else tuple(needs)
+        listed = tuple(needs) if isinstance(needs, Iterable) and not isinstance(needs, str) else (needs,)
         for name in listed:
             if name not in EXTRA_TOPICS:
                 raise CocorosimError(
@@ -45,7 +44,6 @@ class UserClass:
                 )
         return listed
 
-    @property
     def medium(self) -> str:
         """Over which of MEDIA it speaks, by its attribute `medium`. Raises CocorosimError for others."""
         medium = getattr(self.kind, "medium", MEDIA[0])
@@ -60,8 +58,16 @@ class UserClass:
         """Whether its constructor asks for random numbers."""
         return RANDOM in self._signature() and RANDOM not in self.named.parameters
 
-    def check_arguments(self) -> None:
-        """Nothing, if the constructor takes the scenario's parameters; raises CocorosimError otherwise."""
+    def check(self) -> None:
+        """Nothing, if its constructor takes the scenario's parameters, and `needs` and `medium` are such.
+
+        Raises CocorosimError otherwise.
+        """
+        self.needs()
+        self.medium()
+        self._check_arguments()
+
+    def _check_arguments(self) -> None:
         takes = self._signature()
         given = {**self.named.parameters, **({RANDOM: None} if self.wants_random else {})}
         anything = any(part.kind is part.VAR_KEYWORD for part in takes.values())

@@ -159,18 +159,17 @@ def test_an_exception_in_the_constructor(robot_with: Make, asked: Make) -> None:
         ("class Mine:\n    pass\n", "mine.py:1: objects of the class 'Mine' cannot be called"),
         (answering("{}", "self, gain"), "mine.py:6: the constructor of 'Mine' needs 'gain'; give it in a test below"),
         (answering("{}").replace("class Mine:", "class Mine:\n    needs = ['sonar']"), "'needs' of 'Mine' has 'sonar'"),
+        (answering("{}").replace("class Mine:", "class Mine:\n    needs = 3"), "'needs' of 'Mine' has 3"),
         (answering("{}").replace("class Mine:", "class Mine:\n    medium = 'sound'"), "'medium' of 'Mine' has 'sound'"),
     ],
 )
 def test_a_file_that_has_no_such_controller(robot_with: Make, source: str, told: str) -> None:
     """One sentence before anything runs, and it is unusable input, not a run that failed."""
     from cocorosim_ros.world.controllers.plain.plain_controller import check_plain
-    from cocorosim_ros.world.controllers.traits import traits_of
 
     robot = robot_with(source)
     with pytest.raises(CocorosimError) as caught:
         check_plain([robot])
-        traits_of(robot.controller)
     assert told in str(caught.value) and "\n" not in str(caught.value)
     assert not isinstance(caught.value, ControllerError)
 
