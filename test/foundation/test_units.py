@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 import pytest
-from cocorosim_ros.world.sensors.effects import SENSOR_EFFECTS
 
 from cocorosim_ros.foundation.units.unit_algebra import powers_of
 from cocorosim_ros.foundation.units.units import DIMENSIONS, PREFIXES, Unit, prefixed, units_in_files, units_shown
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.readings import READINGS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.equations import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
@@ -66,6 +66,6 @@ def test_units_of_reports() -> None:
 def test_the_physics_is_made_of_these_units() -> None:
     """Regressors, readings, equations and parameters of effects name no symbol that the table does not have."""
     named = [part.unit for part in (*REGRESSORS, *READINGS, *EQUATIONS)]
-    named += [part.unit for effect in (*EFFECTS.values(), *SENSOR_EFFECTS.values()) for part in effect.parameters]
+    named += [part.unit for effect in (*EFFECTS.values(), *ERRORS.values()) for part in effect.parameters]
     known = {symbol for units in DIMENSIONS.values() for symbol in powers_of(units[0].symbol)} | {"*"}
     assert {symbol for unit in named for symbol in powers_of(unit)} <= known
