@@ -54,6 +54,7 @@ def test_paths_exist(path: Path) -> None:
     made = {
         "cocorosim_ros/world/controllers/circle.py",
         "cocorosim_ros/world/sensors/thermometer.py",
+        "cocorosim_ros/world/sensors/errors/pressure_scale.py",
         "config/controllers/circle.yaml",
     }
     assert not [name for name in paths_in_code(text) if name not in made and not (ROOT / name).exists()]

@@ -54,7 +54,7 @@ def column(platform: Platform, name: str) -> float:
 @pytest.mark.parametrize("effect", KNOWN_EFFECTS)
 def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) -> None:
     """All parameters in their own units are read, applied where they belong, and written back the same."""
-    values = {name: 1.0 + index for index, name in enumerate(KNOWN_EFFECTS[effect])}
+    values = {name: part.neutral + 1.0 + index for index, (name, part) in enumerate(KNOWN_EFFECTS[effect].items())}
     parts = [
         f"{name}: {number(value, '1' if KNOWN_EFFECTS[effect][name].unit == '*' else KNOWN_EFFECTS[effect][name].unit)}"
         for name, value in values.items()
