@@ -16,34 +16,34 @@ import pytest
 from .documents import ROOT
 from .recipes import copy_of_this_tree, follow
 
+pytestmark = pytest.mark.timeout(1800)  # s; everything is compiled anew
 RATE = 2e-5  # N/s
-SECONDS = 90
 PLATFORM = f"""name: leaky
 description: a Lily that leaks
 based_on: lily
 effects: {{leak: {{rate: {{value: {RATE}, unit: N/s, source: a test}}}}}}
 """
-SCENARIO = f"""name: driven
+SCENARIO = """name: driven
 description: one Lily that is driven about
 seed: 1
 tick: 0.5 s
-duration: {SECONDS} s
-tank: {{size: [8 m, 8 m, 4 m]}}
-integrator: {{name: rk4, step: 0.05 s, contact: inelastic}}
+duration: 90 s
+tank: {size: [8 m, 8 m, 4 m]}
+integrator: {name: rk4, step: 0.05 s, contact: inelastic}
 swarm:
   - platform: PLATFORM
     prefix: lily
     controller: programme
     overrides:
-      {{row_1_time: 6 s, row_1_ahead: 0.8, row_2_time: 4 s, row_3_time: 3 s, row_3_turn: 0.4, row_4_time: 4 s,
+      {row_1_time: 6 s, row_1_ahead: 0.8, row_2_time: 4 s, row_3_time: 3 s, row_3_turn: 0.4, row_4_time: 4 s,
         row_5_time: 4 s, row_5_ahead: 0.4, row_5_rise: 0.1, row_6_time: 4 s, row_6_rise: -0.1, row_7_time: 3 s,
-        row_7_turn: -0.4}}
-    start: {{poses: [[0 m, 0 m, -1.5 m, 0 deg]]}}
+        row_7_turn: -0.4}
+    start: {poses: [[0 m, 0 m, -1.5 m, 0 deg]]}
 corruption:
-  - {{channel: compass, kind: noise, sd: 1 deg}}
-  - {{channel: pressure, kind: noise, sd: 20 Pa}}
-lockstep: {{silent_controller: thrusters_off, patience: 10 s}}
-recording: {{topics: all}}
+  - {channel: compass, kind: noise, sd: 1 deg}
+  - {channel: pressure, kind: noise, sd: 20 Pa}
+lockstep: {silent_controller: thrusters_off, patience: 10 s}
+recording: {topics: all}
 """
 
 
@@ -63,6 +63,17 @@ def python(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., None]:
         assert done.returncode == 0, done.stdout + done.stderr
 
     return run
+
+
+def test_what_every_effect_has_to_keep_is_tested_on_it_unasked(python: Callable[..., None]) -> None:
+    """The tests over the tables pick it up: motion, innovations, units, a platform file."""
+    files = (
+        "contracts/test_every_effect.py",
+        "diagnosis/test_catalogue.py",
+        "world/motion/test_units.py",
+        "world/vehicle_model",
+    )
+    python("-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "leak", *(f"test/{name}" for name in files))
 
 
 @pytest.fixture(scope="module", params=["leaky", "tight"])
@@ -109,9 +120,3 @@ def test_it_is_drawn_and_written_down(diagnosed: SimpleNamespace, python: Callab
         "from cocorosim_ros.world.vehicle_model.platform_effects import check_platform\n"
         f"check_platform(load_platform({str(diagnosed.model)!r}))",
     )
-
-
-def test_what_every_effect_has_to_keep_is_tested_on_it_unasked(python: Callable[..., None]) -> None:
-    """The tests over the tables pick it up: motion, units, a platform file."""
-    folders = ("test/contracts/test_every_effect.py", "test/world/motion/test_units.py", "test/world/vehicle_model")
-    python("-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "leak", *folders)
