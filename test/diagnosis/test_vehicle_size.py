@@ -48,7 +48,7 @@ def measured(force: tuple[float, ...], mass: float, inertia: float, drag: float,
         drag,
         yaw_drag,
     )
-    return SimpleNamespace(force_scale=np.array(force), platform_row=row)
+    return SimpleNamespace(force_scale=np.array(force), nominal=row, mass=mass, yaw_inertia=inertia)
 
 
 def test_a_lily_has_the_size_of_a_lily() -> None:

@@ -16,7 +16,6 @@ import pytest
 from cocorosim_ros.commands.main import cocorosim
 from cocorosim_ros.graph.nodes import controller_node, metrics_node, physics_node
 from cocorosim_ros.scenario.parts.controller_file import load_controller
-from cocorosim_ros.world.controllers.controller import Controller
 
 from .documents import ROOT, commands, documents, fenced
 
@@ -141,13 +140,3 @@ def test_the_snippets_of_the_readme_run(folder: Path) -> None:
     """Each Python snippet ends without an error."""
     for code in fenced(README, "python"):
         subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, timeout=300)
-
-
-def test_the_recipes_controller_is_one() -> None:
-    """The controller that CONTRIBUTING.md shows makes a record whose functions are there."""
-    (code,) = fenced(DOCUMENTS["CONTRIBUTING.md"], "python")
-    names: dict[str, object] = {"__name__": __name__}
-    # numba places its cache beside the file that a function comes from.
-    exec(compile(code, __file__, "exec"), names)
-    circle = names["CIRCLE"]
-    assert isinstance(circle, Controller) and circle.settings == ("turn_rate", "speed")

@@ -237,7 +237,7 @@ def with_findings(found: Diagnosis, *places: Located) -> Diagnosis:
 
 def located(equation: str, regressor: str, law: Law | None) -> Located:
     """A finding of lily_01."""
-    return Located(("lily_01",), equation, regressor, "throughout", (0.0, 600.0), 1e-4, "N", 9.0, law, (0.1, 0.3))
+    return Located(("lily_01",), equation, regressor, None, (0.0, 600.0), 1e-4, "N", 9.0, law, (0.1, 0.3))
 
 
 @pytest.mark.parametrize("name", REGRESSOR_CODE)
