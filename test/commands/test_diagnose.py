@@ -29,7 +29,7 @@ def found(evidence: Any) -> Diagnosis:
         "thruster_asymmetry", "thrusters that differ", "N = -e b F", robots, "confirmed",
         {"difference": Estimate(0.05, 0.04, 0.06, "1")}, 52.0,
     )  # fmt: skip
-    return Diagnosis("mismatch", SENTENCE, (drag,), (), (weaker,), (), None, {})
+    return Diagnosis("mismatch", SENTENCE, (drag,), (), (weaker,), (), (), {})
 
 
 @pytest.fixture
@@ -113,7 +113,7 @@ def test_what_was_odd_about_the_recording_is_said(
         "a/imu: 9 readings at 2 Hz, 1 gap from 1.0 to 3.0 s.",
     )
     remarks = (*odd, "a/pose: 40 readings at 2 Hz.", "a/compass: 2 readings.", *["b/imu: time runs backwards."] * 9)
-    diagnose(lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), (), None, {}, remarks=remarks))
+    diagnose(lambda evidence: Diagnosis("consistent", SENTENCE, (), (), (), (), (), {}, remarks=remarks))
     done = cocorosim("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out")
     assert all(remark in done.out for remark in odd)
     assert "a/pose: 40 readings" not in done.out and "a/compass" not in done.out

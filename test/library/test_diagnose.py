@@ -32,7 +32,7 @@ def seen(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
             "thruster_asymmetry", "thrusters that differ", "N = -e b F", robots, "confirmed",
             {"difference": Estimate(0.05, 0.04, 0.06, "1")}, 52.0,
         )  # fmt: skip
-        return Diagnosis("mismatch", SENTENCE, (drag,), (), (weaker,), (), None, {}, remarks=("It was odd.",))
+        return Diagnosis("mismatch", SENTENCE, (drag,), (), (weaker,), (), (), {}, remarks=("It was odd.",))
 
     module = ModuleType("cocorosim_ros.diagnosis.diagnose")
     module.diagnose = played  # type: ignore[attr-defined]
