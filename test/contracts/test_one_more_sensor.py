@@ -148,7 +148,7 @@ def test_the_sensor_is_simulated_and_recorded(python: Callable[..., str], record
 
 def test_recordings_with_it_are_measured_and_have_a_digest(command: Callable[..., str], recorded: Path) -> None:
     """Commands that know nothing of the sensor take the recording as any other."""
-    assert "polarization" in command("metrics", recorded, "--all")
+    assert "polarisation" in command("metrics", recorded, "--all")
     assert re.search(r"[0-9a-f]{64}", command("digest", recorded))
 
 
@@ -164,7 +164,8 @@ def test_the_error_is_simulated_and_found(diagnosed: SimpleNamespace) -> None:
 def test_the_error_is_drawn(diagnosed: SimpleNamespace) -> None:
     """The page names it, says what to check on the robot, and draws the stream against what the error's file says."""
     assert "pressure gauge with a wrong gain" in diagnosed.page
-    assert "Hold the sensor at two known depths." in diagnosed.page
+    assert "hold the sensor at two known depths." in diagnosed.page
+    assert "/lily_01/pressure: what it shows less what the model expects" in diagnosed.page
 
 
 def test_what_every_sensor_has_to_keep_is_tested_on_both_unasked(python: Callable[..., str]) -> None:
