@@ -44,7 +44,7 @@ def log_evidence(fit: Fit) -> float:
     """Logarithm of the evidence of a model [nats], by Laplace's approximation; minus infinity where the model ran away.
 
     objective + 1/2 sum(log prior precisions) - 1/2 log det(information): the objective at the fit plus the logarithm of
-    how much narrower the posterior is than the prior. A constant that all models of the same noise share is left out.
+    the volume of the posterior over that of the prior. A constant that all models of the same noise share is left out.
     Each q has the prior of its Unknown; a flat prior would make evidence meaningless, so no prior is flat.
     Source: Kass and Raftery, JASA 90 (1995) 773, section 4.1.
     """

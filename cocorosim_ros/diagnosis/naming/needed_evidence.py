@@ -68,8 +68,8 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
     An effect in the water rarely has exactly the form of the catalogue. A share of its nats is left over, and a further
     candidate may explain that rest without being there. So a candidate needs more than this share
 
-    - of each named effect on the same side of the motion, or the same sensor; for an entry of the catalogue no more than
-      the likeness of the two, since an effect that changes other readings than the named one cannot be its rest;
+    - of each named effect on the same side of the motion, or the same sensor; for an entry of the catalogue no more
+      than the likeness of the two, since an effect that changes other readings than the named one cannot be its rest;
     - of every named effect of motion, if it is a law of readings.
 
     A second fault of one sensor is not a rest of the first; only a law outside the catalogue may be.
