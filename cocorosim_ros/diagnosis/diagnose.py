@@ -85,7 +85,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
 
 
 def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
-    """What is left of the named effects when those are taken back that make free runs on unseen data worse."""
+    """Take back named effects that make free runs on unseen data worse, the weakest first; return what is left."""
     table, runs = held_out_free_runs(naming.base, naming.fit)
     while naming.named and any(_is_worse(row) for row in table.values()):
         naming = without_weakest(naming)

@@ -14,7 +14,7 @@ from cocorosim_ros.world.terms.course import Course
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]
 Regime = Literal["turning", "straight", "fast", "slow", "deep", "shallow", "climbing", "east", "west", "north", "south"]
-"""How a robot swam, or where: beyond or below the median of its course."""
+"""Parts of a course by motion or by place: beyond or below the median of that course."""
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,6 @@ import pytest
 
 PACKAGE = Path(__file__).parents[2] / "cocorosim_ros"
 DIAGNOSIS = PACKAGE / "diagnosis"
-# Rooms that are still to be rewritten; a room leaves this list for good.
-NOT_YET = ("naming", "fitting", "showing", "tracks", "catalogue")
 COURTROOM = re.compile(
     r"\b(accus\w+|innocen\w+|guilt\w*|blam\w+|quarrel\w*|merits?|culprits?|suspicion\w*|acquit\w*|alibi\w*|testif\w+"
     r"|witness\w*|prosecut\w+)\b",
@@ -43,10 +41,9 @@ def docstrings(path: Path) -> Iterator[tuple[int, str]]:
             yield node.lineno, node.value.value
 
 
-def modules(*, but: tuple[str, ...] = ()) -> list[Path]:
-    """All modules of the package outside some rooms of the diagnosis."""
-    left_out = tuple(DIAGNOSIS / room for room in but)
-    return sorted(path for path in PACKAGE.rglob("*.py") if not any(path.is_relative_to(room) for room in left_out))
+def modules(folder: Path) -> list[Path]:
+    """All modules in a folder and its rooms."""
+    return sorted(folder.rglob("*.py"))
 
 
 def places(paths: list[Path], words: re.Pattern[str]) -> list[str]:
@@ -61,20 +58,15 @@ def places(paths: list[Path], words: re.Pattern[str]) -> list[str]:
 
 def test_no_courtroom() -> None:
     """A diagnosis weighs evidence; it accuses nothing, and nothing in it is innocent."""
-    assert places(modules(but=NOT_YET), COURTROOM) == []
-
-
-def clean_rooms() -> list[Path]:
-    """The modules of the diagnosis in rooms that follow all rules."""
-    return [path for path in modules(but=NOT_YET) if path.is_relative_to(DIAGNOSIS)]
+    assert places(modules(PACKAGE), COURTROOM) == []
 
 
 def test_no_persons_for_things() -> None:
     """Things are neither `who` nor `nobody`."""
-    assert places(clean_rooms(), PERSONS) == []
+    assert places(modules(DIAGNOSIS), PERSONS) == []
 
 
-@pytest.mark.parametrize("path", clean_rooms(), ids=lambda path: str(path.relative_to(DIAGNOSIS)))
+@pytest.mark.parametrize("path", modules(DIAGNOSIS), ids=lambda path: str(path.relative_to(DIAGNOSIS)))
 def test_docstrings_begin_with_a_verb_or_a_noun(path: Path) -> None:
     """A reader who sees the first words alone knows what the text is about."""
     assert [f"{line}: {text[:40]}" for line, text in docstrings(path) if NO_HEAD.match(text)] == []
@@ -92,11 +84,3 @@ def test_the_words_are_found_where_they_stand(tmp_path: Path) -> None:
     ]  # fmt: skip
     assert places([planted], PERSONS) == ["planted.py:1: whosever"]
     assert [text for _, text in docstrings(planted) if NO_HEAD.match(text)] == ["What it is, whosever."]
-
-
-@pytest.mark.parametrize("room", NOT_YET)
-def test_the_rooms_to_be_rewritten_need_it(room: str) -> None:
-    """If this fails, the room follows the rules: take it out of NOT_YET."""
-    paths = sorted((DIAGNOSIS / room).glob("*.py"))
-    without_head = [text for path in paths for _, text in docstrings(path) if NO_HEAD.match(text)]
-    assert places(paths, COURTROOM) or places(paths, PERSONS) or without_head

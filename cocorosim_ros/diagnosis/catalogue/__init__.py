@@ -1,1 +1,1 @@
-"""What a diagnosis looks for: effects by the contract's identifiers, and laws outside the catalogue."""
+"""The catalogue: effects that a diagnosis looks for, by the contract's identifiers, and laws outside the catalogue."""

@@ -1,7 +1,7 @@
-"""CATALOGUE: the effects that a diagnosis knows. Their physics are the simulator's, under the same names.
+"""ENTRIES: the effects that a diagnosis knows. Their physics are the simulator's, under the same names.
 
-How an effect is looked for stands in its own file in world/effects, that of an error of a sensor in
-world/sensors/errors.
+The file of each effect in world/effects, and of each error of a sensor in world/sensors/errors, says how a diagnosis
+looks for it: amplitudes, priors, grids.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Water that turns about a place: a law of the water outside the catalogue.
+"""Eddies: water that turns about a place, a law of the water outside the catalogue.
 
-Where something is wrong with the water, a catalogue of uniform, sheared and swinging currents explains a part of any
-motion that it has, and the first of them would be blamed for it.
+A catalogue of uniform, sheared and swinging currents explains a part of any motion of the water. Without eddies among
+the candidates, one of these currents would be named wrongly where the water turns.
 """
 
 from __future__ import annotations
@@ -10,18 +10,22 @@ from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Sha
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 
 EDDY = "eddy"
-"""The simulator's effect, of which a model has one."""
+"""Name of the simulator's effect; a model has one eddy at most."""
 ALONG_X = Law("world_x", Product(Factor("y")))
-"""As what it is reported: of its two halves the one along x."""
-_PLACES = 6  # along each axis
-_BESIDE = 0.25  # of the robots' range along an axis: how far beside it the axis of an eddy may stand
-_CORES = (0.2, 0.6)  # of how far the robots have been
+"""Law under which an eddy is reported: of its two components the one along x."""
+_PLACES = 6  # grid points along each axis
+_BESIDE = 0.25  # share of the robots' range along an axis by which the centre of an eddy may lie outside of that range
+_CORES = (0.2, 0.6)  # radii of the core, as shares of the robots' greater range
 _FAST = 0.005  # m/s at the edge of the core in a bad case
-_AROUND = 9.94  # 2 pi / (1 - 1/e): circulation over core and velocity at its edge
+_AROUND = 9.94  # 2 pi / (1 - 1/e): circulation, divided by the core's radius and the velocity at its edge
 
 
 def eddy_entry(scene: Scene) -> Entry:
-    """An eddy where the robots have been or a little beside; its coefficient is the circulation."""
+    """Make the entry of an eddy whose centre lies in or a little beside the robots' range.
+
+    Its amplitude is the circulation [m^2/s]; its shapes are centre [m; world] and radius of the core [m]. The velocity
+    at a distance d is that of a Lamb-Oseen vortex: circulation / (2 pi d) (1 - exp(-d^2 / core^2)).
+    """
     reach = max(scene.upper[0] - scene.lower[0], scene.upper[1] - scene.lower[1])
     large = _AROUND * _FAST * _CORES[-1] * reach
     return Entry(
@@ -42,6 +46,7 @@ def eddy_entry(scene: Scene) -> Entry:
 
 
 def _grid(scene: Scene, axis: int) -> list[float]:
+    """Places [m; world] of the centre to try along one axis, evenly spaced."""
     beside = _BESIDE * (scene.upper[axis] - scene.lower[axis])
     low, high = scene.lower[axis] - beside, scene.upper[axis] + beside
     return [low + (high - low) * (index + 0.5) / _PLACES for index in range(_PLACES)]

@@ -1,4 +1,4 @@
-"""An entry of the catalogue: an effect by the contract's identifier, and how it is looked for."""
+"""Entries of the catalogue: an effect by the contract's identifier, with amplitudes, shapes, priors and grids."""
 
 from __future__ import annotations
 
@@ -16,14 +16,15 @@ from cocorosim_ros.world.terms.search import Basis, Given, Grid, Limits, Scene, 
 __all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape", "entries_of_error", "entry_of"]
 
 SENSOR_CHANNELS = ("clock", *(topic for topic, sensor in SENSORS.items() if sensor.kinds))
-"""Channels of entries that act on what is read; all others act on the motion."""
+"""Channels of entries that act on readings; all other channels are equations of motion."""
 
 
 @dataclass(frozen=True)
 class Amplitude(Limits):
-    """A number that is neutral where the effect is absent; `large` is its size in a bad case, the unit of its q.
+    """A number in which an effect is linear near `neutral`, its value where the effect is absent.
 
-    Its prior is a normal distribution with standard deviation `large` around neutral.
+    `large` is its size in a bad case. A fit counts it in q = (number - neutral) / large; its prior is a normal
+    distribution around neutral with standard deviation `large`.
     """
 
     column: str
@@ -35,9 +36,10 @@ class Amplitude(Limits):
 
 @dataclass(frozen=True)
 class Shape(Spacing):
-    """A number that says where, when or how; it has no meaning while the amplitudes are neutral.
+    """A number that changes the form of an effect: its place, moment, period, ...
 
-    Looked for on a grid first; `spacing` is the unit of its q, between two points of the grid.
+    While the amplitudes are neutral it changes nothing, so that it has no slope there: it is first looked for on a
+    grid. A fit counts it in q from a point of that grid, in spacings of the grid or as a logarithm.
     """
 
     column: str
@@ -50,7 +52,7 @@ class Shape(Spacing):
 class Entry(Standing):
     """One effect, or a law outside the catalogue, with the columns of its numbers.
 
-    fixed: numbers of the simulator's effect that are given, by column, from the scene.
+    fixed: numbers of the simulator's effect that are not fitted, by column, as functions of the scene.
     """
 
     id: str
@@ -62,13 +64,13 @@ class Entry(Standing):
     fixed: Mapping[str, Callable[[Scene], float]] = field(default_factory=dict)
     manoeuvre: str = ""  # a name in catalogue.manoeuvres
     needs_neighbours: bool = False
-    prior_nats: float = 0.0  # against it from the outset, for entries of which there are many
-    law: str | None = None  # the place of the simulator that it takes, for laws outside the catalogue
-    form: Law | None = None  # what such a law says
+    prior_nats: float = 0.0  # odds against the entry before any evidence, as there are many of its sort
+    law: str | None = None  # for laws outside the catalogue: the simulator's effect that acts for the law
+    form: Law | None = None  # for laws outside the catalogue: equation or reading, and product of regressors
 
 
 def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
-    """The entry of an effect of the world, as the effect's own file tells it; columns are IDENTIFIER.PARAMETER."""
+    """Make the entry of an effect from what its own file in `world` says; columns are IDENTIFIER.PARAMETER."""
     found = [(f"{identifier}.{number.name}", number, number.search) for number in effect.numbers]
     standing = _fields_of(Standing, search)
     if search.basis is not None:
@@ -88,40 +90,45 @@ def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
 
 
 def entries_of_error(identifier: str) -> list[Entry]:
-    """The entries of an error of sensors: one, or one for each stream where each may have it by itself."""
+    """Make the entries of an error of sensors: one, or one for each stream where each may have the error by itself."""
     error = ERRORS[identifier]
     if error.streams is not None:
         return [_of_stream(identifier, error, error.streams, number) for number in error.numbers]
     if error.search is None:
         return []
     entry = entry_of(identifier, error, error.search)
-    beside = [part for name in error.beside for part in entry_of(name, ERRORS[name], error.search).amplitudes]
+    beside = [each for name in error.beside for each in entry_of(name, ERRORS[name], error.search).amplitudes]
     return [replace(entry, amplitudes=(*entry.amplitudes, *beside))]
 
 
 def _of_stream(identifier: str, error: SensorError, streams: OfEveryStream, number: Number) -> Entry:
-    """The entry of the error of one stream, whose topic the number is called by."""
+    """Make the entry of an error of one stream; `number` has the name of the stream's topic."""
     one = replace(error, summary=streams.summary(number.name), parameters=(number,))
     entry = entry_of(identifier, one, streams.search(number.name))
-    return replace(entry, amplitudes=tuple(replace(part, name=streams.number) for part in entry.amplitudes))
+    return replace(entry, amplitudes=tuple(replace(each, name=streams.number) for each in entry.amplitudes))
 
 
 def _amplitude(column: str, number: Number, how: Strength) -> Amplitude:
+    """Make an amplitude of a number of an effect; how: its large value and limits."""
     limits = _fields_of(Limits, how)
     return Amplitude(column, number.name, number.unit, how.large, neutral=number.neutral, **limits)
 
 
 def _shape(column: str, number: Number, how: Grid) -> Shape:
+    """Make a shape of a number of an effect; how: its grid and spacing."""
     return Shape(column, number.name, number.unit, how.points, **_fields_of(Spacing, how))
 
 
 def _fields_of(kind: type[Limits | Spacing | Standing], source: Limits | Spacing | Standing) -> dict[str, Any]:
-    """The fields that `kind` declares, by name."""
+    """Values in `source` of the fields that `kind` declares, by name."""
     return {each.name: getattr(source, each.name) for each in fields(kind)}
 
 
 def _by_column(identifier: str, basis: Basis) -> Basis:
-    """The basis of an effect, which knows its shapes by name, for shapes by column."""
+    """Make a basis that takes shapes by column from an effect's basis, which takes them by name.
+
+    A basis writes the slope at some shapes as a weighted sum of slopes at other shapes.
+    """
 
     def by_column(values: Mapping[str, float]) -> list[tuple[dict[str, float], float]]:
         named = basis({column.removeprefix(f"{identifier}."): value for column, value in values.items()})

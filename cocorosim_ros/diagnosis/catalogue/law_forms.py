@@ -1,4 +1,4 @@
-"""Forms of laws outside the catalogue: products of regressors that are tried, and how large they typically are."""
+"""Forms of laws outside the catalogue: products of regressors, and their typical sizes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from cocorosim_ros.world.laws.law import Factor, Product
 
 
 def typical_size(product: Product, scene: Scene) -> float:
-    """Typical size of the product, in SI units; 0 where a recording does not show a factor."""
+    """Typical size of a product in these recordings, SI units; 0 where a factor does not occur in them."""
     size = 1.0
     for factor in (product.first, product.second):
         scale = scene.scales[factor.name]
@@ -18,34 +18,35 @@ def typical_size(product: Product, scene: Scene) -> float:
 
 
 def single(name: str) -> Product:
-    """In proportion to one regressor."""
+    """Product of one regressor alone."""
     return Product(Factor(name))
 
 
 def amount(name: str) -> Product:
-    """In proportion to the amount of a regressor."""
+    """Product of the amount of a regressor, without its sign: |x|."""
     return Product(Factor(name, 1.0, False))
 
 
 def square(name: str) -> Product:
-    """In proportion to the square."""
+    """Product of the square of a regressor: x^2."""
     return Product(Factor(name, 2.0, False))
 
 
 def signed_power(name: str, power: float) -> Product:
-    """In proportion to a power of the amount of a regressor, with its sign."""
+    """Product of a power of the amount of a regressor, with its sign: sign(x) |x|^power."""
     return Product(Factor(name, power))
 
 
 def both(first: str, second: str) -> Product:
-    """In proportion to two regressors."""
+    """Product of two regressors."""
     return Product(Factor(first), Factor(second))
 
 
 def given(place: str, numbers: Mapping[str, float]) -> dict[str, Callable[[Scene], float]]:
-    """Numbers of a place as an entry gives them, whatever the scene."""
+    """Fixed numbers of an entry that are the same for every scene, by column PLACE.NAME."""
     return {f"{place}.{name}": _constant(value) for name, value in numbers.items()}
 
 
 def _constant(value: float) -> Callable[[Scene], float]:
+    """Make a function of the scene that always returns `value`."""
     return lambda scene: value

@@ -1,7 +1,7 @@
 """Laws outside the catalogue: force on an equation in proportion to products and powers of regressors, typed by units.
 
-Each is looked for as an entry of the catalogue is, with the simulator's effect `law` behind it, and has to beat the
-catalogue clearly, since there are many of them.
+Each is looked for as an entry of the catalogue is, and one of the simulator's effects in LAWS acts for it. It has to
+beat the catalogue clearly, since there are many laws.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 
 def _powers(name: str) -> tuple[Product, ...]:
-    """A speed's powers other than one and two, which are linear and quadratic drag."""
+    """Powers of a speed other than one and two; those two are linear and quadratic drag."""
     return (
         signed_power(name, 0.0),
         signed_power(name, 1.5),
@@ -38,14 +38,14 @@ def _powers(name: str) -> tuple[Product, ...]:
 
 
 def _elsewhere(name: str) -> tuple[Product, ...]:
-    """A drag that changes with place or in time."""
+    """Drag, in proportion to a speed, that changes with place or in time."""
     return tuple(both(name, where) for where in ("x", "y", "z", "t"))
 
 
 PLACE = tuple(single(name) for name in ("x", "y", "z"))
 SQUARED_PLACE = (square("x"), square("y"), both("x", "y"))
 EVERYTHING = tuple(regressor.name for regressor in REGRESSORS if regressor.from_own_course)
-# What the platform's own numbers or the catalogue hold already, under other names.
+# By equation: regressors to which the platform's own numbers or the catalogue make a force proportional already.
 COVERED: dict[str, tuple[str, ...]] = {
     "surge": ("u", "thrust", "speed"),
     "sway": ("v",),
@@ -55,6 +55,7 @@ COVERED: dict[str, tuple[str, ...]] = {
 
 
 def _all_but(equation: str) -> tuple[Product, ...]:
+    """Products of one regressor each, those left out that COVERED has for the equation."""
     return tuple(single(name) for name in EVERYTHING if name not in COVERED[equation])
 
 
@@ -101,14 +102,17 @@ LAWS_OF: dict[str, tuple[Product, ...]] = {
     "world_x": (*PLACE, single("t"), *SQUARED_PLACE, signed_power("x", 3.0), single("speed")),
     "world_y": (*PLACE, single("t"), *SQUARED_PLACE, signed_power("y", 3.0), single("speed")),
 }
-ROUNDINGS = (0.03, 0.1, 0.3)
+ROUNDINGS = (0.03, 0.1, 0.3)  # of the typical size of a regressor
 SWINGING = ("world_x", "world_y", "surge", "sway", "heave", "yaw")
 PUMP_BEHIND = Law("heave", single("pump_rate"))
 TURNING_AXES = (Law("surge", both("v", "r")), Law("sway", both("u", "r")))
 
 
 def law_entries(scene: Scene, place: str) -> list[Entry]:
-    """All laws of motion, each as the simulator's effect at this place of LAWS."""
+    """Make entries of all laws of motion whose regressors occur in the scene.
+
+    place: one of LAWS, the simulator's effect that acts for them.
+    """
     plain = [
         Law(equation, product)
         for equation, products in LAWS_OF.items()
@@ -122,6 +126,7 @@ def law_entries(scene: Scene, place: str) -> list[Entry]:
 
 
 def _entry(place: str, law: Law, scene: Scene) -> Entry:
+    """Make the entry of one law; its amplitude is the coefficient, with `typical` as the large value."""
     force, product = EQUATION[law.of].symbol, law.product
     size = typical(scene, law)
     negligible = _negligible(size, scene, law)
@@ -140,9 +145,12 @@ def _entry(place: str, law: Law, scene: Scene) -> Entry:
 
 
 def _negligible(size: float, scene: Scene, law: Law) -> tuple[float, float]:
-    """Coefficients that are not believed: a pump's lag by another name, and what turning axes leave of a mass.
+    """Lower and upper end of the coefficients that are too small to be believed, in the unit of the law.
 
-    size: the coefficient that is `typical`.
+    A force of -T times the pump's rate is that of a pump that is late by T; less than PUMP_TICK is not believed. Forces
+    in proportion to v r and u r, as of a mass in turning axes, may come from errors of the filter's steps; less than a
+    share of the mass is not believed.
+    size: the `typical` coefficient.
     """
     least = CATALOGUE.least_force / CATALOGUE.large_share * size
     if law == PUMP_BEHIND:
@@ -153,12 +161,12 @@ def _negligible(size: float, scene: Scene, law: Law) -> tuple[float, float]:
 
 
 def _follows_pump(product: Product) -> bool:
-    """Whether it is about what a depth controller moves in answer to the water: the pump, the dive speed."""
+    """Tell whether a product has a factor that a depth controller moves in answer to the water: pump, dive speed."""
     return not {product.first.name, product.second.name}.isdisjoint(("pump", "pump_rate", "w"))
 
 
 def _roundings(place: str, product: Product, scene: Scene) -> tuple[Shape, ...]:
-    """Where a law that is steep at zero is rounded off: unlike shares of its regressor's size."""
+    """Shapes for the rounding of a law that is steep at zero: shares of its regressor's size; () for other laws."""
     if product.first.power >= 1.0:
         return ()
     size = scene.scales[product.first.name]
@@ -166,7 +174,7 @@ def _roundings(place: str, product: Product, scene: Scene) -> tuple[Shape, ...]:
 
 
 def _swinging(place: str, equation: str, scene: Scene) -> Entry:
-    """Force that swings in time, at the periods that stand out of the residual."""
+    """Make the entry of a force c sin(omega t + phase), with the periods at which the residual swings most as grid."""
     omega, phase = f"{place}.omega", f"{place}.phase"
     return replace(
         _entry(place, Law(equation, single("sin_t")), scene),
@@ -186,7 +194,7 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
 
 
 def typical(scene: Scene, law: Law) -> float:
-    """Coefficient with which the law is a tenth of the equation's full force."""
+    """Coefficient with which a law typically has a tenth of the equation's full force, in the unit of the law."""
     force = scene.scales[
         {"heave": "heave_force", "world_z": "heave_force", "yaw": "yaw_force"}.get(law.of, "surge_force")
     ]

@@ -1,4 +1,4 @@
-"""Which manoeuvres would show what a recording leaves open."""
+"""Choice of manoeuvres that would show what a recording leaves open."""
 
 from __future__ import annotations
 
@@ -9,12 +9,16 @@ from cocorosim_ros.diagnosis.findings import FoundEffect
 
 
 def manoeuvre_of(effect: str) -> str | None:
-    """The name of the manoeuvre that shows an effect."""
+    """Name of the manoeuvre that shows an effect of the catalogue, by its identifier; None if there is none."""
     return next((entry.manoeuvre for entry in ENTRIES if entry.id == effect and entry.manoeuvre), None)
 
 
 def advised(effects: Sequence[FoundEffect], unseen: Sequence[str]) -> tuple[str, ...]:
-    """Names of up to three manoeuvres: they separate the rivals of what was found, or else show what was not seen."""
+    """Choose up to three manoeuvres, by name, those first that serve most effects.
+
+    They tell the found effects from their rivals, or, if there are no rivals, show effects that this recording could
+    not show.
+    """
     open_effects = [rival.id for effect in effects for rival in effect.ambiguous_with] + [
         effect.id for effect in effects if effect.ambiguous_with
     ]

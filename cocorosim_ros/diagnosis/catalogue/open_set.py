@@ -1,4 +1,4 @@
-"""Everything that is looked for outside the catalogue: laws of motion and laws of readings."""
+"""The open set: all laws of motion and of readings that are looked for outside the catalogue."""
 
 from __future__ import annotations
 
@@ -17,11 +17,13 @@ from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
 
 def open_set(scene: Scene, found: Sequence[Entry], rows: Floats, *, water: bool) -> list[Entry]:
-    """All laws beside those that are found, each with the odds against one of so many.
+    """Make entries of all laws outside the catalogue, each with the odds against one of so many as its prior.
 
-    rows (tracks, columns): the base model. What laws it has already keep their places, and their coefficients may turn
-    out to be others; all other laws are looked for in the first place that is free, if one is. `water`: something is
-    wrong with the water, so that it is worth to look for an eddy, which takes longer.
+    A place is one of the few effects of simulator or sensors that can act for a law; each holds one law.
+    found: entries that were named already; their places are taken.
+    rows (tracks, columns): the base model. Its laws keep their places, and their coefficients may be found to differ;
+    all other laws are looked for in the first free place, if there is one.
+    water: True if something is wrong with the water, so that an eddy is looked for too, which takes longer.
     """
     taken = {entry.law for entry in found}
     every: list[Entry] = []
@@ -38,11 +40,11 @@ def open_set(scene: Scene, found: Sequence[Entry], rows: Floats, *, water: bool)
 
 
 def _coefficient(rows: Floats, place: str) -> Floats:
-    """(tracks,) of the law in a place, 0 where there is none."""
+    """Coefficients (tracks,) of the law in a place, 0 where there is none."""
     return rows[:, COLUMN[f"{place}.coefficient"]]
 
 
 def _is_held(entry: Entry, place: str, scene: Scene, rows: Floats) -> bool:
-    """Whether this is the law that the rows have in the place."""
+    """Tell whether an entry is the law that the rows have in a place."""
     having = rows[_coefficient(rows, place) != 0.0]
     return all((having[:, COLUMN[column]] == value(scene)).all() for column, value in entry.fixed.items())

@@ -1,4 +1,4 @@
-"""The phase of what swings in time, as a shape of an entry: that of effects and laws alike."""
+"""Phases of forces that swing in time, as a shape of an entry: the same for effects and for laws."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Laws of readings outside the catalogue: reading less truth in proportion to products and powers of regressors.
 
-What an entry of the catalogue says already is left out: a stream that is late is off by its own rate of change, a
-distorted compass by the sine and cosine of the heading.
+Errors that the catalogue has already are left out: a stream that is late is off by its own rate of change, a distorted
+compass by the sine and cosine of the heading.
 """
 
 from __future__ import annotations
@@ -21,17 +21,18 @@ from cocorosim_ros.world.laws.readings import READING, readings_of
 
 
 def _plain(*names: str) -> tuple[Product, ...]:
+    """Products of one regressor each."""
     return tuple(single(name) for name in names)
 
 
 _MOTORS = (*_plain("thrust", "yaw_command"), amount("thrust"))
 _PUMP = _plain("pump", "pump_rate")
 _PLACE = _plain("x", "y", "z")
-_SPREAD = signed_power("x", 3.0), signed_power("y", 3.0)  # of lenses, along x and y
+_SPREAD = signed_power("x", 3.0), signed_power("y", 3.0)  # distortion of a camera's lens, along x and y
 _LEVER = signed_power("r", 2.0)
 _ACCELERATED = (*_MOTORS, *_plain("z", "t", "u", "r"), square("r"), square("u"))
 
-# By reading.
+# By reading: the products to which its error may be proportional.
 SENSOR_LAWS_OF: dict[str, tuple[Product, ...]] = {
     "compass": (
         *_MOTORS, *_PUMP, *_PLACE, *_plain("t", "u", "v", "w", "speed"), amount("r"), _LEVER,
@@ -57,7 +58,7 @@ SENSOR_LAWS_OF: dict[str, tuple[Product, ...]] = {
     "velocity_v": _plain("v", "r", "t"),
     "velocity_w": _plain("w", "t"),
 }  # fmt: skip
-# By reading: the size of a bad case, in its unit.
+# By reading: the error in a bad case, in the unit of the reading.
 _BAD = {
     "compass": 0.05,
     "pressure": 200.0,
@@ -70,10 +71,10 @@ _BAD = {
 
 
 def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:
-    """All laws of readings, each at this place of SENSOR_LAWS.
+    """Make entries of all laws of readings whose regressors occur in the scene, each at `place` of SENSOR_LAWS.
 
-    None of poses where nothing but the water moved the robots: a place that is read too short then only makes the water
-    look calmer, and laws of poses by place take that for a merit.
+    Laws of poses are left out where nothing but the water moved the robots. There, distances that are read too short
+    make the water look calmer, a calmer water is more likely, and so a law of poses by place would gain nats for it.
     """
     return [
         _entry(place, Law(reading, product), scene)
@@ -84,6 +85,7 @@ def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:
 
 
 def _entry(place: str, law: Law, scene: Scene) -> Entry:
+    """Make the entry of one law; its large coefficient is that of a typical error as in a bad case."""
     reading, product = READING[law.of], law.product
     large = _BAD[reading.name] / typical_size(product, scene)
     words = reading.topic if len(readings_of(reading.topic)) == 1 else f"{reading.topic} ({reading.name})"

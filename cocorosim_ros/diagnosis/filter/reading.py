@@ -1,4 +1,4 @@
-"""What a reading shows, and how that depends on the state: one function each, written from the tables of sensors."""
+"""Expected readings and their derivatives by the state: one function each, written from the tables of sensors."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ def _expected_lines() -> tuple[list[str], Functions]:
 
 
 expected = compile_lines("expected", "kind, when, row, rates, sensor, water", *_expected_lines())
-"""What a reading of this kind would show; `row` is the state at the grid point.
+"""Expected reading of a kind, in the unit of the kind; `row` is the state at the grid point.
 
-when: its stamp, how long after the grid point, how far from it [s] and on which side. rates: the mean of the rate
+when: stamp of the reading, time after the grid point, distance from it [s] and side of it. rates: the mean of the rate
 of the state on both sides of the grid point, and by how much it is greater behind it. sensor: the numbers of the
 errors, by errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone.
 """
@@ -74,11 +74,11 @@ def _asks(name: str, codes: list[int]) -> Any:
 
 _TABLE = list(enumerate(KINDS.values()))
 is_upright = _asks("is_upright", [code for code, kind in _TABLE if kind.upright])
-"""Whether a reading of this kind is of the vertical block."""
+"""Tell whether a reading of this kind belongs to the vertical block of the state."""
 is_of_water = _asks("is_of_water", [code for code, kind in _TABLE if kind.of_water])
-"""Whether a reading of this kind depends on the velocity through the water."""
+"""Tell whether a reading of this kind depends on the velocity through the water."""
 is_angle = _asks("is_angle", [code for code, kind in _TABLE if kind.angle])
-"""Whether a reading of this kind is an angle."""
+"""Tell whether a reading of this kind is an angle."""
 
 
 @kernel

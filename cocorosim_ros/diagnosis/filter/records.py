@@ -23,7 +23,7 @@ class Grid(NamedTuple):
 
     @property
     def duration(self) -> float:
-        """From the first point to the last [s]."""
+        """Time from the first point to the last [s]."""
         return self.step * (self.points - 1)
 
 

@@ -1,6 +1,6 @@
-"""What every model of these recordings has: the platform's numbers, those of them that may move, and the noise.
+"""Numbers that every model of the recordings has: the platform's, those of them that are fitted, and the noise.
 
-Mass is not fitted: forces, drag and inertia are known relative to it alone. Which numbers can move is a table.
+Mass is not fitted: forces, drag and inertia are known relative to mass alone. RECALIBRATED lists the fitted numbers.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
-# Columns, by the name that the contract reports, and their unit.
+# By column: the name that the contract reports, and the unit.
 RECALIBRATED: dict[str, tuple[str, str]] = {
     "thrust_gain": ("thrust_gain", "1"),
     "yaw_torque_gain": ("yaw_torque_gain", "1"),
@@ -38,7 +38,7 @@ RECALIBRATED: dict[str, tuple[str, str]] = {
 FIRST_DISTURBANCE = 0.01  # of full thrust
 FIRST_CORRELATION = 2.5  # s
 FIRST_SMOOTHNESS = 0.4
-# Of the logarithms: standard deviation and bounds, both from where the fit begins.
+# By column: standard deviation and bounds of the logarithm, both relative to the value at which the fit begins.
 WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     "random.force": (3.0, (-7.0, 7.0)),
     "random.heave_force": (3.0, (-7.0, 7.0)),
@@ -50,7 +50,7 @@ WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     ),
 }
 SHARED_NOISE = ("random.correlation", "random.smoothness")
-# What the filter's steps are off by at least, however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
+# Least noise, the error of the filter's own steps however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
 LEAST_READING_NOISE = {
     "reading.pose_xy": 1e-4, "reading.pose_z": 1e-4, "reading.pose_yaw": 1e-3, "reading.compass": 1e-3,
     "reading.pressure": 1.0, "reading.gyro_z": 1e-3, "reading.accel": 1e-3, "reading.velocity": 1e-4,
@@ -58,7 +58,11 @@ LEAST_READING_NOISE = {
 
 
 def base_rows(tracks: Sequence[Track]) -> Floats:
-    """(tracks, columns) the platform's numbers, nothing out of the ordinary, noise as it is estimated at first."""
+    """Rows (tracks, columns) of the plain model: the platform's numbers, no effects, the first guess of the noise.
+
+    Units are SI; noise is the logarithm of it. The noise of readings is the one that `evidence` estimated from the high
+    differences of each stream.
+    """
     rows = np.array([track.vehicle.row for track in tracks])
     for row, track in zip(rows, tracks, strict=True):
         full = full_forces(track.vehicle)
@@ -80,14 +84,15 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
 
 
 def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
-    """The numbers of each robot's platform that may move."""
+    """Unknowns of recalibration: the numbers of each robot's platform that are fitted."""
     found = []
     for robot, numbers in tracks_by_robot(tracks).items():
         vehicle = tracks[numbers[0]].vehicle
         ranges = vehicle.ranges
         for column, (name, unit) in RECALIBRATED.items():
             base = float(vehicle.nominal[PARAMETER_COLUMNS[column]])
-            # Moments are known relative to the inertia alone, as forces are to the mass: it stays unless it is unknown.
+            # Moments are known relative to the inertia alone, as forces are to the mass: inertia stays unless the file
+            # gives its range.
             if base > 0.0 and (column != "yaw_inertia" or column in ranges):
                 prior = _prior(column, ranges)
                 owner = Owner(PLATFORM, (robot,), name, unit)
@@ -96,7 +101,10 @@ def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
 
 
 def _prior(column: str, ranges: Ranges) -> float:
-    """Standard deviation of the logarithm: a quarter of the platform's range, where it gives one."""
+    """Prior standard deviation of the logarithm of a number: a quarter of the range that the platform's file gives.
+
+    The usual prior of RECALIBRATION is the least, and stands where the file gives no range.
+    """
     wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
     found = [each for key, each in ranges.items() if key.endswith(wanted) and each.low > 0.0]
     widths = [math.log(each.high / each.low) / 4.0 for each in found]
@@ -104,10 +112,12 @@ def _prior(column: str, ranges: Ranges) -> float:
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
-    """Random forces and noise of readings, each robot's own; how fast the water changes is shared by all.
+    """Unknowns of the noise: random forces and the noise of readings, fitted as logarithms around those in `rows`.
 
-    The same water moves a robot of another mass or inertia otherwise, and forces are known relative to these alone. A
-    robot's own instruments are the same in every recording; how well a tracker sees it is not.
+    Each robot has its own strength of random forces: the same water moves a robot of another mass or inertia otherwise,
+    and forces are known relative to mass and inertia alone. Correlation time and smoothness are shared by all robots.
+    Instruments on board have one noise in all recordings of a robot; poses, which a tracker outside sees, have one for
+    each recording.
     """
     robots = tracks_by_robot(tracks)
     everybody = {tuple(robots): tuple(range(len(tracks)))}
@@ -134,12 +144,12 @@ def _noise_owner(effect: str, robots: tuple[str, ...], column: str) -> Owner:
 
 
 def _at(rows: Floats, tracks: Sequence[int], column: str) -> float:
-    """What stands in a column of the first of these tracks."""
+    """Value in a column of `rows` (tracks, columns), of the first of the given tracks."""
     return float(rows[tracks[0], COLUMN[column]])
 
 
 def _readings_of(tracks: Sequence[Track], numbers: Sequence[int]) -> list[str]:
-    """Columns of the noise of those readings that these tracks have."""
+    """Noise columns of the kinds of readings that the given tracks have."""
     kinds = np.unique(np.concatenate([tracks[number].timeline.kind for number in numbers]))
     present = {f"reading.{READING_NOISE_OF_KIND[kind]}" for kind in kinds}
     return [column for column in READING_NOISE if column in present]

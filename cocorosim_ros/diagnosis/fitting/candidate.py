@@ -18,11 +18,11 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
 
-OVER = 0.1  # of a logarithm beyond the largest shape of a grid
+OVER = 0.1  # logarithm by which a shape may exceed the largest value of its grid
 
 
 class Robots(NamedTuple):
-    """Some robots and the numbers of all their tracks."""
+    """Names of some robots, and the numbers of all their tracks."""
 
     names: tuple[str, ...]
     tracks: tuple[int, ...]
@@ -30,49 +30,49 @@ class Robots(NamedTuple):
 
 @dataclass(frozen=True)
 class Candidate:
-    """An entry that acts on `robots`; tracks are numbers by robot. `slot` tells several of one entry apart."""
+    """An entry of the catalogue, or a law outside it, that acts on certain robots and all their tracks."""
 
     entry: Entry
     robots: tuple[str, ...]
-    tracks: tuple[tuple[int, ...], ...]  # by robot
-    sizes: Mapping[str, float] = field(default_factory=lambda: LILY_SIZES)  # of the vehicle beside a Lily, by unit
+    tracks: tuple[tuple[int, ...], ...]  # numbers of the tracks of each robot
+    sizes: Mapping[str, float] = field(default_factory=lambda: LILY_SIZES)  # by unit: the vehicle relative to a Lily
     duration: float = math.inf  # of the longest recording [s]
-    known: tuple[tuple[float, ...], ...] = ()  # by sharer: amplitudes that the base has already; shapes then stay
+    known: tuple[tuple[float, ...], ...] = ()  # by sharer: amplitudes of the base model, if any acts; shapes then stay
 
     @property
     def key(self) -> tuple[str, str | None, tuple[str, ...]]:
-        """What tells candidates apart."""
+        """Identity of the candidate: effect, topic and robots."""
         return self.entry.id, self.entry.topic, self.robots
 
     @property
     def everybody(self) -> tuple[int, ...]:
-        """All tracks on which it acts."""
+        """Numbers of all tracks on which the candidate acts."""
         return tuple(itertools.chain.from_iterable(self.tracks))
 
     @property
     def onset_columns(self) -> frozenset[str]:
-        """Columns that say when something happens once."""
+        """Columns of shapes that hold the moment of an event that happens once."""
         return frozenset(shape.column for shape in self.entry.shapes if shape.once)
 
     @property
     def sharers(self) -> tuple[Robots, ...]:
-        """Robots that share their amplitudes: all where these are of the water, else each alone."""
+        """Groups of robots with the same amplitudes: all together for effects of the water, else each alone."""
         if self.entry.water:
             return (Robots(self.robots, self.everybody),)
         return tuple(Robots((robot,), tracks) for robot, tracks in zip(self.robots, self.tracks, strict=True))
 
     def owns(self, unknown: Unknown) -> bool:
-        """Whether an unknown is a number of this entry on these robots."""
+        """Tell whether an unknown belongs to this entry, and to no robot but those of the candidate."""
         owner = unknown.owner
         same = (owner.effect, owner.topic) == (self.entry.id, self.entry.topic)
         return same and set(owner.robots) <= set(self.robots)
 
     def places_among(self, unknowns: Sequence[Unknown]) -> list[int]:
-        """Which of the unknowns, by number, are this candidate's."""
+        """Places, in a sequence of unknowns, of those that the candidate owns."""
         return [number for number, unknown in enumerate(unknowns) if self.owns(unknown)]
 
     def amplitudes(self) -> list[Unknown]:
-        """The amplitudes as unknowns, one of each for those that share it."""
+        """Make the amplitudes into unknowns: one of each for every group of robots that shares it, in that order."""
         neutral = tuple(amplitude.neutral for amplitude in self.entry.amplitudes)
         bases = self.known or (neutral,) * len(self.sharers)
         return [
@@ -82,6 +82,7 @@ class Candidate:
         ]
 
     def _amplitude(self, amplitude: Amplitude, robots: Robots, base: float) -> Unknown:
+        """Make one amplitude into an unknown around `base`, in units of its `large`."""
         large, step = self.large(amplitude), amplitude.step
         shift = (amplitude.neutral - base) / large
         bounds = (amplitude.least + shift, amplitude.most + shift)
@@ -92,16 +93,19 @@ class Candidate:
         return Owner(self.entry.id, robots, number.name, number.unit, self.entry.topic)
 
     def searched(self) -> list[Floats]:
-        """Amplitudes, in q, at which a fit of it may begin as well: all robots' at the same of the entry's values."""
+        """Further starts of a fit: q of the amplitudes (n,), the same for all robots; empty where a slope is enough."""
         (amplitude, *others), sharers = self.entry.amplitudes, len(self.sharers)
         return [] if others or self.known else [np.full(sharers, value) for value in amplitude.searched]
 
     def large(self, amplitude: Amplitude) -> float:
-        """What is large of an amplitude for this vehicle; that of a law is so already."""
+        """Large value of an amplitude for this vehicle, in the amplitude's unit.
+
+        Entries of the catalogue give it for a Lily, laws outside the catalogue for the vehicle at hand.
+        """
         return amplitude.large if self.entry.law is not None else amplitude.large * self.sizes[amplitude.unit]
 
     def shape_unknowns(self, values: dict[str, float], scene: Scene) -> list[Unknown]:
-        """The shapes that are not fixed, around these values, shared by all robots."""
+        """Make the shapes that are not fixed into unknowns around `values` (by column), shared by all robots."""
         if self.known:
             return []
         return [
@@ -111,7 +115,7 @@ class Candidate:
         ]
 
     def settings(self, scene: Scene) -> Iterator[dict[str, float]]:
-        """Every point of the grid of shapes, with what is given."""
+        """Iterate over the grid of shapes: values by column, those that the entry fixes included."""
         if self.known:
             yield {}
             return
@@ -120,7 +124,7 @@ class Candidate:
             yield given | {shape.column: value for shape, value in zip(self.entry.shapes, point, strict=True)}
 
     def write(self, rows: Floats, values: dict[str, float]) -> Floats:
-        """(tracks, columns) a copy of the rows with these values on the candidate's tracks."""
+        """Copy rows (tracks, columns), with `values` by column written into the rows of the candidate's tracks."""
         filled = rows.copy()
         for column, value in values.items():
             filled[list(self.everybody), COLUMN[column]] = value
@@ -128,7 +132,12 @@ class Candidate:
 
 
 def _shape(shape: Shape, owner: Owner, tracks: tuple[int, ...], value: float, grid: list[float]) -> Unknown:
-    """Around one point of its grid; it does not leave the grid by more than half a spacing."""
+    """Make a shape into an unknown around `value`, a point of its grid.
+
+    q counts spacings of the grid, or is the logarithm of the shape over `value` where the shape is logarithmic. Bounds
+    keep the shape near the grid: within half a spacing; on a logarithmic grid a spacing below and OVER above it. A
+    periodic shape is not bounded.
+    """
     ends = (min(grid), max(grid))
     if shape.logarithmic:
         spacing = math.log(ends[1] / ends[0]) / (len(grid) - 1) if len(grid) > 1 else 0.5
@@ -143,9 +152,11 @@ def _shape(shape: Shape, owner: Owner, tracks: tuple[int, ...], value: float, gr
 
 
 def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> list[Candidate]:
-    """Every entry for all robots together and, where there are several and it is no matter of the water, for each.
+    """Make entries into candidates: for all robots together, and for each alone where there are several.
 
-    rows (tracks, columns): the base model, which may have some of them already.
+    Effects of the water act on all robots together only. Entries that need neighbours, or a stream, are left out where
+    the recordings have none.
+    rows (tracks, columns): the base model, in which some of the effects may act already.
     """
     numbers = tracks_by_robot(tracks)
     scaling = sizes(tracks[0].vehicle)
@@ -166,12 +177,13 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
 
 
 def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
-    """The amplitudes of an entry in the base model's rows, one of each owner, if any is not neutral."""
+    """Amplitudes of an entry in `rows` (owners, columns) of the base model; () if all are neutral."""
     values = rows[:, [COLUMN[amplitude.column] for amplitude in entry.amplitudes]]
     there = (values != [amplitude.neutral for amplitude in entry.amplitudes]).any()
     return tuple(tuple(own) for own in values.tolist()) if there else ()
 
 
 def _has_topic(entry: Entry, tracks: Sequence[Track]) -> bool:
+    """Tell whether any of these tracks has readings of the entry's stream, if the entry is about one."""
     topic = entry.topic
     return topic is None or any(topic in track.log.streams and len(track.log.streams[topic].time) for track in tracks)

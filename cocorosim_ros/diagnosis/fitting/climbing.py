@@ -22,7 +22,7 @@ DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
 
 
 def improved(fit: Fit, rounds: int) -> Fit:
-    """The fit after at most so many Gauss-Newton steps of its unknowns."""
+    """Climb by at most `rounds` Gauss-Newton steps of the unknowns, noise held, until a step gains too little."""
     for _ in range(rounds):
         if not fit.unknowns:
             return fit
@@ -34,6 +34,7 @@ def improved(fit: Fit, rounds: int) -> Fit:
 
 
 def _unknowns_step(fit: Fit) -> Fit | None:
+    """Take a Gauss-Newton step, halved until the fit is better; None if no half of it is."""
     known = information(fit)
     step = step_within(known.matrix, known.score, fit.unknowns, fit.q)
     return _first_better(
@@ -42,7 +43,7 @@ def _unknowns_step(fit: Fit) -> Fit | None:
 
 
 def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit:
-    """The fit after at most so many scoring steps of its noise, of the columns in `which` or all."""
+    """Climb by at most `rounds` scoring steps of the noise, unknowns held; of the columns in `which`, None: of all."""
     chosen = [index for index, unknown in enumerate(fit.noise) if which is None or unknown.column in which]
     for _ in range(rounds):
         if not chosen:
@@ -58,9 +59,10 @@ def with_noise(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit
 
 
 def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
-    """A scoring step, damped more and more until it is better (Levenberg): at last it goes up the score alone.
+    """Take a scoring step of the noise `chosen` by number, damped until the fit is better; None if no damping helps.
 
-    Far from the optimum, as where the water does not push at all, curvatures of the present place say little.
+    Damping is Levenberg's: the more of it, the more the step follows the score alone. Far from the optimum, as where
+    the water does not push at all, the curvature says little.
     """
     score, matrix = noise_information(fit, chosen)
     unknowns = [fit.noise[index] for index in chosen]
@@ -75,15 +77,15 @@ def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
 
 
 def _first_better(fit: Fit, trials: Iterable[Fit]) -> Fit | None:
-    """The first of these fits, not yet evaluated, that is better; None if none is."""
+    """Evaluate trials until one has a greater objective than `fit`, and return it; None if none has."""
     better = (trial for trial in map(evaluated, trials) if trial.objective > fit.objective)
     return next(better, None)
 
 
 def settled(fit: Fit, rounds: int) -> Fit:
-    """The fit after at most so many turns of noise and unknowns, until these leave each other alone.
+    """Climb by turns of noise and unknowns, at most `rounds` of them, until neither moves the other any more.
 
-    They do where nothing is left to gain after the first step of a turn.
+    That is so where a turn gains nearly nothing after its first step.
     """
     for _ in range(rounds):
         stepped = with_noise(fit, 1)

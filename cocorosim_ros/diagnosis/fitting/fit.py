@@ -1,4 +1,4 @@
-"""A model fitted to tracks: unknowns, noise, the passes of the filter there, and what these tell of the unknowns.
+"""A model fitted to tracks: unknowns, noise, the filter's passes under them, and the information on the unknowns.
 
 With the filter's gains held, the innovations are a smooth function of the unknowns and cost a tenth of a full pass.
 Terms of the score that come from the change of the gains have expectation zero.
@@ -26,10 +26,10 @@ from cocorosim_ros.foundation.arrays import Floats
 
 @dataclass(frozen=True)
 class Fit:
-    """A model fitted to the tracks: q of its unknowns and of its noise, and the passes there."""
+    """A model fitted to the tracks: q of its unknowns and of its noise, and the filter's pass over each track there."""
 
     tracks: tuple[Track, ...]
-    rows: Floats  # (tracks, columns) what is not fitted
+    rows: Floats  # (tracks, columns) numbers of the model, SI units; those that are fitted are replaced by `filled`
     unknowns: tuple[Unknown, ...]
     noise: tuple[Unknown, ...]
     q: Floats  # (unknowns,)
@@ -38,47 +38,49 @@ class Fit:
 
     @property
     def log_likelihood(self) -> float:
-        """Of all readings of all tracks."""
+        """Log-likelihood of all readings of all tracks [nats]."""
         return sum(passed.log_likelihood for passed in self.passes)
 
     @property
     def objective(self) -> float:
-        """Log-likelihood and log prior; minus infinity where the model ran away."""
+        """Log-likelihood plus log prior [nats], up to a constant; minus infinity where the model ran away."""
         whole = self.log_likelihood + _log_prior(self.unknowns, self.q) + _log_prior(self.noise, self.q_noise)
         return whole if math.isfinite(whole) else -math.inf
 
     @property
     def filled(self) -> Floats:
-        """(tracks, columns) the rows with all fitted values."""
+        """Rows (tracks, columns) with all fitted values in them."""
         return write_values(write_values(self.rows, self.unknowns, self.q), self.noise, self.q_noise)
 
     @cached_property
     def information(self) -> Information:
-        """What the recordings tell of its unknowns."""
+        """Slopes, Fisher information and score of the unknowns at the fit, computed when first asked for."""
         return _information(self)
 
 
 def _log_prior(unknowns: Sequence[Unknown], q: Floats) -> float:
+    """Log density of the normal priors at q (n,), up to a constant."""
     return -0.5 * float(np.sum(prior_precision(unknowns) * (q - prior_centre(unknowns)) ** 2))
 
 
 def make_fit(tracks: Sequence[Track], rows: Floats, unknowns: Sequence[Unknown], noise: Sequence[Unknown]) -> Fit:
-    """The model at the centres of the priors, evaluated."""
+    """Make a fit with all unknowns and noise at the centres of their priors, and evaluate it."""
     centre, centre_of_noise = prior_centre(unknowns), prior_centre(noise)
     return evaluated(Fit(tuple(tracks), rows, tuple(unknowns), tuple(noise), centre, centre_of_noise, ()))
 
 
 def evaluated(fit: Fit) -> Fit:
-    """The fit with the passes at its q."""
+    """Run the filter over every track at the fit's q, and return the fit with these passes."""
     filled = fit.filled
     passes = of_each_track(lambda number: fit.tracks[number].filter.full(filled[number]), len(fit.tracks))
     return replace(fit, passes=tuple(passes))
 
 
 def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
-    """Per track (m, unknowns): derivative of the innovations by each unknown at q, gains held; 0 where not believed.
+    """Derivatives of the innovations by each unknown at q, gains held: (m, unknowns) for each track.
 
-    At q the unknowns must leave the model as the fit has it: its own, or new ones that are still neutral.
+    They are 0 for readings beyond the gate. At q the unknowns must leave the model as the fit has it: they are those of
+    the fit, or new ones that are still neutral.
     """
     filled = write_values(fit.filled, unknowns, q)
     steps = [unknown.inward_step(float(place)) for unknown, place in zip(unknowns, q, strict=True)]
@@ -96,20 +98,24 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
 
 @dataclass(frozen=True)
 class FeltByTrack:
-    """The unknowns that move a track, by number, and their slopes alone (m, these): all others' are zeros."""
+    """The unknowns that act on a track, by number, and their slopes (m, n) alone: those of all others are zeros."""
 
     unknowns: list[int]
     slopes: Floats
 
     @property
     def block(self) -> tuple[NDArray[np.intp], ...]:
-        """Where they meet in a matrix of all laws."""
+        """Index of the rows and columns of these unknowns in a matrix of all unknowns."""
         return np.ix_(self.unknowns, self.unknowns)
 
 
 @dataclass(frozen=True)
 class Information:
-    """Slopes of the unknowns by track, their Fisher information with the prior's, and the score, in q."""
+    """Slopes of the unknowns, their Fisher information and their score, all by q and the last two with the prior.
+
+    slopes: (m, unknowns) for each track; matrix: (unknowns, unknowns); score: (unknowns,), the derivative of the
+    objective.
+    """
 
     slopes: tuple[Floats, ...]
     matrix: Floats
@@ -118,7 +124,7 @@ class Information:
 
 
 def information(fit: Fit) -> Information:
-    """What the recordings tell of the unknowns of the fit; found once for each fit."""
+    """Slopes, Fisher information and score of the unknowns of a fit; computed once for each fit."""
     return fit.information
 
 
@@ -134,16 +140,17 @@ def _information(fit: Fit) -> Information:
 
 
 def _felt(fit: Fit, number: int, slopes: Floats) -> FeltByTrack:
+    """Select, of the slopes (m, unknowns) of a track, those of the unknowns that act on it."""
     moving = [index for index, unknown in enumerate(fit.unknowns) if number in unknown.tracks]
     return FeltByTrack(moving, slopes if len(moving) == len(fit.unknowns) else slopes.T[moving].T)
 
 
 def covariance(fit: Fit) -> Floats:
-    """(unknowns, unknowns) of q, by the information at the fit."""
+    """Covariance of q (unknowns, unknowns): the inverse of the information at the fit, noise held."""
     matrix = information(fit).matrix
     return solve(matrix, np.eye(len(matrix)))
 
 
 def finite(fit: Fit) -> bool:
-    """Whether the model could be evaluated at all."""
+    """Tell whether the filter could be run with this model: whether its likelihood is a number."""
     return math.isfinite(fit.log_likelihood)

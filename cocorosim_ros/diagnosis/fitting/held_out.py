@@ -1,9 +1,9 @@
-"""What an addition to a model gains on stretches of the recordings that its fit did not see.
+"""Held-out gain: the nats that an addition to a model gains on blocks of the recordings that its fit did not see.
 
 The recordings are cut into blocks. The estimate without a block follows from the fit by one Newton step with the
-block's share of score and information taken out; the likelihood of the block there, with and without the addition,
-differs by what the addition foretold. When something happens once no other stretch
-can tell: that number stays.
+block's share of score and information taken out. The likelihood of the block at this estimate, with the addition and
+without, differs by what the addition foretold. The moment of an event that happens once is kept from the whole fit,
+because no other block tells of it.
 Source: leave-future-out and block validation for dependent data, Roberts et al., Ecography 40 (2017) 913; one-step
 leave-out after Pregibon, Annals of Statistics 9 (1981) 705.
 """
@@ -25,26 +25,29 @@ BLOCKS = 10  # of each recording
 
 @dataclass(frozen=True)
 class HeldOutGain:
-    """nats (blocks,) that the addition gains on each block; p of no gain by the signed-rank test."""
+    """Gain of an addition on each block, nats (blocks,), and p of no gain by Wilcoxon's signed-rank test."""
 
     nats: Floats
     p: float
 
     @property
     def total(self) -> float:
-        """Of all blocks."""
+        """Gain on all blocks together [nats]."""
         return float(self.nats.sum())
 
 
 def held_out_gain(base: Fit, more: Fit, kept: Collection[str] = ()) -> HeldOutGain:
-    """What `more` foretells better than `base`, both fitted to the same tracks; kept: columns that stay."""
+    """Measure how much better `more` foretells held-out blocks than `base`, both fitted to the same tracks.
+
+    kept: columns of unknowns that stay at their values from the whole fit.
+    """
     nats = _foretold(more, kept) - _foretold(base, kept)
     p = 1.0 if np.allclose(nats, 0.0) else float(wilcoxon(nats, alternative="greater").pvalue)
     return HeldOutGain(nats, p)
 
 
 def _foretold(fit: Fit, kept: Collection[str]) -> Floats:
-    """(blocks,) log-likelihood of each block under the fit to all others."""
+    """Log-likelihood of each block under the fit to all others [nats], up to a constant: (tracks * BLOCKS,)."""
     known = information(fit)
     loose = np.array([unknown.column not in kept for unknown in fit.unknowns], dtype=bool)
     matrix, known_score = known.matrix[np.ix_(loose, loose)], known.score[loose]

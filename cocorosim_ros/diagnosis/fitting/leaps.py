@@ -1,8 +1,8 @@
-"""A way out of local optima of the noise: leaps, one noise or a few at a time.
+"""Leaps out of local optima of the noise, one noise or a few at a time.
 
-Where a model is much in error, it doubts one reading or another as the noise has it, and the likelihood has several
-summits; scoring climbs the one it stands on. A leap by a factor of e or its square may land on a higher one (coordinate
-search: Nocedal and Wright, Numerical Optimization, 2006, section 9.3).
+Where a model is much in error, either of two sensors that disagree may be taken for the noisy one, and the likelihood
+has several summits; scoring climbs the nearest. A leap of a noise by a factor of e or e^2 may land on the slope of a
+higher one (coordinate search: Nocedal and Wright, Numerical Optimization, 2006, section 9.3).
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from cocorosim_ros.diagnosis.fitting.solving import clipped
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.foundation.arrays import Flags
 
-LEAPS = (-2.0, -1.0, 1.0, 2.0)  # of a logarithm
+LEAPS = (-2.0, -1.0, 1.0, 2.0)  # changes of the logarithm of a noise
 MOST_TURNS = 4
 
 
 def leapt(fit: Fit, rounds: int) -> Fit:
-    """The fit settled (at most so many rounds) after every turn of leaps, until none is worth it."""
+    """Leap and settle (at most `rounds` each time) until no leap gains enough, MOST_TURNS times at most."""
     for _ in range(MOST_TURNS):
         best = fit
         for moved in _moving_together(fit):
@@ -36,7 +36,7 @@ def leapt(fit: Fit, rounds: int) -> Fit:
 
 
 def _moving_together(fit: Fit) -> Iterator[Flags]:
-    """Which noise leaps together: all of a column, all random forces, all readings, each alone."""
+    """Choices (noise,) of noise to leap together: all of a column, all random forces, all readings, each alone."""
     columns = np.array([unknown.column for unknown in fit.noise])
     for column in dict.fromkeys(columns):
         yield columns == column
@@ -46,7 +46,7 @@ def _moving_together(fit: Fit) -> Iterator[Flags]:
 
 
 def _best_leap(fit: Fit, moved: Flags) -> Fit:
-    """The best of the leaps of these, or the fit itself."""
+    """Try all LEAPS of the chosen noise; return the best fit, or `fit` itself if no leap gains enough."""
     best = fit
     for leap in LEAPS:
         trial = evaluated(replace(fit, q_noise=clipped(fit.noise, fit.q_noise + leap * moved)))

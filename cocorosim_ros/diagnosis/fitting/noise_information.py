@@ -1,4 +1,4 @@
-"""What the recordings tell of the noise: score and Fisher information, by full passes with each noise a step off."""
+"""Score and Fisher information of the noise, by full passes of the filter with each noise a step off."""
 
 from __future__ import annotations
 
@@ -15,13 +15,15 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 
-NOISE_STEP = 0.02  # of a logarithm
+NOISE_STEP = 0.02  # change of the logarithm of a noise
 
 
 def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
-    """Score (n,) and Fisher information (n, n) of the chosen noise: Gaussian innovations e with variance s.
+    """Score (n,) and Fisher information (n, n) of the noise `chosen` by number, by its logarithms, priors included.
 
-    -2 L = sum e^2 / s + log s; E[d2] = sum de_i de_j / s + ds_i ds_j / (2 s^2).
+    Innovations e are Gaussian with variance s: the log-likelihood L is given by -2 L = sum e^2 / s + log s, and the
+    expectation of its second derivatives by sum de_i de_j / s + ds_i ds_j / (2 s^2), where d_i is the derivative by
+    noise i.
     """
     unknowns = [fit.noise[index] for index in chosen]
     precision = prior_precision(unknowns)
@@ -43,7 +45,10 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
 
 
 def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tuple[Floats, Floats]:
-    """Score (n,) and information (n, n) of noise on a track; rows: its own with each one a step off, or none."""
+    """Score (n,) and information (n, n) of noise from one track, without priors.
+
+    rows: for each noise the track's row with that noise a step off; None for noise that is not of this track.
+    """
     mean, spread = np.zeros((2, len(rows), len(passed.innovation)))
     for column, row in enumerate(rows):
         if row is None:
@@ -63,11 +68,11 @@ def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tupl
 
 
 def _shorter(change: Floats, track: Track) -> Floats:
-    """Changes of angles by the shorter way."""
+    """Changes (m,) of the innovations of a track, those of angles by the shorter way round."""
     return np.where(track.timeline.is_angle, change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)), change)
 
 
 def noise_covariance(fit: Fit) -> Floats:
-    """(noise, noise) of q_noise."""
+    """Covariance of q_noise (noise, noise): the inverse of its information at the fit."""
     _, matrix = noise_information(fit, range(len(fit.noise)))
     return solve(matrix, np.eye(len(matrix)))

@@ -1,4 +1,4 @@
-"""The platform's own numbers fitted together with the random forces of the water: what all models are compared with."""
+"""Recalibration: the platform's numbers fitted together with the noise, for a model to compare all others with."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.foundation.arrays import Floats
 
 MOST_DOUBLINGS = 12
-MOST_ROUNDS = 10  # of a fit that a good start ends after two or three
+MOST_ROUNDS = 10  # turns of noise and unknowns; a good start needs two or three
 INERTIAL = ("reading.gyro_z", "reading.accel")
-# By how much the logarithms move for the further starts.
+# By column: how much the logarithm of a noise moves for the second start.
 AT_RANDOM = {
     "random.force": math.log(10.0),
     "random.heave_force": math.log(10.0),
@@ -31,18 +31,19 @@ AT_RANDOM = {
 
 
 def first_fit(evidence: Evidence) -> Fit:
-    """The model as the platform's file and the first guess of the noise have it."""
+    """Make tracks of the evidence, and the model with the numbers of the platform's file and a first guess of noise."""
     tracks = make_tracks(evidence)
     rows = base_rows(tracks)
     return make_fit(tracks, rows, base_unknowns(tracks), noise_unknowns(tracks, rows))
 
 
 def base_fit(evidence: Evidence) -> Fit:
-    """The recalibrated model: the platform's numbers and the noise at their most likely values.
+    """Fit the recalibrated model: the platform's numbers and the noise at their most likely values.
 
-    Where the first guess of the noise shuts out readings, much is wrong, and the way from there may end anywhere: then
-    a second way begins where hardly anything but chance moves the robot, and a third where its inertial sensors, which
-    the model leans on at every step, are doubted before those that see where it is. From the best of them it leaps on.
+    Under the first guess of the noise, many readings of a sensor may lie beyond the gate. Then much is wrong, and a
+    climb may end at a local optimum. So a second climb starts from strong random forces, which explain nearly all
+    motion, and a third from inertial sensors that hardly count, because the model leans on them at every step and they
+    may be the ones in error. The best of the three goes on by leaps (`leaps`).
     """
     first = first_fit(evidence)
     if not any(_is_shut(first, unknown) for unknown in first.noise):
@@ -55,14 +56,14 @@ def base_fit(evidence: Evidence) -> Fit:
 
 
 def _at_random(fit: Fit) -> Fit:
-    """The fit with strong and quick random forces, and coarse readings: each is then heeded a little."""
+    """Start from strong and quick random forces, and from coarse readings for sensors that are mostly not believed."""
     coarse = [RECALIBRATION.coarse if _is_shut(fit, unknown) else 0.0 for unknown in fit.noise]
     moves = np.array([AT_RANDOM.get(unknown.column, other) for unknown, other in zip(fit.noise, coarse, strict=True)])
     return _with_moved_noise(fit, moves)
 
 
 def _without_inertial(fit: Fit) -> Fit:
-    """The fit with inertial readings so coarse that they hardly count."""
+    """Start from inertial readings so coarse that they hardly count."""
     return _with_moved_noise(
         fit, np.array([RECALIBRATION.doubt if unknown.column in INERTIAL else 0.0 for unknown in fit.noise])
     )
@@ -73,9 +74,10 @@ def _with_moved_noise(fit: Fit, moves: Floats) -> Fit:
 
 
 def _opened(fit: Fit) -> Fit:
-    """The fit with the noise of those readings raised that are mostly beyond belief, lest nothing be learnt from them.
+    """Double the noise of readings of which many lie beyond the gate, until few do.
 
-    A sensor that is off by many times its noise is no outlier; its effect takes the noise back.
+    Otherwise the fit would learn nothing from them. A sensor that is off by many times its noise has no outliers but a
+    fault; once this fault is in the model, the fit takes the noise back.
     """
     for _ in range(MOST_DOUBLINGS):
         shut = [_is_shut(fit, unknown) for unknown in fit.noise]
@@ -86,7 +88,7 @@ def _opened(fit: Fit) -> Fit:
 
 
 def _is_shut(fit: Fit, noise: Unknown) -> bool:
-    """Whether many of the readings of which this is the noise are not believed."""
+    """Tell whether many of the readings that have this noise lie beyond the gate, on any of its tracks."""
     kinds = np.flatnonzero(COLUMN[noise.column] == READING_COLUMNS)
     for number in noise.tracks:
         chosen = np.isin(fit.tracks[number].timeline.kind, kinds)
@@ -96,6 +98,6 @@ def _is_shut(fit: Fit, noise: Unknown) -> bool:
 
 
 def nominal_fit(base: Fit) -> Fit:
-    """The platform as its file has it, with the random forces that it then needs."""
+    """Fit the nominal model: the platform as its file has it, with the random forces that it then needs."""
     start = evaluated(replace(base, q=np.zeros(len(base.unknowns))))
     return with_noise(start, 3, WATER_NOISE)

@@ -1,9 +1,10 @@
-"""Rao's score test of every candidate, orthogonal to recalibration: what each could explain, and what could be seen.
+"""Rao's score test of every candidate, orthogonal to recalibration, without a fit of any.
 
-The derivative of the innovations by an amplitude, gains held, is projected off those by the unknowns of the model;
-what is left of it, weighted by the variance of the innovations, is its information; its correlation with the
-innovations is its score. Evidence in nats is the logarithm of the Bayes factor with a normal prior of one `large`
-around nothing: gain / (information + 1) less half the logarithm of the determinant of (information + 1).
+The derivative of the innovations by an amplitude (its slope, gains held) is projected off the slopes of the unknowns of
+the model. The sum of squares of the rest, weighted by the variance of the innovations, is the information I on the
+amplitude; its weighted product with the innovations is the score s. The amplitude q, in units of `large`, has a normal
+prior with mean 0 and standard deviation 1. So its estimate is q = (I + 1)^-1 s, and its evidence in nats, the
+logarithm of the Bayes factor over the model without it, is 1/2 s^T (I + 1)^-1 s - 1/2 log det(I + 1).
 Source: Rao, Proc. Camb. Phil. Soc. 44 (1948) 50; Kass and Raftery, JASA 90 (1995) 773.
 """
 
@@ -26,18 +27,18 @@ from cocorosim_ros.foundation.arrays import Floats
 
 @dataclass(frozen=True)
 class Screened:
-    """A candidate at the best point of its shapes."""
+    """Result of the score test of a candidate, at the point of its grid of shapes with the most evidence."""
 
     candidate: Candidate
-    values: dict[str, float]  # shapes and what is given, by column
-    q: Floats  # (amplitudes,) of the linear solution
+    values: dict[str, float]  # by column: shapes, and numbers that the entry fixes
+    q: Floats  # (amplitudes,) estimate by one linear step
     nats: float  # evidence
     information: Floats  # (amplitudes, amplitudes) orthogonal to the model, without prior
     z: Floats  # (amplitudes,) each one's score over its standard deviation
 
 
 class Screen:
-    """The model against which candidates are tested, its information computed once."""
+    """A score test against one fit, whose information is computed once for all candidates."""
 
     def __init__(self, fit: Fit, scene: Scene) -> None:
         self.fit, self.scene = fit, scene
@@ -45,13 +46,16 @@ class Screen:
         self._last: _Tested | None = None
 
     def slopes(self, candidate: Candidate, values: dict[str, float], unknowns: Sequence[Unknown]) -> tuple[Floats, ...]:
-        """Per track (m, unknowns) at these shapes."""
+        """Slopes of the innovations by a candidate's amplitudes at given shapes: (m, unknowns) for each track."""
         neutral = np.zeros(len(unknowns))
         rows = write_values(candidate.write(self.fit.rows, values), unknowns, neutral)
         return slopes(replace(self.fit, rows=rows), unknowns, neutral)
 
     def test(self, candidate: Candidate) -> Screened:
-        """The candidate at the best of its shapes."""
+        """Test a candidate at all points of its grid of shapes, and return the best.
+
+        The logarithm of the number of points, as odds against one of so many, and the prior's nats are taken off.
+        """
         unknowns = candidate.amplitudes()
         if self._last is None or not self._last.covers(candidate):
             self._last = _Tested(self, candidate, unknowns)
@@ -69,7 +73,10 @@ class Screen:
 
 
 class _Tested:
-    """What is known of an entry's amplitudes at all points of its shapes; it serves a part of its robots as well."""
+    """Information and scores of a candidate's amplitudes at all points of its grid of shapes.
+
+    They also serve candidates of the same entry with fewer of the robots.
+    """
 
     def __init__(self, screen: Screen, candidate: Candidate, unknowns: Sequence[Unknown]) -> None:
         self._candidate, self._unknowns = candidate, list(unknowns)
@@ -80,25 +87,32 @@ class _Tested:
         self._found = [products.mixed(weighted) for weighted in sums]
 
     def covers(self, other: Candidate) -> bool:
-        """Whether the other one is the same for robots that are among these."""
+        """Tell whether another candidate is of the same entry, for robots that are among those of this one."""
         mine = self._candidate
         return other.entry is mine.entry and other.known == mine.known and set(other.robots) <= set(mine.robots)
 
     def of(self, unknowns: Sequence[Unknown]) -> Iterator[tuple[dict[str, float], Floats, Floats]]:
-        """Shapes, and information (n, n) and score (n,) of these amplitudes there, orthogonal to the model."""
+        """Iterate over points of the grid: the shapes, and information (n, n) and score (n,) of these amplitudes.
+
+        Both are orthogonal to the unknowns of the model.
+        """
         chosen = [self._unknowns.index(unknown) for unknown in unknowns]
         for values, (own, score) in zip(self.settings, self._found, strict=True):
             yield values, own[np.ix_(chosen, chosen)], score[chosen]
 
 
 def _impossible(candidate: Candidate, amplitudes: int) -> Screened:
-    """What these recordings cannot tell of at all."""
+    """Make the result for a candidate without any point to test: no information, evidence minus infinity."""
     nothing = np.zeros(amplitudes)
     return Screened(candidate, {}, nothing, -math.inf, np.zeros((amplitudes, amplitudes)), nothing)
 
 
 class _Products:
-    """Information and score of directions, orthogonal to the unknowns of the model: of pairs that are asked for."""
+    """Information and score of directions, orthogonal to the unknowns of the model.
+
+    A direction is the slopes of a candidate at one point of its shapes: (m, n) for each track. Products of two
+    directions are computed when first asked for.
+    """
 
     def __init__(self, screen: Screen, directions: Sequence[tuple[Floats, ...]]) -> None:
         self._fit, self._known, self._directions = screen.fit, screen.known, directions
@@ -107,30 +121,32 @@ class _Products:
         self._found: dict[tuple[int, int], Floats] = {}
 
     def mixed(self, weighted: Sequence[tuple[int, float]]) -> tuple[Floats, Floats]:
-        """Information (n, n) and score (n,) of a weighted sum of directions."""
+        """Information (n, n) and score (n,) of a sum of directions, given by their numbers and weights."""
         own = sum(one * other * self._pair(i, j) for i, one in weighted for j, other in weighted)
         score = sum(weight * self._score(number) for number, weight in weighted)
         return 0.5 * np.asarray(own + np.transpose(own)), np.asarray(score)
 
     def _score(self, number: int) -> Floats:
+        """Score (n,) of one direction, the part along the unknowns of the model taken out."""
         innovations = tuple(passed.innovation[:, None] for passed in self._fit.passes)
         return -self._sum(self._directions[number], innovations)[:, 0] - self._absorbed[number].T @ self._known.score
 
     def _pair(self, i: int, j: int) -> Floats:
+        """Information (n, n) of two directions with each other, the part along the unknowns of the model taken out."""
         if (i, j) not in self._found:
             own = self._sum(self._directions[i], self._directions[j]) - self._cross[i].T @ self._absorbed[j]
             self._found[i, j], self._found[j, i] = own, own.T
         return self._found[i, j]
 
     def _with_unknowns(self, moved: tuple[Floats, ...]) -> Floats:
-        """(unknowns, n) the information that a direction shares with the unknowns of the model."""
+        """Information (unknowns, n) that a direction shares with the unknowns of the model."""
         shared = np.zeros((len(self._known.matrix), moved[0].shape[1]))
         for own, other, passed in zip(self._known.own, moved, self._fit.passes, strict=True):
             shared[own.unknowns] += weighted_products(own.slopes, other, passed.variance)
         return shared
 
     def _sum(self, left: tuple[Floats, ...], right: tuple[Floats, ...]) -> Floats:
-        """Over all readings of all tracks, by the variance of the innovations."""
+        """Sum of products over all readings of all tracks, each divided by the variance of its innovation."""
         total = np.zeros((left[0].shape[1], right[0].shape[1]))
         for one, other, passed in zip(left, right, self._fit.passes, strict=True):
             total += weighted_products(one, other, passed.variance)
@@ -138,7 +154,10 @@ class _Products:
 
 
 class _Directions:
-    """The slopes of a candidate at the few shapes of which those at all others are sums."""
+    """Slopes of a candidate at a few points of its shapes, of which the slopes at all others are weighted sums.
+
+    A force sin(omega t + phase), for one, is a sum of sin(omega t) and cos(omega t).
+    """
 
     def __init__(self, screen: Screen, candidate: Candidate, unknowns: Sequence[Unknown]) -> None:
         self._screen, self._candidate, self._unknowns = screen, candidate, unknowns
@@ -146,12 +165,13 @@ class _Directions:
         self.slopes: list[tuple[Floats, ...]] = []
 
     def sum_at(self, values: dict[str, float]) -> list[tuple[int, float]]:
-        """Which slopes make up that at these shapes, and their weights."""
+        """Numbers and weights of the slopes that add up to the slope at the given shapes."""
         basis = self._candidate.entry.basis
         wanted = basis(values) if basis is not None and values else [(values, 1.0)]
         return [(self._number(shapes), weight) for shapes, weight in wanted]
 
     def _number(self, values: dict[str, float]) -> int:
+        """Number of the slope at the given shapes, computed when first asked for."""
         key = tuple(sorted(values.items()))
         if key not in self._found:
             self._found[key] = len(self.slopes)
@@ -160,7 +180,10 @@ class _Directions:
 
 
 def _evidence(matrix: Floats, score: Floats, lower: Floats) -> tuple[Floats, float]:
-    """q (n,) and nats; amplitudes that would pass a bound stay at it. A model that runs away is no evidence."""
+    """Estimate q (n,) and evidence [nats] of amplitudes by information (n, n) and score (n,).
+
+    Amplitudes that would pass their `lower` bound (n,) stay at it. Evidence is minus infinity where the model ran away.
+    """
     if not (np.isfinite(matrix).all() and np.isfinite(score).all()):
         return np.zeros(len(score)), -math.inf
     free = np.ones(len(score), dtype=bool)

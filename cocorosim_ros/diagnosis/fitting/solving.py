@@ -11,7 +11,7 @@ from cocorosim_ros.foundation.arrays import Floats
 
 
 def solve(matrix: Floats, right: Floats) -> Floats:
-    """matrix^-1 right for a symmetric matrix that may be singular: directions without information stay 0."""
+    """Solve matrix x = right for a symmetric matrix that may be singular: x is 0 in directions without information."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         return np.zeros_like(right)
     scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
@@ -23,7 +23,10 @@ def solve(matrix: Floats, right: Floats) -> Floats:
 
 
 def step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:
-    """matrix^-1 score with those that stand at a bound and press against it held there, lest the others give way."""
+    """Solve for a step (n,) = matrix^-1 score, unknowns held that stand at a bound and would be pushed beyond it.
+
+    Were they not held, the others would move to make room for a step that is then cut off.
+    """
     step = np.zeros(len(unknowns))
     free = np.array([unknown.clipped(number + push) != number or push == 0.0
                      for unknown, number, push in zip(unknowns, q, np.sign(score) * 1e-9, strict=True)])  # fmt: skip
@@ -32,5 +35,5 @@ def step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: F
 
 
 def clipped(unknowns: Sequence[Unknown], q: Floats) -> Floats:
-    """q (n,) of the unknowns, each within its bounds."""
+    """Clip q (n,) of the unknowns, each to its bounds."""
     return np.array([unknown.clipped(number) for unknown, number in zip(unknowns, q, strict=True)])

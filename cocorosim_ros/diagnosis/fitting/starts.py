@@ -1,8 +1,9 @@
-"""Where the fit of a candidate begins: at what its slope promises, more cautiously, or at what a search finds.
+"""Starts for the fit of a candidate: the amplitudes that its slope promises, a part of them, or those of a search.
 
-A slope at nothing tells where a small fault leads. The likelihood of a delay is rough, as readings pass from one grid
-point and one command to the next, and so a delay of several steps is seen only from near it: there a grid of values is
-tried, and halves of its spacing around the best (compass search: Kolda, Lewis and Torczon, SIAM Review 45 (2003) 385).
+The slope at zero tells where a small fault leads. The likelihood of a delay is rough, because readings pass from one
+grid point, and from one command, to the next, and so a delay of several steps is seen only from near it. For delays a
+grid of values is tried, then half, a quarter, ... of its spacing around the best (compass search: Kolda, Lewis and
+Torczon, SIAM Review 45 (2003) 385).
 """
 
 from __future__ import annotations
@@ -13,19 +14,22 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.foundation.arrays import Floats
 
-CAUTIOUS = 0.3
+CAUTIOUS = 0.3  # of the promised amplitudes
 HALVINGS = 4
 
 
 def best_start(at: Callable[[Floats], Fit], promised: Floats, candidate: Candidate) -> Fit:
-    """The best of the fits that begin `at` these amplitudes (n,), in q."""
+    """Find the start with the greatest objective.
+
+    at: makes and evaluates a fit with these amplitudes (n,), in q; promised: the amplitudes that the screening found.
+    """
     best = max((at(promised), at(CAUTIOUS * promised)), key=lambda fit: fit.objective)
     grid = candidate.searched()
     return best if not grid else max(best, _found(at, grid), key=lambda fit: fit.objective)
 
 
 def _found(at: Callable[[Floats], Fit], grid: Sequence[Floats]) -> Fit:
-    """The best point of the grid, its values ascending, and then of halves of the spacing before it."""
+    """Find the best point of an ascending grid, then of steps to both sides of it that are halved each time."""
     fits = [at(point) for point in grid]
     place = max(range(len(grid)), key=lambda index: fits[index].objective)
     best, middle = fits[place], grid[place]

@@ -1,4 +1,4 @@
-"""The numbers that a fit is to find, and how they stand in the rows of the tracks."""
+"""The unknowns of a fit, each with its owner, and their places in the rows of the tracks."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 
 PLATFORM, RANDOM_FORCE, READING = "platform", "random", "reading"
-"""Effects of numbers that every model has: the platform's own, the water's random force, the noise of readings."""
+"""Owners of numbers that every model has: the platform, the random force of the water, the noise of readings."""
 
 
 @dataclass(frozen=True)
@@ -22,8 +22,8 @@ class Owner:
     effect: str  # identifier of the catalogue, or PLATFORM, RANDOM_FORCE, READING
     robots: tuple[str, ...]
     parameter: str
-    unit: str  # of the number; for noise, whose logarithm is fitted, of that of which it is the logarithm
-    topic: str | None = None  # of an effect that may be of one stream or another
+    unit: str  # of the number; for noise, of which the logarithm is fitted, the unit of the noise itself
+    topic: str | None = None  # the stream, for an effect that each stream may have by itself
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Unknown:
     bounds: tuple[float, float] = (-math.inf, math.inf)
 
     def value(self, q: float) -> float:
-        """The number itself."""
+        """Value of the number at q."""
         return self.base * math.exp(q) if self.logarithmic else self.base + self.scale * q
 
     def slope(self, q: float) -> float:
@@ -53,16 +53,16 @@ class Unknown:
         return self.value(q) if self.logarithmic else self.scale
 
     def clipped(self, q: float) -> float:
-        """q within its bounds."""
+        """Clip q to its bounds."""
         return min(max(q, self.bounds[0]), self.bounds[1])
 
     def inward_step(self, q: float) -> float:
-        """The step of q for slopes, backwards where a step forwards would leave the bounds."""
+        """Step of q for slopes, backwards where a step forwards would leave the bounds."""
         return self.step if self.clipped(q + self.step) == q + self.step else -self.step
 
 
 def write_values(rows: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:
-    """(tracks, columns) a copy of `rows` with the values of the unknowns."""
+    """Copy rows (tracks, columns), with the values of the unknowns at q (n,) written in."""
     filled = rows.copy()
     for unknown, number in zip(unknowns, q, strict=True):
         filled[list(unknown.tracks), COLUMN[unknown.column]] = unknown.value(float(number))
@@ -70,17 +70,17 @@ def write_values(rows: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats
 
 
 def nudged(row: Floats, unknown: Unknown, q: float) -> Floats:
-    """(columns,) a copy of one track's row with another value of an unknown of that track."""
+    """Copy one track's row (columns,), with the value at q of an unknown of that track written in."""
     other = row.copy()
     other[COLUMN[unknown.column]] = unknown.value(q)
     return other
 
 
 def prior_precision(unknowns: Sequence[Unknown]) -> Floats:
-    """(n,) of q."""
+    """Precisions (n,) of the priors of q, one over the variance; 0 for a flat prior."""
     return np.array([0.0 if math.isinf(unknown.prior) else unknown.prior**-2 for unknown in unknowns])
 
 
 def prior_centre(unknowns: Sequence[Unknown]) -> Floats:
-    """(n,) of q."""
+    """Centres (n,) of the priors of q."""
     return np.array([unknown.centre for unknown in unknowns])

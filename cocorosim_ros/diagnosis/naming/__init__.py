@@ -1,1 +1,1 @@
-"""Which effects are missing: contest, held-out test, pruning, what the recordings could show."""
+"""Naming of missing effects: contest, held-out test, pruning, and what the recordings could have shown."""

@@ -1,4 +1,7 @@
-"""The contest: candidates refined with everything else let loose, ranked by evidence, added one by one, pruned."""
+"""The contest: candidates fitted together with all other unknowns and ranked by the logarithm of their Bayes factor.
+
+A candidate is begun with the noise held where it was, and refined with the noise fitted as well.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ from cocorosim_ros.foundation.arrays import Floats
 
 @dataclass(frozen=True)
 class Refined:
-    """A candidate in a fit of everything; `nats`: logarithm of the Bayes factor over the model without it."""
+    """A candidate in a fit of all unknowns and the noise; `nats`: log Bayes factor over the model without it."""
 
     candidate: Candidate
     fit: Fit
@@ -30,7 +33,7 @@ class Refined:
 
 @dataclass(frozen=True)
 class Begun:
-    """A candidate in a fit of all unknowns; `gain`: nats of its objective over the fit without it."""
+    """A candidate in a fit of all unknowns, noise held; `gain`: nats of its objective over the fit without it."""
 
     candidate: Candidate
     fit: Fit
@@ -38,9 +41,12 @@ class Begun:
 
 
 def log_evidence(fit: Fit) -> float:
-    """Laplace's approximation of the logarithm of the evidence, up to what all models of the same noise share.
+    """Logarithm of the evidence of a model [nats], by Laplace's approximation; minus infinity where the model ran away.
 
-    Each q has the prior of its Unknown; a flat one would make evidence meaningless, so none is flat.
+    objective + 1/2 sum(log prior precisions) - 1/2 log det(information): the objective at the fit plus the logarithm of
+    the volume of the posterior over that of the prior. A constant that all models of the same noise share is left out.
+    Each q has the prior of its Unknown; a flat prior would make evidence meaningless, so no prior is flat.
+    Source: Kass and Raftery, JASA 90 (1995) 773, section 4.1.
     """
     if not fit.unknowns:
         return fit.objective
@@ -48,7 +54,7 @@ def log_evidence(fit: Fit) -> float:
     precision = prior_precision(fit.unknowns)
     if not (np.isfinite(matrix).all() and math.isfinite(fit.objective)):
         return -math.inf
-    with np.errstate(all="ignore"):  # a model that runs away is no evidence, whatever its determinant
+    with np.errstate(all="ignore"):  # a model that runs away has no evidence, whatever its determinant
         sign, log_matrix = np.linalg.slogdet(matrix)
     if not (sign > 0.0 and math.isfinite(log_matrix)):
         return -math.inf
@@ -56,12 +62,15 @@ def log_evidence(fit: Fit) -> float:
 
 
 def _readings_of(candidate: Candidate) -> tuple[str, ...]:
-    """The noise that a fault of a sensor may have been taken for: that of others, too, which disagree with it."""
+    """Noise columns of readings to fit beside a candidate: all if it is a fault of a sensor, else none.
+
+    Until the fault is in the model, the noise of any sensor that disagrees with the faulty one may stand for it.
+    """
     return READING_NOISE if candidate.entry.topic else ()
 
 
 def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
-    """The candidate let loose together with all unknowns, from where the screening saw it; noise stays as it is."""
+    """Fit a candidate together with all unknowns of `fit`, noise held, from the values that the screening found."""
     candidate = screened.candidate
     rows = candidate.write(fit.rows, screened.values)
     new = [*candidate.amplitudes(), *candidate.shape_unknowns(screened.values, scene)]
@@ -76,7 +85,10 @@ def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
 
 
 def refine(begun: Begun, base_evidence: float) -> Refined:
-    """The candidate with noise let loose as well."""
+    """Go on with the fit of a candidate with the noise fitted too, and weigh it.
+
+    base_evidence: logarithm of the evidence of the fit without the candidate [nats].
+    """
     trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
     if trial.objective - begun.fit.objective + begun.gain > SEARCH.last_steps:
         trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)

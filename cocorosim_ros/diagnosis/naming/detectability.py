@@ -1,4 +1,4 @@
-"""What these recordings could show: the nats that each effect of the catalogue would yield by these very commands."""
+"""Detectability: the nats that each effect of the catalogue would yield in these recordings, had it been there."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from cocorosim_ros.diagnosis.fitting.screening import Screened
 
 
 def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]:
-    """Every entry with its evidence and the smallest values that would be seen; the best of its topics and robots."""
+    """List every entry with its evidence and the smallest values that would be seen, most evidence first.
+
+    An entry that was screened for several topics or robots appears once, for those with the most evidence.
+    """
     best: dict[str, Screened] = {}
     for each in screened:
         known = best.get(each.candidate.entry.id)
@@ -27,7 +30,10 @@ def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]
 
 
 def _smallest(screened: Screened) -> dict[str, float]:
-    """By parameter: the value that yields the threshold, its information taken alone; of the first robot."""
+    """Smallest visible value of each parameter, in the unit of the parameter, for the first robot.
+
+    It is the value that would yield the threshold if no other parameter were fitted: 1/2 information q^2 = threshold.
+    """
     found: dict[str, float] = {}
     for unknown, known in zip(screened.candidate.amplitudes(), np.diag(screened.information).tolist(), strict=True):
         value = unknown.scale * math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
@@ -36,12 +42,12 @@ def _smallest(screened: Screened) -> dict[str, float]:
 
 
 def expected_nats(screened: Screened, size: float) -> float:
-    """What the entry would yield at `size` of large, in all of its amplitudes at once."""
+    """Expected evidence [nats] of an entry if each of its amplitudes were `size` times its `large`."""
     return 0.5 * size**2 * float(np.trace(screened.information))
 
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
-    """Identifiers of effects that even at medium size would not be seen."""
+    """Identifiers of effects whose evidence would stay below the threshold even at medium size."""
     seen = {
         each.candidate.entry.id for each in screened if expected_nats(each, DETECTABILITY.medium) >= NAMING.threshold
     }
@@ -49,5 +55,5 @@ def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
 
 
 def is_blind(unseen: Sequence[str]) -> bool:
-    """Whether so little of the catalogue could be seen that silence says nothing."""
+    """Tell whether so little of the catalogue could be seen that a diagnosis without effects says nothing."""
     return len(unseen) > DETECTABILITY.blind * len(IDS)

@@ -1,4 +1,4 @@
-"""What the contest hands on: the effects that it named, and the fits before and after."""
+"""Results of the contest: the effects that it named, and the fits before and after."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.fitting.screening import Screened
 
 
 class NearRival(NamedTuple):
-    """A candidate that explains nearly as much as the one that was named."""
+    """A candidate that explains nearly as much as the named one; `behind`: nats less than that."""
 
     candidate: Candidate
     behind: float  # nats
@@ -20,7 +20,10 @@ class NearRival(NamedTuple):
 
 @dataclass(frozen=True)
 class NamedEffect:
-    """An effect that was added to the model: its evidence and its rivals; its unknowns are those that it owns."""
+    """An effect that was added to the model, with its evidence [nats], its rivals and its held-out gain.
+
+    The unknowns of a fit that belong to the effect are those that `candidate` owns.
+    """
 
     candidate: Candidate
     nats: float
@@ -30,7 +33,10 @@ class NamedEffect:
 
 @dataclass(frozen=True)
 class Naming:
-    """The recalibrated fit, the fit with all effects that were named, and what the first screening saw."""
+    """Result of the contest.
+
+    base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
+    """
 
     base: Fit
     fit: Fit

@@ -1,7 +1,7 @@
-"""Which effects are missing: a contest of catalogue and laws, step by step, then pruned.
+"""Search for missing effects: contests among catalogue and laws, one effect added in each, then pruned.
 
 An effect is named if its evidence passes a threshold (7 nats for 14 entries, more for a longer catalogue), if it also
-foretells what its fit did not see, and if no rival explains more. Rivals within a few nats are named with it.
+foretells data that its fit did not see, and if no rival explains more. Rivals within a few nats are named with it.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Progress = Callable[[str, float], None]
 
 
 def name_effects(base: Fit, progress: Progress) -> Naming:
-    """The contest from the recalibrated model on."""
+    """Name the effects that the recalibrated model `base` lacks; `progress` is told a task and the share done."""
     fit = base
     named: tuple[NamedEffect, ...] = ()
     first: tuple[Screened, ...] = ()
@@ -55,22 +55,27 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
 
 
 def _keys(candidate: Candidate) -> set[tuple[str, str | None, str]]:
+    """Effect, topic and robot, for each robot of a candidate: two candidates that share one exclude each other."""
     return {(candidate.entry.id, candidate.entry.topic, robot) for robot in candidate.robots}
 
 
 def _ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, ...]:
+    """Screen candidates, and order them by evidence, the best first."""
     return tuple(sorted((screen.test(each) for each in candidates), key=lambda screened: -screened.nats))
 
 
 def _best(
     fit: Fit, named: tuple[NamedEffect, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
 ) -> tuple[Fit, tuple[NamedEffect, ...]] | None:
-    """The fit with the best addition, or None if none passes."""
+    """Find the best addition: the fit with it and all named effects, or None if no candidate may be named.
+
+    tested, laws: screened entries of the catalogue and screened laws outside it, best first.
+    """
     begun = _begun(fit, screen.scene, tested, [law for law in laws[:2] if law.nats > SEARCH.worth_refining])
     if not begun:
         return None
     base_evidence = log_evidence(fit)
-    negligible: list[Candidate] = []  # they explain something but are too small to be believed
+    negligible: list[Candidate] = []  # candidates that explain something but are too small to be believed
     for promising in _by_promise(begun):
         refined = [_refined(fit, each, base_evidence) for each in promising]
         found = _first_believed(fit, named, refined, negligible)
@@ -80,9 +85,10 @@ def _best(
 
 
 def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], laws: Sequence[Screened]) -> list[Begun]:
-    """All that is worth refining and these laws, let loose; one that does not keep its promise makes room for the next.
+    """Begin the fit of every entry that is worth refining, and of these laws.
 
-    A slope at a kink, as of a reading on the edge between two commands, promises what no model reaches.
+    A candidate whose fit finds hardly any of the nats that its screening promised makes room for the next one. A slope
+    at a kink, as of a reading on the edge between two commands, promises what no model reaches.
     """
     begun: dict[int, Begun] = {}
     while True:
@@ -95,12 +101,12 @@ def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], laws: Sequence[Sc
 
 
 def _fault(screened: Screened) -> tuple[str, str | None]:
-    """The effect and its stream, on whichever robots."""
+    """Identifier and topic of a screened candidate: the same for all choices of robots."""
     return screened.candidate.entry.id, screened.candidate.entry.topic
 
 
 def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
-    """Those that may become the leader or its rival once noise is let loose, and the rest."""
+    """Split candidates into those that may lead, or be a rival, once noise is fitted too, and the rest."""
     gains = [each.gain - each.candidate.entry.prior_nats for each in begun]
     needed = min(SEARCH.promising * max(gains), max(gains) - SEARCH.close)
     chosen: tuple[list[Begun], list[Begun]] = ([], [])
@@ -112,7 +118,12 @@ def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
 def _first_believed(
     fit: Fit, named: tuple[NamedEffect, ...], refined: list[Refined], negligible: list[Candidate]
 ) -> tuple[Fit, tuple[NamedEffect, ...]] | None:
-    """The fit with the best of these that may be named; a candidate too small for that joins the negligible."""
+    """Name the best of the refined candidates that may be named, and return the fit with it; None if none may.
+
+    A candidate may be named if its evidence suffices, also over a model without it that was fitted anew where evidence
+    is weak, if it is large enough to be believed, and if it foretells held-out blocks. One that is too small is added
+    to `negligible`; candidates that may stand for the same effect are then passed over.
+    """
     refined.sort(key=lambda each: -standing(each))
     for best in refined:
         needed = needed_nats(named, best.candidate, best.fit)
@@ -124,7 +135,7 @@ def _first_believed(
             negligible.append(best.candidate)
             continue
         if any(is_like(best.candidate, other) for other in negligible):
-            continue  # the same by another name
+            continue  # it may stand for an effect that is too small to be believed
         gain = held_out_gain(fit, best.fit, best.candidate.onset_columns)
         if gain.total > 0.0:
             added = NamedEffect(best.candidate, best.nats, _rivals(best, refined), gain)
@@ -133,7 +144,7 @@ def _first_believed(
 
 
 def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[NearRival, ...]:
-    """Effects of the catalogue that explain nearly as much as the best."""
+    """Entries of the catalogue that explain nearly as much as the best candidate: its ambiguity set."""
     others = [each for each in refined if each is not best and each.candidate.entry.law is None]
     return tuple(
         NearRival(other.candidate, max(0.0, best.nats - other.nats))
@@ -143,19 +154,24 @@ def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[NearRival, ...]:
 
 
 def _regained(refined: Refined, before: Fit) -> float:
-    """A candidate's evidence over a model without it that was fitted anew from there: an unfinished fit adds none."""
+    """Standing [nats] of a candidate over a model without it that starts at the fit with it and is fitted anew.
+
+    What the smaller model gains merely because its own fit was not finished is thereby not counted for the candidate.
+    before: the fit to which the candidate was added.
+    """
     smaller = without(refined.fit, refined.candidate, before)
     nats = log_evidence(refined.fit) - log_evidence(smaller)
     return standing(replace(refined, nats=nats - held_against(refined.candidate, smaller, refined.fit)))
 
 
 def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
+    """Refine a candidate, and take from its evidence the nats that count against it."""
     result = refine(begun, base_evidence)
     return replace(result, nats=result.nats - held_against(begun.candidate, fit, result.fit))
 
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
-    """The leaders, and of their groups whatever explains something."""
+    """Choose the candidates to fit: the leaders, and members of their confusable groups that explain something."""
     needed = max(SEARCH.worth_refining, SEARCH.hopeless * tested[0].nats) if tested else SEARCH.worth_refining
     leaders = [each for each in tested[: SEARCH.leaders] if each.nats > needed]
     groups = {each.candidate.entry.group for each in leaders if each.candidate.entry.group}

@@ -1,4 +1,4 @@
-"""How much evidence a candidate needs beside what is named already, and which numbers are too small to be believed."""
+"""Evidence that a candidate needs beside the named effects, and amplitudes that are too small to be believed."""
 
 from __future__ import annotations
 
@@ -16,17 +16,23 @@ from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 
 
 def held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
-    """Nats that count against a candidate: its prior, and what the water may have had a hand in."""
+    """Nats that count against a candidate: the odds of its prior, and gains that the water may have caused.
+
+    without, fit: the model without and with the candidate.
+    """
     return candidate.entry.prior_nats + (quiet_gain(without, fit) if candidate.entry.of_pump else 0.0)
 
 
 def standing(refined: Refined) -> float:
-    """Evidence; a law outside the catalogue is believed only if it is clearly better than what is known."""
+    """Evidence of a candidate by which it is ranked [nats]; that of a law outside the catalogue less a margin.
+
+    There are many such laws: one is named only if it is clearly better than all entries of the catalogue.
+    """
     return refined.nats - (NAMING.law_margin if refined.candidate.entry.law is not None else 0.0)
 
 
 def is_tiny(refined: Refined) -> bool:
-    """Whether all amplitudes of a candidate are too small to be believed."""
+    """Tell whether all amplitudes of a candidate are too small to be believed."""
     candidate, fit = refined.candidate, refined.fit
     amplitudes = {amplitude.name: amplitude for amplitude in candidate.entry.amplitudes}
     values = [
@@ -38,14 +44,18 @@ def is_tiny(refined: Refined) -> bool:
 
 
 def is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:
-    """Whether one amplitude of a candidate [SI units] is too small to be believed."""
+    """Tell whether a value of one amplitude of a candidate [SI units] is too small to be believed."""
     least = max(NAMING.least_share * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
     low, high = amplitude.negligible
     return min(low, -least) < value - amplitude.neutral < max(high, least)
 
 
 def is_like(candidate: Candidate, other: Candidate) -> bool:
-    """Whether a candidate may stand for another one: a law on its side, or one of its group in its stream."""
+    """Tell whether a candidate may stand for another one.
+
+    A law outside the catalogue may stand for what acts on the same side of the motion, or on the same sensor. An entry
+    of the catalogue may stand for those of its confusable group in the same stream.
+    """
     entry = candidate.entry
     if entry.law is not None:
         return _side(candidate) == _side(other)
@@ -53,11 +63,17 @@ def is_like(candidate: Candidate, other: Candidate) -> bool:
 
 
 def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) -> float:
-    """Nats that a candidate in a fit needs beside the named effects: more than a wrong form of one would leave over.
+    """Nats that a candidate needs beside the named effects: the threshold, or more where it may be a rest of theirs.
 
-    That is a form of an effect on the same side; a second fault of a sensor is no form of the first, only a law may be.
-    An effect that does not look like another one at all is no rest of it either. A law of readings may be the rest of
-    any motion.
+    An effect in the water rarely has exactly the form of the catalogue. A share of its nats is left over, and a further
+    candidate may explain that rest without being there. So a candidate needs more than this share
+
+    - of each named effect on the same side of the motion, or the same sensor; for an entry of the catalogue no more
+      than the likeness of the two, since an effect that changes other readings than the named one cannot be its rest;
+    - of every named effect of motion, if it is a law of readings.
+
+    A second fault of one sensor is not a rest of the first; only a law outside the catalogue may be.
+    fit: a model that has the candidate and the named effects.
     """
     others = [each for each in named if each.candidate.key != candidate.key]
     of_sensor, is_law = candidate.entry.channel in SENSOR_CHANNELS, candidate.entry.law is not None
@@ -76,7 +92,10 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
 
 
 def _likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
-    """The greatest squared cosine between what numbers of the one and of the other change in the readings."""
+    """Likeness of two candidates (0 to 1): the greatest squared cosine between a slope of one and a slope of the other.
+
+    Slopes are those of the innovations by their unknowns; the information matrix of the fit holds their products.
+    """
     matrix = information(fit).matrix
     size = np.diag(matrix)
     mine, theirs = (each.places_among(fit.unknowns) for each in (candidate, other))
@@ -85,6 +104,6 @@ def _likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
 
 
 def _side(candidate: Candidate) -> str:
-    """Which motion an effect acts on first, or which sensor."""
+    """Side of a candidate: 'upright' for motion in heave, 'level' for other motion, or the channel of its sensor."""
     channel = candidate.entry.channel
     return channel if channel in SENSOR_CHANNELS else "upright" if channel == "heave" else "level"

@@ -1,4 +1,4 @@
-"""Effects taken out of a fit again: those that the others have made superfluous, and the weakest one."""
+"""Removal of effects from a fit: those that the others have made superfluous, and the weakest one."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
 
 
 def without(fit: Fit, candidate: Candidate, base: Fit) -> Fit:
-    """The fit without the unknowns of a candidate, the rest let loose again.
+    """Take the unknowns of a candidate out of a fit, and fit the rest and the noise of the water anew.
 
-    What these explained passes for random force then: the noise may have to be what it was in `base`.
+    What the candidate explained must then pass for random force. So the fit goes on from its own noise or from that of
+    `base`, a model before the candidate, whichever has the greater objective.
     """
     stays = np.array([not candidate.owns(unknown) for unknown in fit.unknowns], dtype=bool)
     unknowns = tuple(unknown for unknown in fit.unknowns if not candidate.owns(unknown))
@@ -29,7 +30,10 @@ def without(fit: Fit, candidate: Candidate, base: Fit) -> Fit:
 
 
 def pruned(fit: Fit, named: tuple[NamedEffect, ...], base: Fit) -> tuple[Fit, tuple[NamedEffect, ...]]:
-    """Take back what the others have made superfluous, the weakest first."""
+    """Take back effects that the others have made superfluous, the weakest first; return the fit and what is left.
+
+    base: the recalibrated fit, before any effect was named.
+    """
     while len(named) > 1:
         whole = log_evidence(fit)
         smaller = {effect.candidate.key: without(fit, effect.candidate, base) for effect in named}
@@ -43,12 +47,12 @@ def pruned(fit: Fit, named: tuple[NamedEffect, ...], base: Fit) -> tuple[Fit, tu
 
 
 def _measured(effect: NamedEffect, whole: float, smaller: Fit, fit: Fit) -> NamedEffect:
-    """The effect with its evidence over a fit without it; whole: the evidence of the fit that has it."""
+    """Measure the evidence of an effect anew: `whole`, the log evidence of `fit`, less that of the fit without it."""
     return replace(effect, nats=whole - log_evidence(smaller) - held_against(effect.candidate, smaller, fit))
 
 
 def without_weakest(naming: Naming) -> Naming:
-    """The naming without the effect that has the least evidence."""
+    """Take back the effect that has the least evidence, and fit the rest anew."""
     weakest = min(naming.named, key=lambda effect: effect.nats)
     fit = without(naming.fit, weakest.candidate, naming.base)
     return replace(naming, fit=fit, named=_others(naming.named, weakest))

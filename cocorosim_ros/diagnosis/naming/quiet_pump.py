@@ -1,10 +1,10 @@
-"""Evidence for a pump's own behaviour counts only where the pump was moved by more than the water could ask for.
+"""Evidence for faults of a pump that comes from small movements of it, and is therefore not counted.
 
-Whoever holds a depth moves the pump a little in answer to what the water does, and may see it sooner or better than
-the sensors that were recorded. Such a command tells of the water, and then an innocent pump looks weak or late, and an
-innocent pressure sensor late: likelihoods given the commands hold only for commands that follow from what was recorded
-(Ljung, System Identification, 1999, section 13.4). A pulse, a ramp or a new depth moves the pump by far more than the
-water does.
+A depth controller moves the pump a little in answer to the water, and may see the water's push sooner or better than
+the recorded sensors. Such a command tells of the water: a sound pump then looks weak or late, and a sound pressure
+sensor late. The reason is that likelihoods given the commands hold only for commands that follow from what was recorded
+(Ljung, System Identification, 1999, section 13.4). A pulse, a ramp or a new depth moves the pump by far more than an
+answer to the water does; such movements count.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ UPRIGHT = (POSE_Z, PRESSURE, ACCEL_Z, VELOCITY_W)
 
 
 def quiet_gain(base: Fit, more: Fit) -> float:
-    """Nats that `more` gains over `base` on vertical readings while the pump was hardly moved, if it gains any."""
+    """Nats that the fit `more` gains over `base` on vertical readings while the pump was hardly moved; at least 0."""
     gain = 0.0
-    rows = more.filled  # a pump's fault that is not yet in the model passes for random force there
+    rows = more.filled  # in `base` a pump's fault passes for random force, beside which movements look small
     for track, row, one, other in zip(base.tracks, rows, base.passes, more.passes, strict=True):
         chosen = np.isin(track.timeline.kind, UPRIGHT) & ~_is_loud(track, row)
         gain += float(np.sum((_nats(other) - _nats(one))[chosen]))
@@ -34,7 +34,7 @@ def quiet_gain(base: Fit, more: Fit) -> float:
 
 
 def _is_loud(track: Track, row: Floats) -> Flags:
-    """(m,) whether the force of the pumps has changed much in the time before each reading."""
+    """Flags (m,), one for each reading: the force of the pumps has changed much in the time before it."""
     force = track.actuation.pump_force(track.actuation.drive(row))
     grid = track.timeline.grid
     width = max(1, round(PUMP.memory / grid.step))
@@ -46,5 +46,5 @@ def _is_loud(track: Track, row: Floats) -> Flags:
 
 
 def _nats(passed: Pass) -> Floats:
-    """(m,) log-likelihood of each reading, up to a constant."""
+    """Log-likelihood (m,) of each reading [nats], up to a constant."""
     return np.asarray(-0.5 * (passed.innovation**2 / passed.variance + np.log(passed.variance)))

@@ -1,4 +1,4 @@
-"""The random force that a model needs, over time, and what it looks like: its swings, typical sizes."""
+"""The residual: the random force that a model needs over time, with its swings, its changes and typical sizes."""
 
 from __future__ import annotations
 
@@ -26,13 +26,16 @@ CHANGES = 3
 
 
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
-    """The most likely course of every track."""
+    """Smooth every track under the numbers of a fit: its most likely course, in the order of the tracks."""
     filled = fit.filled
     return tuple(of_each_track(lambda number: fit.tracks[number].filter.smoothed(filled[number]), len(fit.tracks)))
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
-    """What the recordings span, and how the residual force swings."""
+    """Describe what the recordings span, and how the residual force swings, for the grids of the catalogue.
+
+    courses: the smoothed course of each track, in their order.
+    """
     places = np.concatenate([course.mean[:, X : Z + 1] for course in courses])
     seen = np.concatenate([course.mean for course in courses])
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
@@ -54,20 +57,26 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
 
 
 def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
-    """Whether the thrust is greater than the random force in the level plane, by root mean squares."""
+    """Tell whether the thrust is greater than the random force in the horizontal plane, by root mean squares.
+
+    seen (points, COURSE_SIZE): all smoothed courses, one after the other.
+    """
     thrust = np.concatenate([track.actuation.nominal_force() for track in tracks])
     return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_X : FORCE_Y + 1] ** 2))
 
 
 def _in_body(mean: Floats) -> tuple[Floats, Floats]:
-    """The force (points,) forwards and to the left [N]."""
+    """Random force of a smoothed course, forwards and to the left: each (points,) [N; body]."""
     sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
     east, north = mean[:, FORCE_X], mean[:, FORCE_Y]
     return east * cosine + north * sine, north * cosine - east * sine
 
 
 def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
-    """At which a force (points,) by course swings most, strongest first, and the longest that a recording shows [s]."""
+    """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show.
+
+    forces: one (points,) for each course. The power spectra of all courses are added.
+    """
     longest = max(courses, key=lambda course: len(course.time))
     duration = float(longest.time[-1] - longest.time[0])
     total: Floats = np.zeros(0)
@@ -82,7 +91,7 @@ def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[flo
 
 
 def _changes(time: Floats, force: Floats) -> list[float]:
-    """Moments [s] at which a force (points,) changes most from what it was to what it then stays at."""
+    """Moments [s] at which the mean of a force (points,) changes most, by the means just before and just after."""
     width = round(SWINGS.steady / float(time[1] - time[0]))
     if len(time) < 2 * width + 1:
         return []
@@ -95,7 +104,10 @@ def _changes(time: Floats, force: Floats) -> list[float]:
 
 
 def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
-    """Typical sizes of the regressors, full forces by equation, the mass."""
+    """Typical sizes by name, SI units: regressors in these recordings, full forces by equation, the mass.
+
+    seen (points, COURSE_SIZE): all smoothed courses, one after the other.
+    """
     vehicle = track.vehicle
     extent = Extent(
         np.sqrt(np.mean(seen**2, axis=0)),

@@ -1,4 +1,4 @@
-"""In words: which manoeuvre to drive next, and where the evidence of a mismatch is at home."""
+"""Words for the manoeuvre to drive next, and for the part of a course that most evidence of a mismatch comes from."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ MANOEUVRES: dict[str, str] = {
     "rest": "lie still for a minute before and after",
     "ruler": "put a ruler, or two marks of known distance, into the water at the depth of the run",
 }
-"""What to drive so that a recording shows what this one leaves open."""
+"""Manoeuvres by name, each as an instruction: they show what a recording leaves open."""
 
 REGIMES: dict[Regime, str] = {
     "turning": "mostly when turning",
@@ -48,7 +48,7 @@ def manoeuvre_words(manoeuvres: Sequence[str]) -> str | None:
 
 
 def where_words(where: Concentration | None) -> str:
-    """Where the evidence is at home, and how much of it."""
+    """Words for the part of a course that most evidence comes from, and its share; None: from all of the course."""
     if where is None:
         return "throughout"
     return f"{REGIMES[where.regime]} ({min(where.share, 1.0):.0%} of the evidence)"

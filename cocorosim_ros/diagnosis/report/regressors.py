@@ -1,4 +1,4 @@
-"""What a picture of the missing force shows: what is missing on an equation, and the values of what it may follow."""
+"""Data of a picture of the missing force: the force missing from an equation, and the regressors it may follow."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Along(NamedTuple):
 
 
 class Missing(NamedTuple):
-    """What is missing (n,) on an equation, its standard deviation (n,) and their unit."""
+    """Force or moment missing from an equation (n,), its standard deviation (n,) and the unit of both."""
 
     values: Floats
     spread: Floats
@@ -39,7 +39,7 @@ def said_law(located: Located) -> tuple[str, str]:
 
 
 def residual_of(equation: str, residual: ResidualForce) -> Missing | None:
-    """What is missing on an equation of motion; None for a stream's equation."""
+    """Force or moment missing from an equation of motion; None for a stream's equation."""
     if equation not in EQUATION:
         return None
     yaw = residual.place[:, 3]

@@ -90,7 +90,7 @@ def _where(diagnosis: Diagnosis, origin: Origin) -> Context:
 
 
 def _regressor_words(regressor: str) -> str:
-    """What a picture is drawn over, as its caption says it."""
+    """Words for the regressor over which a picture is drawn, for its caption."""
     return REGRESSOR[regressor].meaning if regressor in REGRESSOR else regressor.replace("*", "\u00b7")
 
 

@@ -130,7 +130,7 @@ def why_not_drawn(pair: Pair, located: Located) -> str:
 
 
 def _points(residual: ResidualForce, located: Located) -> tuple[Along, Missing] | None:
-    """What is drawn along and upwards, where both are finite; None if that is nowhere or there is no such picture."""
+    """Values to draw rightwards and upwards, where both are finite; None if there are none, or no such picture."""
     missing, along = residual_of(said_law(located)[0], residual), followed_by(located, residual)
     if missing is None or along is None:
         return None

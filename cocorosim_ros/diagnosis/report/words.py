@@ -61,7 +61,7 @@ def effect_words(identifier: str) -> str:
 
 
 def check_words(identifier: str) -> str:
-    """What to look at on the robot or in the tank."""
+    """Advice on what to check on the robot or in the tank, for an effect or law; '' if there is none."""
     if is_law(identifier):
         return (
             "No entry of the catalogue has this law: look for what could act like it, and record again to see it twice."

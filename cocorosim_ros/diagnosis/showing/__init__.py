@@ -1,1 +1,1 @@
-"""What was found, as facts: estimates, residuals, location, free runs."""
+"""Facts about the findings: estimates, residuals, location, free runs."""

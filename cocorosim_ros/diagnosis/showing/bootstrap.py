@@ -1,4 +1,4 @@
-"""Intervals of errors by drawing stretches of the recordings again."""
+"""Bootstrap intervals of errors: stretches of the recordings are drawn again, with replacement."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ SAMPLES = 400
 
 
 def drawn(rng: np.random.Generator, stretches: int) -> Integers:
-    """(SAMPLES, stretches) which of the stretches each sample is made of."""
+    """Draw samples: the numbers (SAMPLES, stretches) of the stretches that each is made of."""
     return rng.integers(0, stretches, (SAMPLES, stretches))
 
 
 def interval_of_root(squared: Floats, draws: Integers) -> tuple[float, float]:
-    """95 % interval of the root mean square whose squares are the means of the stretches (stretches,)."""
+    """95 % interval of a root mean square, by the mean squares of the stretches (stretches,) and draws of these."""
     low, high = np.sqrt(np.percentile(squared[draws].mean(axis=1), [2.5, 97.5]))
     return float(low), float(high)

@@ -1,4 +1,4 @@
-"""From a fit to numbers with 95 % intervals, by the names of the contract."""
+"""Fitted numbers with 95 % intervals, by the names of the contract."""
 
 from __future__ import annotations
 
@@ -19,15 +19,16 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 Z95 = float(norm.ppf(0.975))
 NUMERICAL = 1e-3
-"""Of a value, how far midpoint steps h of 0.1 s may be off: (h l)^2 / 6 for a rate l of 0.77 / s, at which Lilys turn.
+"""Least standard deviation of a number, as a share of its value: the error of the filter's midpoint steps.
 
-Where no water pushes, readings alone would tell numbers better than the filter can reckon.
+That error is (h l)^2 / 6 for steps h of 0.1 s and a rate l of 0.77 / s, at which Lilys turn. In still water, readings
+alone would give narrower intervals than the steps of the filter are exact.
 """
 
 
 @dataclass(frozen=True)
 class Fitted:
-    """One unknown with its q and the standard deviation of that."""
+    """One unknown with its fitted q and the standard deviation of q."""
 
     unknown: Unknown
     q: float
@@ -35,17 +36,17 @@ class Fitted:
 
     @property
     def estimate(self) -> Estimate:
-        """Its value and 95 % interval."""
+        """Value and 95 % interval, in the unit of the unknown."""
         return estimate(self.unknown, self.q, self.spread, self.unknown.owner.unit)
 
     @property
     def chance(self) -> float:
-        """The probability of a q at least as far from nothing, if the number has not moved."""
+        """Probability of a q at least as far from 0 if the true q is 0: the p of a two-sided test."""
         return 2.0 * float(norm.sf(abs(self.q) / max(self.spread, 1e-300)))
 
 
 def fitted(fit: Fit) -> tuple[Fitted, ...]:
-    """All unknowns of a fit but its noise."""
+    """All unknowns of a fit but its noise, with standard deviations no less than NUMERICAL allows."""
     values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     spread = np.hypot(np.sqrt(np.diag(covariance(fit))), NUMERICAL * np.abs(values / slopes))
@@ -53,13 +54,16 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
 
 
 def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
-    """Value and interval of one unknown whose q has this standard deviation."""
+    """Value and 95 % interval of an unknown whose q has the standard deviation `spread`."""
     ends = sorted((unknown.value(q - Z95 * spread), unknown.value(q + Z95 * spread)))
     return Estimate(unknown.value(q), ends[0], ends[1], unit)
 
 
 def recalibrated(fit: Fit) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:
-    """All numbers of the platforms, and those that have clearly moved (Holm's procedure over all of them)."""
+    """All recalibrated numbers of the platforms, and those of them that have clearly moved.
+
+    Clearly: by Holm's procedure over all of them (Holm, Scand. J. Statistics 6 (1979) 65).
+    """
     own = [number for number in fitted(fit) if number.unknown.owner.effect == PLATFORM]
     every = tuple(
         Recalibrated(
@@ -78,7 +82,7 @@ def recalibrated(fit: Fit) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated
 
 
 def found_effects(fit: Fit, named: Sequence[NamedEffect]) -> tuple[FoundEffect, ...]:
-    """The named effects, strongest first; one for each robot where the numbers are the robot's own."""
+    """All named effects, the one with most evidence first; one for each robot where the numbers are the robot's own."""
     numbers = fitted(fit)
     found = [
         _found(fit, effect, robots.names, [each for each in numbers if effect.candidate.owns(each.unknown)])
@@ -89,7 +93,7 @@ def found_effects(fit: Fit, named: Sequence[NamedEffect]) -> tuple[FoundEffect, 
 
 
 def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequence[Fitted]) -> FoundEffect:
-    """One effect on robots that share its amplitudes; numbers: all of its unknowns, those of other robots too."""
+    """One effect on robots that share its amplitudes; numbers: all unknowns of the effect, on other robots too."""
     entry = effect.candidate.entry
     mine = [each for each in numbers if set(robots) <= set(each.unknown.owner.robots)]
     rivals = tuple(
@@ -114,7 +118,7 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
 
 
 def _settings(fit: Fit, effect: NamedEffect) -> dict[str, float]:
-    """What was given or found on a grid alone, by the names of the simulator's effect."""
+    """Numbers of an effect that its entry fixes or that were chosen from a grid only, by the simulator's names."""
     entry = effect.candidate.entry
     columns = [*entry.fixed, *(shape.column for shape in entry.shapes if shape.fixed)]
     row = fit.rows[effect.candidate.everybody[0]]

@@ -1,4 +1,4 @@
-"""Mixed-up axes, signs and units, which were put right before any physics was blamed, as effects of their own."""
+"""Mixed-up axes, signs and units as effects of their own: they were put right before any physics was fitted."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ CERTAIN = 1e4  # nats, in place of infinity
 
 
 def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:
-    """What was put right, but for what the platform's file knows of."""
+    """Effects for all mix-ups that were put right, but for those that the platform's file says already."""
     known = intake.evidence.platform.frame_corrections
     return tuple(
-        _effect(part) for part in intake.mixups if part.correction.wrong not in known.get(part.correction.topic, "")
+        _effect(mixup) for mixup in intake.mixups if mixup.correction.wrong not in known.get(mixup.correction.topic, "")
     )
 
 
-def _effect(part: Mixup) -> FoundEffect:
-    correction = part.correction
+def _effect(mixup: Mixup) -> FoundEffect:
+    correction = mixup.correction
     return FoundEffect(
         "frame_mixup",
         f"mixed-up frame of {correction.topic}",
         "right = matrix * recorded + offset",
-        part.robots,
+        mixup.robots,
         "confirmed",
         {},
         min(correction.nats, CERTAIN),

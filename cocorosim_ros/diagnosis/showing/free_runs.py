@@ -1,8 +1,8 @@
 """Free runs through the last part of each recording, by models fitted to the first part alone.
 
-Every run starts where the smoother saw the robot, with no random force, and heeds no reading for as long as a vehicle
-of its agility can be foretold. The floor is what the random force of the water and the error of the readings alone
-would make of it.
+Every run starts at a state of the smoothed course, with no random force, and takes no readings; it lasts as long as a
+vehicle of that agility can be foretold. The noise floor is the error that random force and the error of the readings
+alone would leave a right model.
 """
 
 from __future__ import annotations
@@ -31,14 +31,20 @@ MODELS = ("nominal", "recalibrated", "augmented")
 
 @dataclass(frozen=True)
 class Window:
-    """Squared errors (points, 3: position, heading, depth) of each model, and of the floor; paths for pictures."""
+    """One window of a recording: squared errors (points, 3) by model and of the noise floor, and paths for pictures.
+
+    Columns: position [m^2], heading [rad^2], depth [m^2].
+    """
 
     squared: dict[str, Floats]
     run: FreeRun
 
 
 def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple[FreeRun, ...]]:
-    """Errors by channel, and some windows to look at."""
+    """Errors of the three models on the held-out part, by channel and by stream, and the windows as paths.
+
+    base, final: the recalibrated fit and the one with all named effects, both to whole recordings.
+    """
     tracks = tuple(track.until(FREE_RUNS.seen) for track in base.tracks)
     fits = {"recalibrated": _refitted(base, tracks), "augmented": _refitted(final, tracks)}
     nominal_rows = base.rows
@@ -57,19 +63,20 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
 
 
 def window_length(courses: Sequence[Smoothed]) -> float:
-    """The longest of WINDOWS [s] in which these robots turn by no more than FREE_RUNS.most_turned."""
+    """Choose the longest of WINDOWS [s] in which the robots turn by no more than FREE_RUNS.most_turned."""
     turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
     rate = float(np.sqrt(np.mean(turned**2)))
     return next((seconds for seconds in WINDOWS if seconds * rate <= FREE_RUNS.most_turned), WINDOWS[-1])
 
 
 def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:
-    """The fit to the first part of the recordings alone."""
+    """Fit a model anew to `tracks`, the first part of the recordings alone."""
     start = evaluated(replace(fit, tracks=tracks))
     return improved(with_noise(improved(start, 2), 1, WATER_NOISE), 3)
 
 
 def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: float) -> list[Window]:
+    """Run all models freely through every window of a track's held-out part; rows (columns,): by model."""
     grid = track.timeline.grid
     first = round(FREE_RUNS.seen * grid.points)
     length = min(round(seconds / grid.step), (grid.points - first - 1) // 2)
@@ -90,14 +97,14 @@ def _windows(track: Track, course: Smoothed, rows: dict[str, Floats], seconds: f
 
 
 def _squared(path: Floats, measured: Floats) -> Floats:
-    """(points, 3) squared errors of position [m^2], heading [rad^2] and depth [m^2]."""
+    """Squared errors (points, 3) of a path: position [m^2], heading [rad^2] and depth [m^2]."""
     off = path - measured
     turn = off[:, YAW] - 2.0 * np.pi * np.round(off[:, YAW] / (2.0 * np.pi))
     return np.column_stack([off[:, X] ** 2 + off[:, Y] ** 2, turn**2, off[:, Z] ** 2])
 
 
 def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int) -> Floats:
-    """(points, 3) expected squared errors of a model that is right, by one run with the smoothed random force added."""
+    """Squared errors (points, 3) that a right model would have: its runs with and without the smoothed random force."""
     start = course.mean[begin, :STATE_SIZE]
     free = track.filter.free_run(row, start, begin, length)
     pushed = track.filter.free_run(row, start, begin, length, course.mean[begin : begin + length, STATE_SIZE:])
@@ -105,6 +112,7 @@ def _floor(track: Track, row: Floats, course: Smoothed, begin: int, length: int)
 
 
 def _table(windows: Sequence[Window], tracks: Sequence[Track], seconds: float) -> dict[str, HeldOut]:
+    """Root mean squares over all windows with bootstrap intervals, for each channel that a stream shows."""
     shown = {
         "position": any(track.timeline.sees("pose_x") for track in tracks),
         "heading": any(track.timeline.sees("pose_yaw", "compass") for track in tracks),

@@ -1,4 +1,4 @@
-"""Errors of what the models expect sensors to show, on the last part of each recording, which no fit saw."""
+"""Errors of expected readings of streams that free runs do not cover, on the last part of each recording."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
 TOPICS = ("compass", "pressure", "imu")
-"""Streams that are no channel of the free runs."""
+"""Streams that are not a channel of the free runs."""
 
 
 class HeldOutPart(NamedTuple):
-    """What of each recording is held out."""
+    """Part of each recording that is held out."""
 
-    seen: float  # share of it that the fits saw
-    stretch: float  # length [s] of stretches that intervals take for independent
+    seen: float  # share of the recording, from its beginning, that the fits saw
+    stretch: float  # length [s] of stretches of which the errors count as independent, for intervals
 
 
 def held_out_streams(
@@ -32,9 +32,10 @@ def held_out_streams(
     models: Mapping[str, Floats],
     part: HeldOutPart,
 ) -> dict[str, HeldOut]:
-    """Root mean square of reading less expectation on the most likely course, by topic.
+    """Root mean squares of the deviations on the smoothed courses, by topic and model, after the part that fits saw.
 
-    models: rows (tracks, columns) of 'nominal', 'recalibrated' and 'augmented'.
+    courses: the smoothed course of each track; models: rows (tracks, columns) of 'nominal', 'recalibrated' and
+    'augmented'.
     """
     table = {}
     for topic in TOPICS:
@@ -58,13 +59,13 @@ def held_out_streams(
 
 
 def _noise(track: Track, topic: str) -> float:
-    """Variance of a reading as the filter takes them, by the stream's differences alone."""
+    """Variance of a stream's readings as averaged for the filter, by the noise that the stream's differences show."""
     share = track.timeline.share[track.timeline.kind == KIND_OF_TOPIC[topic]]
     return float(track.log.streams[topic].noise[0] ** 2 * share.mean())
 
 
 def _stretches(track: Track, course: Smoothed, row: Floats, topic: str, part: HeldOutPart) -> list[float]:
-    """Mean squared deviation of every stretch after the part that was seen."""
+    """Mean squared deviation of each stretch after the part that the fits saw."""
     chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
     stamp = track.timeline.stamp[chosen]
     squared = deviation(track, chosen, course, row) ** 2

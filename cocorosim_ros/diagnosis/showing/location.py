@@ -1,4 +1,4 @@
-"""Where the recalibrated model and the recordings differ: which equation, in proportion to what, when and where."""
+"""Location of what the recalibrated model lacks: equation, regressor, time, and part of the course."""
 
 from __future__ import annotations
 
@@ -27,7 +27,11 @@ from cocorosim_ros.world.terms.equations import EQUATION
 def locate(
     fit: Fit, screened: Sequence[Screened], laws: Sequence[Screened], courses: Sequence[Smoothed]
 ) -> tuple[Located, ...]:
-    """What stands out, the clearest first: laws of force by the scan, sensors by the catalogue."""
+    """Locate the clearest differences between the recalibrated model and the recordings, the clearest first.
+
+    fit: the recalibrated one; screened, laws: the first screening; courses: the smoothed course of each track. Forces
+    are located by laws outside the catalogue, sensors by entries of the catalogue.
+    """
     sensed = [each for each in screened if each.candidate.entry.channel in SENSOR_CHANNELS]
     standing = [each for each in (*laws, *sensed) if np.abs(each.z).max() >= LOCATION.clear and each.nats > 0.0]
     standing.sort(key=lambda each: -each.nats)
@@ -42,13 +46,13 @@ def locate(
 
 
 def _strongest(screened: Screened) -> tuple[Unknown, float]:
-    """The amplitude that stands out most, and its q."""
+    """Amplitude with the greatest score over its standard deviation, and the amount of its q."""
     number = int(np.abs(screened.z).argmax())
     return screened.candidate.amplitudes()[number], float(abs(screened.q[number]))
 
 
 def _named(screened: Screened) -> tuple[str, str]:
-    """Equation and regressor."""
+    """Equation and regressor of a screened candidate, by the contract."""
     entry = screened.candidate.entry
     if entry.form is not None:
         return _law_named(entry.form)
@@ -57,7 +61,11 @@ def _named(screened: Screened) -> tuple[str, str]:
 
 
 def _law_named(law: Law) -> tuple[str, str]:
-    """Equation and regressor by the contract, which has no equations along the axes of the world and no velocities."""
+    """Equation and regressor of a law, by the contract.
+
+    The contract has no equations along the axes of the world, which become 'surge', and no velocities, which become
+    'pose'.
+    """
     if law.topic is not None:
         return "pose" if law.topic == "velocity" else law.topic, law.product.text
     if law.of.startswith("world"):
@@ -66,6 +74,10 @@ def _law_named(law: Law) -> tuple[str, str]:
 
 
 def _located(fit: Fit, screened: Screened, courses: Sequence[Smoothed]) -> Located:
+    """Describe where one screened candidate acts, and how strongly.
+
+    The size of a law of motion is the force or moment that it typically has, else that of the strongest amplitude.
+    """
     entry = screened.candidate.entry
     equation, regressor = _named(screened)
     time, gained = _gain_over_time(fit, screened)
@@ -86,7 +98,7 @@ def _located(fit: Fit, screened: Screened, courses: Sequence[Smoothed]) -> Locat
 
 
 def _swing(fit: Fit, screened: Screened) -> tuple[float, float]:
-    """Rate [rad/s] and phase [rad] with which a law of motion swings in time, if it does."""
+    """Rate [rad/s] and phase [rad] with which a law of motion swings in time; 0, 0 if it does not."""
     place = screened.candidate.entry.law
     if place not in LAWS:
         return 0.0, 0.0
@@ -95,7 +107,7 @@ def _swing(fit: Fit, screened: Screened) -> tuple[float, float]:
 
 
 def _gain_over_time(fit: Fit, screened: Screened) -> tuple[Floats, Floats]:
-    """Moments [s] and the nats that the readings there gain by the law."""
+    """Stamps [s] of all readings, in order, and the nats that each gains by the candidate: both (m,)."""
     rows = screened.candidate.write(fit.rows, screened.values)
     unknowns = screened.candidate.amplitudes()
     moved = slopes(replace(fit, rows=rows), unknowns, np.zeros(len(unknowns)))
@@ -111,7 +123,7 @@ def _gain_over_time(fit: Fit, screened: Screened) -> tuple[Floats, Floats]:
 
 
 def _window(time: Floats, gained: Floats) -> tuple[float, float]:
-    """From when to when the middle 90 % of the gain came [s]."""
+    """Begin and end [s] of the time in which the middle 90 % of the gain came, in thirtieths of the recording."""
     bins = np.linspace(time[0], time[-1] + 1e-9, 31)
     index = np.digitize(time, bins) - 1
     total = np.maximum(np.bincount(index, gained, minlength=30)[:30], 0.0)
@@ -121,7 +133,7 @@ def _window(time: Floats, gained: Floats) -> tuple[float, float]:
 
 
 def _regimes(course: Smoothed, state: Floats) -> dict[Regime, Flags]:
-    """Which of these states (n, COURSE_SIZE) are in which regime of the course."""
+    """Flags (n,) by regime: the states (n, COURSE_SIZE) that lie in it, compared with the medians of the course."""
     middle = np.median(course.mean, axis=0)
     pace, size = np.median(np.abs(course.mean), axis=0), np.abs(state)
     return {
@@ -140,7 +152,10 @@ def _regimes(course: Smoothed, state: Floats) -> dict[Regime, Flags]:
 
 
 def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[Smoothed]) -> Concentration | None:
-    """The regime in which the gain is at home more than time is."""
+    """Regime with the greatest share of the gain; None if even that share is not large.
+
+    time [s], gained [nats]: both (m,), by reading. Regimes that fill nearly all of the time are left out.
+    """
     course = courses[screened.candidate.everybody[0]]
     index = np.clip(np.searchsorted(course.time, time), 0, len(course.time) - 1)
     total = float(gained.sum())
@@ -149,7 +164,7 @@ def _where(screened: Screened, time: Floats, gained: Floats, courses: Sequence[S
     shares = [
         Concentration(regime, float(gained[chosen].sum()) / total)
         for regime, chosen in _regimes(course, course.mean[index]).items()
-        if chosen.mean() < LOCATION.everywhere  # as where a vehicle has one depth alone
+        if chosen.mean() < LOCATION.everywhere  # a vehicle that keeps one depth is 'shallow' all the time
     ]
     best = max(shares, key=lambda each: each.share, default=None)
     return best if best is not None and best.share > LOCATION.concentrated else None

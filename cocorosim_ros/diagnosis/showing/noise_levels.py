@@ -1,4 +1,4 @@
-"""How strongly the water pushes at random, and how far readings scatter, as the fit has them."""
+"""Noise of a fit with intervals: strength of the water's random forces, scatter of the readings."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from cocorosim_ros.diagnosis.showing.estimates import Z95
 
 
 def noise_levels(fit: Fit) -> dict[str, Estimate]:
-    """By name: standard deviations, and the correlation time of the random forces; of the first robot."""
+    """Estimates by column of the noise, for the first robot: standard deviations, correlation time and smoothness."""
     spread = np.sqrt(np.diag(noise_covariance(fit)))
     found: dict[str, Estimate] = {}
     for unknown, q, width in zip(fit.noise, fit.q_noise, spread, strict=True):

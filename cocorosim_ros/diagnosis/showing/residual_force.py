@@ -1,4 +1,4 @@
-"""The force that a model lacks, over time: the random force of the water as the smoother sees it, in body axes."""
+"""The residual: the force that a model lacks over time, taken from the smoothed random force, in body axes."""
 
 from __future__ import annotations
 
@@ -15,11 +15,12 @@ from cocorosim_ros.world.state.state import YAW
 
 
 def residual_forces(fit: Fit, courses: Sequence[Smoothed]) -> tuple[ResidualForce, ...]:
-    """Of every track."""
+    """Residual force of every track under a fit; courses: the smoothed course of each track."""
     return tuple(_of(track, row, course) for track, row, course in zip(fit.tracks, fit.filled, courses, strict=True))
 
 
 def _of(track: Track, row: Floats, course: Smoothed) -> ResidualForce:
+    """Turn the random force of a course (world axes) and its standard deviation to the axes of the body."""
     mean, spread = course.mean, course.spread
     sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
     east, north = mean[:, FORCE_X], mean[:, FORCE_Y]

@@ -1,4 +1,4 @@
-"""What the streams that something was found of show less what the model expects, before and after."""
+"""Deviations of streams about which an effect was found: readings less expectations, before and after naming."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from cocorosim_ros.world.terms.regressors import HEADING
 
 _RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded and sensor.recorded.drawn}
 KIND_OF_TOPIC = {topic: KIND_NAMES.index(recorded.drawn) for topic, recorded in _RECORDED.items()}
-"""The number of each stream that is drawn."""
+"""Kind of reading, as its code, that is drawn for a stream; by topic."""
 
 
 def unit_of_kind(kind: int) -> str:
@@ -34,7 +34,10 @@ def unit_of_kind(kind: int) -> str:
 def residual_readings(
     base: Fit, final: Fit, courses: tuple[Sequence[Smoothed], Sequence[Smoothed]], effects: Sequence[FoundEffect]
 ) -> tuple[ResidualReading, ...]:
-    """For every stream that one of the effects is of; courses: the most likely ones of `base` and of `final`."""
+    """Deviations of every stream that one of the effects is about, under the recalibrated and under the final fit.
+
+    courses: the smoothed courses by track, of `base` and of `final`.
+    """
     found = []
     for effect in effects:
         topic = effect.topic or (ERRORS[effect.id].sensor if effect.id in ERRORS else None)
@@ -59,12 +62,12 @@ def residual_readings(
 
 
 def _of_another_reading(effect: FoundEffect, topic: str) -> bool:
-    """Whether it is a law of a reading of the topic that is not drawn, such as an acceleration of the imu."""
+    """Tell whether an effect is a law of a reading that is not drawn for its topic, as accelerations of the imu."""
     return effect.law is not None and effect.law.of != KIND_NAMES[KIND_OF_TOPIC[topic]]
 
 
 def _product(effect: FoundEffect, topic: str) -> Product:
-    """What the deviation of a stream depends on under this effect."""
+    """Product of regressors that the deviation of a stream depends on under an effect."""
     if effect.law is not None:
         return effect.law.product
     if effect.id == "sensor_latency":
@@ -74,7 +77,10 @@ def _product(effect: FoundEffect, topic: str) -> Product:
 
 
 def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row: Floats) -> Floats:
-    """The product (n,) at these moments, under the numbers of this row; angles between -pi and pi."""
+    """Values (n,) of a product at stamps (n,) [s] along a smoothed course; headings between -pi and pi.
+
+    row: the numbers of the model, for what actuators deliver.
+    """
     seen = track.actuation.course_along(course, row)
     with np.errstate(divide="ignore", invalid="ignore"):
         values = factor_at(seen, stamp, product.first) * factor_at(seen, stamp, product.second)
@@ -82,7 +88,11 @@ def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row:
 
 
 def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:
-    """Readings less what sensors with these numbers show on this course."""
+    """Deviations (n,) of readings of one kind: readings less expectations on a smoothed course, angles the shorter way.
+
+    chosen (m,): flags of the readings in the track's timeline; row: the numbers of the model, sensors' errors and the
+    errors of stamps among them.
+    """
     kind = int(track.timeline.kind[chosen][0])
     topic = next(name for name, each in KIND_OF_TOPIC.items() if each == kind)
     stamp = track.timeline.stamp[chosen]
@@ -93,7 +103,7 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
 
 
 def _shown(kind: int, state: Floats, stamp: Floats, row: Floats) -> Floats:
-    """What a sensor with these numbers shows in these states (n, 8)."""
+    """Readings (n,) of one kind that a sensor with the numbers in `row` shows in the states (n, 8 or more)."""
     shown = np.empty(len(stamp))
     expected_along(kind, state, stamp, row[SENSORS_IN_ROW], shown)
     return shown

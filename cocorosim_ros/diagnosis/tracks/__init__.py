@@ -1,1 +1,1 @@
-"""One robot in one recording: its readings on a grid, and the filter's pass over them."""
+"""Tracks: one robot in one recording each, with readings on a grid and the filter's pass over them."""

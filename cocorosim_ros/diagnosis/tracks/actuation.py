@@ -1,4 +1,4 @@
-"""What the actuators of a robot deliver between the grid points of its track, as the commands were recorded."""
+"""Forces that the actuators of a robot deliver between the grid points of its track, given the recorded commands."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS
 
-REMEMBERED = 6  # forces, for numbers that are asked for again
+REMEMBERED = 6  # sets of forces, because the same numbers are soon asked for again
 
 
 class Actuation:
-    """Commands to forces, under a row of numbers."""
+    """The actuators of one track: recorded commands to forces, under a row of numbers of a model."""
 
     def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid) -> None:
         self.vehicle, self.grid = vehicle, grid
@@ -28,10 +28,10 @@ class Actuation:
         self._lately: Lately[tuple[Floats, Floats]] = Lately(REMEMBERED)
 
     def drive(self, row: Floats, with_rates: bool = False) -> Drive:
-        """What acts on the robot from each grid point to the next.
+        """Forces and neighbours that act on the robot from each grid point to the next, under a row (columns,).
 
-        The rates at which forces change are reckoned where a law of the row may ask for them, or `with_rates`; they
-        are zero elsewhere.
+        The rates at which forces change are computed where a law in the row may need them, or `with_rates`; they are
+        zero elsewhere.
         """
         body = self.vehicle.body(row)
         if with_rates:
@@ -43,16 +43,16 @@ class Actuation:
         return Drive(force, rate, self.vehicle.surroundings.around)
 
     def thrust(self, drive: Drive) -> Floats:
-        """(points, 4) wrench of the thrusters [N, N, N, N m; body]."""
+        """Wrench (points, 4) of the thrusters [N, N, N, N m; body]."""
         thrusters = ~self.vehicle.is_pump
         return np.asarray(drive.force[:, thrusters] @ self.vehicle.actuator_wrench[thrusters])
 
     def pump_force(self, drive: Drive) -> Floats:
-        """(points,) force of the pumps [N], up positive."""
+        """Force (points,) of the pumps [N], upwards positive."""
         return np.asarray(drive.force[:, self.vehicle.is_pump].sum(axis=1))
 
     def course_along(self, smoothed: Smoothed, row: Floats) -> Course:
-        """What laws may depend on, where the robot swam so and its actuators have these numbers."""
+        """Quantities that laws may depend on, along a smoothed course, with the actuators under a row (columns,)."""
         drive, vehicle = self.drive(row, with_rates=True), self.vehicle
         lower, upper, around, own = vehicle.surroundings
         return Course(
@@ -61,7 +61,7 @@ class Actuation:
         )  # fmt: skip
 
     def nominal_force(self) -> Floats:
-        """(points, 2) forward and sideways force of the thrusters [N] under the platform's own numbers."""
+        """Forward and leftward force (points, 2) of the thrusters [N; body] under the platform's own numbers."""
         thrusters = ~self.vehicle.is_pump
         force = self.drive(self.vehicle.row).force[:, thrusters]
         return np.asarray(force @ self.vehicle.actuator_wrench[thrusters, :2])

@@ -1,4 +1,4 @@
-"""Streams on a grid: readings that fall between two grid points are averaged."""
+"""Averages of streams: readings that are nearest to one and the same grid point become one."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 
 class Taken(NamedTuple):
-    """Columns of a timeline, each (m,)."""
+    """Columns of a timeline, each (m,); `Timeline` says what they hold."""
 
     kind: Integers
     stream: Integers
@@ -22,7 +22,7 @@ class Taken(NamedTuple):
     reach: Floats
 
     def ordered(self, order: Integers) -> Taken:
-        """The rows (m,) in another order."""
+        """Put the rows into the order of their numbers `order` (m,)."""
         return Taken._make(column[order] for column in self)
 
 
@@ -30,15 +30,15 @@ NOTHING = Taken(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), *np.ze
 
 
 class Averaged(NamedTuple):
-    """One stream, at most one row for each grid point."""
+    """One stream with at most one row for each grid point."""
 
     stamp: Floats  # (n,) [s]
     value: Floats  # (n, columns), NaN where nothing was read
-    share: Floats  # (n, columns) variance over that of a single reading
-    reach: Floats  # (n,) [s] within which of the stamp the readings of an average lie evenly
+    share: Floats  # (n, columns) variance as a share of that of a single reading
+    reach: Floats  # (n,) [s] the readings of an average lie evenly between stamp - reach and stamp + reach
 
     def of_kind(self, column: int, kind: int, stream: int, inside: Flags) -> Taken:
-        """The readings of one column, those that are there and `inside` (n,)."""
+        """Take the readings of one column that are there and have the flag `inside` (n,), under these codes."""
         shown = np.isfinite(self.value[:, column]) & inside
         count = int(np.count_nonzero(shown))
         kinds, streams = np.full(count, kind, dtype=np.int64), np.full(count, stream, dtype=np.int64)
@@ -47,13 +47,17 @@ class Averaged(NamedTuple):
 
 
 def joined(parts: Sequence[Taken]) -> Taken:
-    """The rows of all parts, one after the other."""
+    """Join rows, one part after the other."""
     columns = [np.concatenate(column) for column in zip(NOTHING, *parts, strict=True)]
     return Taken._make(columns)
 
 
 def averaged_stream(stream: Stream, step: float, begin: float) -> Averaged:
-    """A stream with at most one reading for each grid point, NaN where none."""
+    """Average the readings of a stream that are nearest to one grid point, NaN left out.
+
+    The reach of an average is sqrt(3) standard deviations of its stamps, as that of moments that lie evenly is.
+    step, begin [s]: distance of grid points, and the time of the first.
+    """
     if len(stream.time) == 0:
         return Averaged(stream.time, stream.value, np.ones_like(stream.value), stream.time)
     point = np.rint((stream.time - begin) / step).astype(np.int64)
@@ -70,7 +74,7 @@ def averaged_stream(stream: Stream, step: float, begin: float) -> Averaged:
 
 
 def around_point(after: Floats, reach: Floats) -> tuple[Floats, Floats]:
-    """Mean distance from 0 and mean sign of moments that lie evenly in `after` +- `reach` [s], all (m,)."""
+    """Mean distance from 0 [s] and mean sign of moments that lie evenly in `after` +- `reach` [s], all (m,)."""
     astride = np.abs(after) < reach
     width = np.where(astride, reach, 1.0)
     apart = np.where(astride, (after**2 + reach**2) / (2.0 * width), np.abs(after))

@@ -13,12 +13,12 @@ from cocorosim_ros.world.vehicle_model.columns import numbered, stretch_of
 from cocorosim_ros.world.vehicle_model.hooks import bits
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAMETER_COLUMNS, neutral_row
 
-# Logarithms of N, N, N m, s and 1.
+# Logarithms of numbers in N, N, N m, s and 1.
 WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
-# Readings that are equally good share one number: log of the standard deviation of a single reading.
+# Kinds of readings of equal quality share one number: log of the standard deviation of a single reading.
 READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values())
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
-# Units of that of which the noise is the logarithm.
+# Units of the noise itself; a row holds logarithms.
 NOISE_UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
     "random.smoothness": "1",
@@ -26,12 +26,12 @@ NOISE_UNITS = {
 }  # fmt: skip
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
-READING_LAWS = {f"{place}.{part.name}": part.neutral for place, parts in SENSOR_LAWS.items() for part in parts}
+READING_LAWS = {f"{place}.{each.name}": each.neutral for place, numbers in SENSOR_LAWS.items() for each in numbers}
 
 COLUMN: dict[str, int] = numbered(
     [*PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS]
 )
-"""Column of every number of a model; the physics come first, so that their columns are the simulator's."""
+"""Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
 NAMES: tuple[str, ...] = tuple(COLUMN)
 PHYSICS = stretch_of(COLUMN, list(PARAMETER_COLUMNS))
 SENSORS = stretch_of(COLUMN, SENSOR_COLUMNS)
@@ -41,7 +41,7 @@ ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFE
 BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, GAINS))
-NEUTRAL = np.zeros(len(NAMES))  # what each number is where nothing is out of the ordinary
+NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law or error acts
 NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
 for _name, _value in READING_LAWS.items():
@@ -49,5 +49,5 @@ for _name, _value in READING_LAWS.items():
 
 
 def active_effects(row: Floats) -> int:
-    """Bits of the effects of which a number is not neutral."""
+    """Bits of the effects of which a number in the row (columns,) is not neutral."""
     return int(np.bitwise_or.reduce(BIT[row != NEUTRAL]))

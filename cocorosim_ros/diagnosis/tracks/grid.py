@@ -1,4 +1,4 @@
-"""Where the grid of a filter begins, and how fine it is."""
+"""Begin and step of the grid of a filter."""
 
 from __future__ import annotations
 
@@ -10,11 +10,14 @@ from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.foundation.arrays import Floats
 
 LONGEST_STEP = 0.1  # s
-YAW_ERROR, PLACE_ERROR = 0.005, 0.001  # rad, m: what a step under full acceleration may miss by
+YAW_ERROR, PLACE_ERROR = 0.005, 0.001  # rad, m: allowed error of a step under full acceleration
 
 
 def grid_step(acceleration: float, yaw_acceleration: float) -> float:
-    """Step [s] of the filter for a vehicle with these greatest accelerations [m/s^2, rad/s^2], a multiple of 10 ms."""
+    """Step [s] of the filter for a vehicle with these greatest accelerations [m/s^2, rad/s^2], a multiple of 10 ms.
+
+    A step h under an acceleration a that sets in or ends within it errs by up to a h^2 / 8.
+    """
     step = LONGEST_STEP
     if acceleration > 0.0:
         step = min(step, math.sqrt(8.0 * PLACE_ERROR / acceleration))
@@ -24,9 +27,10 @@ def grid_step(acceleration: float, yaw_acceleration: float) -> float:
 
 
 def grid_begin(command_time: Floats, step: float, begin: float) -> float:
-    """Where a grid of this step begins, at most a step before `begin` [s], so that commands change at grid points.
+    """Time [s] at which a grid begins so that commands change at grid points; at most a step [s] before `begin` [s].
 
-    Between grid points the filter knows only the mean of what acts.
+    command_time (n,): moments of the commands [s]; their mean phase within a step is taken. Between grid points the
+    filter knows only the mean of the forces, so that a change there would be smeared.
     """
     if len(command_time) == 0:
         return begin
@@ -36,5 +40,5 @@ def grid_begin(command_time: Floats, step: float, begin: float) -> float:
 
 
 def grid_until(begin: float, step: float, end: float) -> Grid:
-    """The grid from `begin` to the last point at or before `end` [s], of two points at least."""
+    """Make the grid from `begin` to the last point at or before `end` [s], of two points at least."""
     return Grid(begin, step, max(2, math.floor((end - begin) / step + 1e-9) + 1))

@@ -1,4 +1,4 @@
-"""What was made lately, for numbers that are asked for again."""
+"""A small cache of results, for numbers that are soon asked for again."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ Made = TypeVar("Made")
 
 
 class Lately(Generic[Made]):
-    """The last few things that were made, by key; not locked, so one thread's."""
+    """A cache of the last few results by key; it has no lock, so one thread only may use it."""
 
     def __init__(self, most: int) -> None:
         self._most = most
         self._made: OrderedDict[Hashable, Made] = OrderedDict()
 
     def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """What `make` returned for this key if it was asked for lately, else what it returns now."""
+        """Return the result kept under this key, or call `make`, keep its result and return that."""
         if key not in self._made:
             self._made[key] = make()
             if len(self._made) > self._most:

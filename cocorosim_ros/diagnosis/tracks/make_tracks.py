@@ -1,4 +1,4 @@
-"""Which robots and walls surround each robot of a recording, as far as the recording tells."""
+"""Tracks of all robots of the evidence, each with the robots and walls around it, as far as a recording tells."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
 
 
 def introduced(tracks: Sequence[Track]) -> list[Track]:
-    """The tracks of one recording, each among the others in their common water."""
+    """Put the tracks of one recording into their common water, each among the others."""
     lower, upper = _water(tracks)
     water = OPEN_WATER._replace(lower=lower, upper=upper)
     if len(tracks) == 1:
@@ -24,7 +24,10 @@ def introduced(tracks: Sequence[Track]) -> list[Track]:
 
 
 def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
-    """Lowest and highest corner [m; world]: a tank around the origin, as the contract has it, that held all robots."""
+    """Lowest and highest corner (3,) [m; world] of a tank around the origin that holds all poses; FAR without poses.
+
+    The contract puts the origin into the middle of the surface. A tank that is nearly square is taken as square.
+    """
     places = [track.log.streams["pose"].value[:, :3] for track in tracks if "pose" in track.log.streams]
     if not places:
         return np.full(3, -FAR), np.full(3, FAR)
@@ -40,7 +43,10 @@ def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
 
 
 def _around(tracks: Sequence[Track], track: Track) -> Floats:
-    """(points, robots, NEIGHBOUR_SIZE) places and thrusts of all robots at the grid points of one of them."""
+    """Places and thrusts [m, N; world] of all robots at one track's grid points: (points, robots, NEIGHBOUR_SIZE).
+
+    Robots without poses are FAR away.
+    """
     moments = track.timeline.grid.moments
     around = np.zeros((len(moments), len(tracks), NEIGHBOUR_SIZE))
     around[:, :, :3] = FAR
@@ -58,7 +64,7 @@ def _around(tracks: Sequence[Track], track: Track) -> Floats:
 
 
 def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
-    """Forward and sideways force of the thrusters [N] at these moments, as commanded."""
+    """Forward and leftward force (points,) of the thrusters [N; body] at `moments` (points,) [s], as commanded."""
     drive = track.actuation.nominal_force()
     own = track.timeline.grid.moments
     index = np.clip(np.searchsorted(own, moments, side="right") - 1, 0, len(own) - 1)
@@ -66,7 +72,7 @@ def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
 
 
 def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
-    """A track for every robot in every recording that has readings."""
+    """Make a track of every robot in every recording that has readings of it."""
     tracks: list[Track] = []
     for recording in evidence.recordings:
         alone = [make_track(evidence.platform, log, *_span(log)) for log in recording.robots if _times(log)]
@@ -75,10 +81,11 @@ def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
 
 
 def _times(log: RobotLog) -> list[Floats]:
+    """Stamps [s] of every stream that has readings."""
     return [stream.time for stream in log.streams.values() if len(stream.time)]
 
 
 def _span(log: RobotLog) -> tuple[float, float]:
-    """From the first reading to the last [s]."""
+    """Stamps [s] of the first and of the last reading of all streams."""
     times = _times(log)
     return min(float(time[0]) for time in times), max(float(time[-1]) for time in times)

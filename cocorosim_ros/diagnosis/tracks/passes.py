@@ -1,4 +1,4 @@
-"""What the filter leaves of a track: passes and smoothed courses."""
+"""Results of the filter for a track: passes and smoothed courses."""
 
 from __future__ import annotations
 
@@ -13,7 +13,11 @@ COURSE_SIZE = 12
 
 @dataclass(frozen=True)
 class Pass:
-    """What a pass of the filter leaves, each (m,) in the order of the track's timeline, gain (m, HORIZONTAL)."""
+    """Results of a pass of the filter by reading, each (m,) in the order of the timeline; gain (m, HORIZONTAL).
+
+    innovation: reading less prediction, in the unit of the reading; variance: that of the innovation; log_likelihood:
+    of all readings [nats], minus infinity where the model ran away.
+    """
 
     innovation: Floats
     variance: Floats
@@ -24,7 +28,11 @@ class Pass:
 
 @dataclass(frozen=True)
 class Smoothed:
-    """time (points,) [s]; mean, spread (points, COURSE_SIZE): x y z yaw u v w r, then the random force of the water."""
+    """The smoothed course of a track: time (points,) [s]; mean and standard deviation (points, COURSE_SIZE).
+
+    Columns: x y z [m; world], yaw [rad], u v w [m/s; body], r [rad/s], then the random force of the water
+    [N, N, N, N m; world].
+    """
 
     time: Floats
     mean: Floats

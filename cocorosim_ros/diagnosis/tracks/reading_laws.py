@@ -1,7 +1,7 @@
-"""Laws of readings that no catalogue has: what they add to each reading along the course that a robot has swum.
+"""Laws of readings outside the catalogue: the errors that they add to each reading along a robot's smoothed course.
 
-What a law depends on is known far better than what the law does, because the camera sees it: it is taken from the
-smoothed course as given, so that the filter has nothing to know of such laws.
+The regressors of such a law, place or speed, are known far better than its effect, because the camera sees them. So
+they are taken from the smoothed course as given, and the filter itself knows nothing of such laws.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _KIND = np.array([KIND_NAMES.index(reading.name) for reading in READINGS])
 
 
 def without_laws(row: Floats) -> Floats:
-    """The numbers of a model that has no laws of readings."""
+    """Copy a row (columns,) with the numbers of all laws of readings at their neutral values."""
     plain = row.copy()
     chosen = [COLUMN[name] for name in READING_LAWS]
     plain[chosen] = NEUTRAL[chosen]
@@ -34,7 +34,10 @@ def without_laws(row: Floats) -> Floats:
 
 
 def law_shift(row: Floats, readings: Readings, course: Callable[[], Course]) -> Floats | None:
-    """(m,) what the laws in `row` add to the readings, in their order; None if it has none. `course` is asked once."""
+    """Errors (m,) that the laws in `row` add to the readings, in the order and units of these; None without laws.
+
+    course: returns the quantities along the smoothed course; called once, and only if there is a law.
+    """
     laws = [row[first : first + _PARTS] for first in _FIRST if row[first] != 0.0]
     if not laws:
         return None
@@ -51,16 +54,16 @@ def law_shift(row: Floats, readings: Readings, course: Callable[[], Course]) -> 
 
 
 def _factor(code: float, power: float, signed: float) -> Factor:
-    """The factor that a model's row says by numbers."""
+    """Decode a factor of a law from the three numbers by which a row holds it."""
     return Factor(REGRESSORS[int(code)].name, power, signed != 0.0)
 
 
 def factor_at(seen: Course, at: Floats, factor: Factor) -> Floats:
-    """One factor of a law of readings at these moments [s], which lie within the course."""
+    """Values (n,) of one factor of a law of readings at moments `at` (n,) [s] within the course, SI units."""
     if factor.name == "t":
         return factor.of(at)
     regressor = REGRESSOR[factor.name]
     along = regressor.along if factor.signed or regressor.effort is None else regressor.effort
-    # What actuators deliver is a mean from each grid point to the next.
+    # The force of an actuator is a mean from each grid point to the next, and belongs to the middle between them.
     late = 0.5 * (seen.time[1] - seen.time[0]) if regressor.from_actuators else 0.0
     return factor.of(np.interp(at, seen.time + late, along(seen, np.zeros(len(seen.time)))))

@@ -1,4 +1,4 @@
-"""Where a robot was when its recording began, from the first readings."""
+"""State of a robot when its recording began, from the first readings."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ FIRST_SECONDS = 0.5  # s in which the start is looked for
 
 
 def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
-    """State and standard deviation at the first grid point."""
+    """Guess the state at the first grid point, and its standard deviation, from readings soon after `begin` [s].
+
+    Numbers that no reading shows are 0; speeds are uncertain by what full thrust may reach.
+    """
     first = first_values(log, begin, FIRST_SECONDS)
     mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
     mean[X], mean[Y] = first.get(POSE_X, 0.0), first.get(POSE_Y, 0.0)
@@ -34,7 +37,7 @@ def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
 
 
 def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:
-    """The first reading of each kind within `window` [s] from `begin`."""
+    """First value by kind within `window` [s] from `begin` [s]; of a stream that begins later, its first."""
     found: dict[int, float] = {}
     for name, kinds in KINDS_OF_STREAM.items():
         if name not in log.streams:

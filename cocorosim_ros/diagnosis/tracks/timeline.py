@@ -1,4 +1,4 @@
-"""A robot's recording on the grid of the filter: which readings belong to which grid point."""
+"""The timeline of a track: the readings of a robot, and the grid point that each belongs to."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 
 @dataclass(frozen=True)
 class Timing:
-    """How the stamps of streams are off: by stream, seconds late, and seconds gained per second."""
+    """Errors of stamps by stream: latency [s], by which it is late, and skew [s/s], by which its clock gains."""
 
     latency: Mapping[str, float] = field(default_factory=dict)
     skew: Mapping[str, float] = field(default_factory=dict)
 
 
 RIGHT = Timing()
-REMEMBERED = 6  # readings on the grid, for timings that are asked for again
+REMEMBERED = 6  # sets of readings on the grid, because the same timings are soon asked for again
 
 
 def timing_of(row: Floats) -> Timing:
-    """What a row of numbers says of the stamps."""
+    """Errors of stamps that a row of numbers (columns,) holds."""
     latency, skew = row[TIMING].reshape(2, len(KINDS_OF_STREAM)).tolist()
     return Timing(dict(zip(KINDS_OF_STREAM, latency, strict=True)), dict(zip(KINDS_OF_STREAM, skew, strict=True)))
 
 
 class Timeline:
-    """All readings of one robot in one recording, averaged where several fall between two grid points.
+    """All readings of one robot in one recording, averaged where several are nearest to one grid point.
 
-    They stand in the order in which the filter takes them if all stamps are right; each is (m,):
-    kind, stream: codes of filter.layout and numbers in `stream_names`; stamp [s]; value; share: variance over that of a
-    single reading; reach [s]: the readings of an average lie evenly within it.
+    Readings stand in the order in which the filter takes them if all stamps are right. Each column is (m,):
+    kind: codes of filter.layout; stream: numbers in `stream_names`; stamp [s]; value: SI units; share: variance as a
+    share of that of a single reading; reach [s]: the readings of an average lie evenly in stamp +- reach.
     """
 
     def __init__(self, log: RobotLog, step: float, begin: float, end: float) -> None:
@@ -64,24 +64,27 @@ class Timeline:
 
     @cached_property
     def is_angle(self) -> Flags:
-        """(m,) whether a reading is an angle."""
+        """Flags (m,) of the readings that are angles."""
         return np.isin(self.kind, ANGLES)
 
     def sees(self, *names: str) -> bool:
-        """Whether there are readings of one of these kinds."""
+        """Tell whether there are readings of any of these kinds, given by name."""
         return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
 
     def until(self, share: float) -> Timeline:
-        """The first part, up to `share` of the duration, on the same grid."""
+        """Make a timeline of the first part, up to `share` of the duration, on the same grid."""
         begin, step, points = self.grid
         return Timeline(self._log, step, begin, begin + share * step * (points - 1))
 
     def under(self, row: Floats) -> Readings:
-        """The readings on the grid as a row of numbers has the stamps."""
+        """Readings on the grid, stamps corrected by the errors that a row of numbers (columns,) holds."""
         return self._lately.once(row[TIMING].tobytes(), lambda: self.readings(timing_of(row)))
 
     def readings(self, timing: Timing = RIGHT) -> Readings:
-        """The readings by grid point, at the moments of which they tell when the stamps are off by `timing`."""
+        """Readings by grid point, at the moments when they were true if stamps are off by `timing`.
+
+        Such a moment is (stamp - latency) / (1 + skew).
+        """
         begin, step, points = self.grid
         moment = self.stamp.copy()
         for number, name in enumerate(self.stream_names):

@@ -19,7 +19,7 @@ from cocorosim_ros.scenario.parts.platform import Platform
 
 @dataclass(frozen=True)
 class Track:
-    """The parts that belong together; whoever needs one takes it alone."""
+    """One robot in one recording, in parts that are used alone: a function takes the part that it needs."""
 
     log: RobotLog
     vehicle: VehicleModel
@@ -29,25 +29,26 @@ class Track:
 
     @property
     def name(self) -> str:
-        """Of the robot."""
+        """Name of the robot."""
         return self.log.name
 
     def among(self, surroundings: RecordedSurroundings) -> Track:
-        """The same track in these surroundings."""
+        """Copy the track into other surroundings."""
         vehicle = replace(self.vehicle, surroundings=surroundings)
         return self._with(vehicle, self.timeline)
 
     def until(self, share: float) -> Track:
-        """The first part of this track, up to `share` of its duration."""
+        """Make a track of the first part of this one, up to `share` of its duration, on the same grid."""
         return self._with(self.vehicle, self.timeline.until(share))
 
     def _with(self, vehicle: VehicleModel, timeline: Timeline) -> Track:
+        """Copy the track with another vehicle and timeline; actuation and filter follow them."""
         actuation = Actuation(vehicle, self.log, timeline.grid)
         return Track(self.log, vehicle, timeline, actuation, self.filter.over(timeline, actuation))
 
 
 def make_track(platform: Platform, log: RobotLog, begin: float, end: float) -> Track:
-    """One robot alone in open water; from its first reading to its last [s]."""
+    """Make the track of a robot as if alone in open water; begin, end: first and last reading [s]."""
     vehicle = vehicle_model(platform.of_robot(log.name))
     force = vehicle.force_scale
     step = grid_step(float(np.linalg.norm(force[:3])) / vehicle.mass, force[3] / vehicle.yaw_inertia)

@@ -1,4 +1,4 @@
-"""The filter over one track: passes, slopes, smoothed and free courses, each under a row of numbers."""
+"""The filter over one track: passes, slopes, smoothed courses and free runs, each under a row of numbers."""
 
 from __future__ import annotations
 
@@ -34,6 +34,7 @@ NO_PUSH = np.zeros((0, 4))
 
 
 def _blank_history(points: int) -> History:
+    """Make the arrays into which a pass writes its history; empty ones, 0 points, for a pass without history."""
     means = [np.zeros((points, 16)) for _ in range(2)]
     wide, high = ([np.zeros((points, size, size)) for _ in range(3)] for size in (HORIZONTAL, VERTICAL))
     return History(*means, *wide, *high)
@@ -42,7 +43,8 @@ def _blank_history(points: int) -> History:
 class TrackFilter:
     """The extended Kalman filter of filter.filter, given the readings of a timeline and the forces of an actuation.
 
-    course: along which laws of readings are taken; None: the one that the first row with such laws leads to.
+    course: smoothed course along which laws of readings are taken; None: it is made when a row with such laws is first
+    used, under that row without them. Rows are (columns,), SI units, by tracks.columns.
     """
 
     def __init__(
@@ -52,11 +54,14 @@ class TrackFilter:
         self._course = course
 
     def over(self, timeline: Timeline, actuation: Actuation) -> TrackFilter:
-        """The same filter over other readings and forces of the same robot."""
+        """Copy the filter for other readings and forces of the same robot; start and course stay."""
         return TrackFilter(timeline, actuation, self.start, self._course)
 
     def full(self, row: Floats) -> Pass:
-        """The filter's pass: likelihood, innovations, gains."""
+        """Run the filter: likelihood, innovations and gains, in the order of the timeline.
+
+        Where the model runs away, the likelihood is minus infinity.
+        """
         innovation, variance, gain, _ = self._believe(row, _blank_history(0))
         sound = (variance > 0.0) & np.isfinite(variance) & np.isfinite(innovation)
         if not sound.all():  # numbers under which the model cannot be run
@@ -66,15 +71,15 @@ class TrackFilter:
         return Pass(innovation, variance, gain, squared < GATE * GATE * (1.0 - 1e-9), likelihood)
 
     def smoothed(self, row: Floats) -> Smoothed:
-        """The most likely course given all readings, before and after each moment."""
+        """Smooth: the most likely state at each grid point given all readings, later ones too."""
         grid = self.timeline.grid
         mean, spread = smooth(self._believe(row, _blank_history(grid.points)).history)
         return Smoothed(grid.moments, mean[:, :COURSE_SIZE], spread[:, :COURSE_SIZE])
 
     def free_run(self, row: Floats, start: Floats, first: int, points: int, push: Floats = NO_PUSH) -> Floats:
-        """(points, 8) the model's own course from `start` (8,) at grid point `first`, no reading heeded.
+        """Free run of the model: states (points, 8) from `start` (8,) at grid point `first`, without readings.
 
-        push (points, 4): random force, world x, y, z [N] and moment [N m], that acts beside the model.
+        push (points, 4): random force that acts beside the model [N, N, N, N m; world]; none without it.
         """
         grid = self.timeline.grid
         drive, body = self.actuation.drive(row), self.actuation.vehicle.body(row)
@@ -82,9 +87,10 @@ class TrackFilter:
         return path
 
     def slope(self, row: Floats, past: Pass, step: float, slope: Floats) -> None:
-        """Write (m,) how the innovations of a pass change, gains held, by the number that is `step` off in this row.
+        """Write into `slope` (m,) the derivative of the innovations of the pass `past` by one unknown, gains held.
 
-        0 where the past pass did not believe the reading.
+        row: the numbers of that pass, but for the unknown, of which q is `step` off. The derivative is 0 for readings
+        beyond the gate.
         """
         numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), step)
         kept = Past(past.innovation, past.gain, past.believed)
@@ -92,6 +98,7 @@ class TrackFilter:
         slope_pass(self.readings(row), self.actuation.drive(row), self.start.mean, body, numbers, kept, slope)
 
     def _believe(self, row: Floats, kept: History) -> Belief:
+        """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""
         count = len(self.timeline.kind)
         belief = Belief(np.empty(count), np.empty(count), np.zeros((count, HORIZONTAL)), kept)
         numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(2.0 * row[READING_COLUMNS]))
@@ -100,13 +107,13 @@ class TrackFilter:
         return belief
 
     def readings(self, row: Floats) -> Readings:
-        """The readings on the grid, at the moments of which they tell, less what laws of readings in the row add."""
+        """Readings on the grid, stamps corrected and the errors by laws of readings taken off, as the row has both."""
         found = self.timeline.under(row)
         shift = law_shift(row, found, self._course_of(row))
         return found if shift is None else found._replace(value=found.value - shift)
 
     def law_shift(self, row: Floats) -> Floats:
-        """(m,) what laws of readings in this row add, in the order of the timeline."""
+        """Errors (m,) that laws of readings in the row add, in the order of the timeline and the units of readings."""
         found, shift = self.timeline.under(row), np.zeros(len(self.timeline.kind))
         added = law_shift(row, found, self._course_of(row))
         if added is not None:
@@ -114,7 +121,10 @@ class TrackFilter:
         return shift
 
     def _course_of(self, row: Floats) -> Callable[[], Course]:
-        """What laws of readings depend on, if it is asked for: as the first model that asks saw the robot swim."""
+        """Make a function that returns the quantities that laws of readings depend on, by time.
+
+        The course is smoothed at its first call, under the row without such laws, and the same for all later rows.
+        """
 
         def course() -> Course:
             if self._course is None:

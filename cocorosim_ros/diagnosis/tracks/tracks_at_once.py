@@ -1,4 +1,4 @@
-"""Robots of a recording beside each other: their tracks do not wait for one another."""
+"""Work on several tracks at once, in threads."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ MOST = 8  # threads
 
 
 def of_each_track(work: Callable[[int], Found], count: int) -> list[Found]:
-    """What `work` returns for each of `count` tracks, in their order.
+    """Call `work` with the numbers 0 to `count` - 1 of tracks, in threads; return the results in the order of tracks.
 
-    One track is one thread's: its memory is not locked. Kernels let go of the interpreter, so that threads help. They
-    live as long as this call, for a process that is forked later would wait for them forever.
+    Each track is used by one thread only, because its caches have no lock. Compiled kernels let go of the interpreter,
+    so that threads help. The threads end with this call: a process that is forked later would wait for them forever.
     """
     if count < 2 or len(os.sched_getaffinity(0)) < 2:
         return [work(number) for number in range(count)]

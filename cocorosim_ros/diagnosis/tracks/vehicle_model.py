@@ -1,4 +1,4 @@
-"""The model of one vehicle: from a row of numbers to the body that the simulator's physics moves."""
+"""Vehicle models: from a row of numbers to the body that the simulator's physics moves."""
 
 from __future__ import annotations
 
@@ -24,37 +24,37 @@ STILL = make_flow([])
 
 @dataclass(frozen=True)
 class VehicleModel:
-    """One robot as its platform's file has it, in its surroundings."""
+    """One robot as its platform's file describes it, in its surroundings."""
 
     nominal: Floats  # (parameters,) the platform's numbers, columns of PARAMETER_COLUMNS, SI units
-    active: int  # bits of the effects that act whatever the numbers are
+    active: int  # bits of the effects that act even with neutral numbers
     actuator_wrench: Floats  # (actuators, 4) X, Y, Z, N per newton [1, 1, 1, m; body]
     actuator_limit: Floats  # (actuators, 2) force at command +1 and -1, both positive [N]
     is_pump: Flags  # (actuators,)
-    known: Mapping[str, float]  # by column, what the platform's file says of sensors and stamps
+    known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
-    hull: float  # its length [m]
-    arm: float  # how far the thrusters sit before the centre, their mean [m]
+    hull: float  # length of the hull [m]
+    arm: float  # mean distance of the thrusters before the centre [m]
     surroundings: RecordedSurroundings = OPEN_WATER
 
     @property
     def mass(self) -> float:
-        """As the platform's file has it [kg]."""
+        """Mass in the platform's file [kg]."""
         return float(self.nominal[MASS])
 
     @property
     def yaw_inertia(self) -> float:
-        """As the platform's file has it [kg m^2]."""
+        """Yaw inertia in the platform's file [kg m^2]."""
         return float(self.nominal[YAW_INERTIA])
 
     @cached_property
     def force_scale(self) -> Floats:
-        """(4,) the wrench X, Y, Z, N of all actuators at full command [N, N, N, N m; body], without signs."""
+        """Full wrench (4,): sum over all actuators of the amounts of X, Y, Z, N at command +1 [N, N, N, N m; body]."""
         return np.asarray(np.abs(self.actuator_wrench * self.actuator_limit[:, :1]).sum(axis=0))
 
     @property
     def row(self) -> Floats:
-        """(columns,) the platform's numbers and nothing out of the ordinary; the noise is not known yet."""
+        """Row (columns,) of the platform's numbers without further effects; noise is still zero."""
         row = NEUTRAL.copy()
         row[PHYSICS] = self.nominal
         for column, value in self.known.items():
@@ -62,9 +62,9 @@ class VehicleModel:
         return row
 
     def body(self, row: Floats) -> Body:
-        """The simulator's body under a row of numbers; effects whose numbers are not neutral are switched on.
+        """Make the simulator's body with the numbers of a row (columns,); effects with numbers not neutral are active.
 
-        The array of neighbours is left empty: the filter writes into it who is where at each grid point.
+        The array of neighbours holds zeros: the filter writes the neighbours of each grid point into it.
         """
         around = self.surroundings
         return Body(
@@ -82,9 +82,9 @@ class VehicleModel:
 
 
 def vehicle_model(platform: Platform) -> VehicleModel:
-    """The model of one robot of a platform, in open water."""
+    """Make the model of one robot from its platform, in open water."""
     vehicles = build_vehicles([platform])
-    thrusters = [part.position[0] for part in platform.actuators if isinstance(part, Thruster)]
+    thrusters = [actuator.position[0] for actuator in platform.actuators if isinstance(actuator, Thruster)]
     return VehicleModel(
         vehicles.parameters[0, 0],
         int(vehicles.active[0, 0]) | ALWAYS_ACTIVE,
@@ -99,7 +99,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
 
 
 def _known_of_sensors(platform: Platform) -> dict[str, float]:
-    """By column, what the platform's file says of sensors and stamps."""
+    """Numbers of sensors and stamps that the platform's file gives, by column."""
     return {
         f"{effect}.{name}": value
         for effect, parameters in platform.effects.items()

@@ -1,4 +1,4 @@
-"""How much of everything a vehicle has beside a Lily: what is large for a Lily is small for a ship."""
+"""Sizes of a vehicle relative to a Lily, by unit: an amplitude that is large for a Lily is small for a ship."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
-# The Lily that the sizes of the catalogue belong to: N, N m, kg, kg m^2, m/s, rad/s.
+# The Lily for which the catalogue gives sizes: N, N m, kg, kg m^2, m/s, rad/s.
 LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48}
 SCALED: dict[str, Callable[[Mapping[str, float]], float]] = {
     "N": lambda share: share["force"],
@@ -29,17 +29,20 @@ SCALED: dict[str, Callable[[Mapping[str, float]], float]] = {
     "m/s^2": lambda share: share["force"] / share["mass"],
     "rad/s": lambda share: share["turn"],
 }
-"""By unit of an amplitude: how it grows with what a vehicle has beside a Lily; lengths and times stay."""
+"""Factor of an amplitude by its unit, as a function of the vehicle's share of each entry of LILY.
+
+A linear drag [N s/m], for one, grows with full force over full speed. Lengths and times are not scaled.
+"""
 UNSCALED = ("1", "m", "s", "Hz", "rad", "Pa", "Pa/s", "s/s")
-"""Units of amplitudes that are large alike for every vehicle: pure numbers, and what sensors and clocks do wrong."""
+"""Units of amplitudes that are as large for every vehicle: pure numbers, lengths, errors of sensors and clocks."""
 LILY_SIZES: Mapping[str, float] = dict.fromkeys((*SCALED, *UNSCALED), 1.0)
-"""The sizes of a Lily, for every unit that an amplitude may have."""
+"""Factors for a Lily, which are 1, for every unit that an amplitude may have."""
 ACROSS = 0.1  # of the full force in heave
 ARM = 0.02  # m, of the full force across
 
 
 class FullForces(NamedTuple):
-    """What is strong for a vehicle across [N], in heave [N] and yaw [N m]: its actuators at their limits."""
+    """Full forces of a vehicle, its actuators at their limits: horizontal [N], in heave [N] and in yaw [N m]."""
 
     across: float
     heave: float
@@ -47,19 +50,26 @@ class FullForces(NamedTuple):
 
     @property
     def random_heave(self) -> float:
-        """What would be strong in heave if the water did it [N]: a tenth of what a pump can, or the force across."""
+        """Force in heave that would be strong if it came from the water [N].
+
+        It is a tenth of the pump's full force, or the full horizontal force if that is greater.
+        """
         return max(ACROSS * self.heave, self.across)
 
 
 def full_forces(vehicle: VehicleModel) -> FullForces:
-    """Where no actuator acts, what the others let expect: a vehicle that cannot turn itself is turned all the same."""
+    """Full forces of a vehicle by its actuators, or by likely ratios in directions where it has none.
+
+    The water turns a vehicle even if its own actuators cannot. So without yaw moment of its own, its full force times
+    ARM stands for it, and without horizontal force ACROSS of the force in heave.
+    """
     surge, sway, heave, yaw = vehicle.force_scale.tolist()
     across = max(surge, sway) or ACROSS * heave or LILY["force"]
     return FullForces(across, heave, yaw or ARM * across)
 
 
 def sizes(vehicle: VehicleModel) -> Mapping[str, float]:
-    """By unit of an amplitude: the factor that makes what is large for a Lily large for this vehicle."""
+    """Factors by unit of an amplitude, from a value that is large for a Lily to one that is large for this vehicle."""
     row = vehicle.nominal
     force, _, moment = full_forces(vehicle)
     drag, yaw_drag = float(row[PARAMETER_COLUMNS["drag"]]), float(row[PARAMETER_COLUMNS["yaw_drag"]])
