@@ -102,7 +102,10 @@ def entries_of_error(identifier: str) -> list[Entry]:
 
 
 def _of_stream(identifier: str, error: SensorError, streams: OfEveryStream, number: Number) -> Entry:
-    """Make the entry of an error of one stream; `number` has the name of the stream's topic."""
+    """Make the entry of an error that each stream may have by itself, such as a latency, for one stream.
+
+    number: the error's number for that stream, which platform files call by the topic, such as `compass` [s].
+    """
     one = replace(error, summary=streams.summary(number.name), parameters=(number,))
     entry = entry_of(identifier, one, streams.search(number.name))
     return replace(entry, amplitudes=tuple(replace(each, name=streams.number) for each in entry.amplitudes))

@@ -34,7 +34,11 @@ def quiet_gain(base: Fit, more: Fit) -> float:
 
 
 def _is_loud(track: Track, row: Floats) -> Flags:
-    """Flags (m,), one for each reading: the force of the pumps has changed much in the time before it."""
+    """Flags (m,), one for each reading of the track: whether the pumps moved by more than the water can ask for.
+
+    They did where their force [N], within the PUMP.memory [s] before the reading, changed by more than PUMP.loud times
+    the rms of the random force in heave. row: a model's numbers.
+    """
     force = track.actuation.pump_force(track.actuation.drive(row))
     grid = track.timeline.grid
     width = max(1, round(PUMP.memory / grid.step))

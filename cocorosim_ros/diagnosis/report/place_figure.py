@@ -72,7 +72,11 @@ def _cells(residual: ResidualForce) -> tuple[Floats, Floats] | None:
 
 
 def _map_of(residual: ResidualForce, equation: str, edges: tuple[Floats, Floats]) -> Floats:
-    """Mean residuals (rows, columns, 3): of the equation, and of the force along x and y of the world."""
+    """Mean residual force by cell of the tank seen from above, (rows, columns, 3); NaN in cells with few samples.
+
+    The last axis: the residual of `equation` ('surge', ...) [N or N m], that along x and that along y of the world [N].
+    edges: of the cells along x and y [m; world].
+    """
     found = residual_of(equation, residual)
     along = found[0] if found else np.full(len(residual.time), np.nan)
     east, north = (residual_of(name, residual) for name in ("world_x", "world_y"))

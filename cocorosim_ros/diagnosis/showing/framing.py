@@ -9,7 +9,7 @@ CERTAIN = 1e4  # nats, in place of infinity
 
 
 def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:
-    """Effects for all mix-ups that were put right, but for those that the platform's file says already."""
+    """Make a found effect `frame_mixup` of each correction of axes, signs or units that the platform's file lacks."""
     known = intake.evidence.platform.frame_corrections
     return tuple(
         _effect(mixup) for mixup in intake.mixups if mixup.correction.wrong not in known.get(mixup.correction.topic, "")

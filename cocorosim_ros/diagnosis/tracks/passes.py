@@ -13,10 +13,11 @@ COURSE_SIZE = 12
 
 @dataclass(frozen=True)
 class Pass:
-    """Results of a pass of the filter by reading, each (m,) in the order of the timeline; gain (m, HORIZONTAL).
+    """Results of a pass of the filter: arrays (m,) by reading in the order of the timeline, gain (m, HORIZONTAL).
 
     innovation: reading less prediction, in the unit of the reading; variance: that of the innovation; log_likelihood:
-    of all readings [nats], minus infinity where the model ran away.
+    of all readings [nats], minus infinity where the model's state is no number any more. A gain fills the first columns
+    of its row where its reading is of the vertical block, which is smaller (terms.blocks).
     """
 
     innovation: Floats

@@ -19,7 +19,10 @@ def both_given(left: Numbers, right: Numbers) -> Flags:
 
 
 def independent(left: Numbers, right: Numbers, weight: float) -> float:
-    """Number of independent readings in common, if each reading is worth `weight` of an independent one."""
+    """Count the moments at which both series (n,) have a value, times `weight`.
+
+    weight: independent readings by reading, at most 1: neighbours in time are correlated.
+    """
     return float(np.count_nonzero(both_given(left, right)) * weight)
 
 

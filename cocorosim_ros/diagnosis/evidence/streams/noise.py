@@ -95,6 +95,10 @@ def _scale(residuals: Floats) -> float:
 
 
 def _quiet_scale(residuals: Floats) -> float:
-    """The scale in the quieter quarter of the time, where motion shows least."""
+    """Standard deviation of the noise in `residuals` (n,), in their unit, from the quieter stretches of the recording.
+
+    The residuals are cut into stretches, each gives a scale, and the quantile NOISE.quiet_quantile of these is taken:
+    motion, which adds to the noise, shows least there.
+    """
     parts: list[Floats] = np.array_split(residuals, min(BLOCKS, residuals.size // NOISE.fewest))
     return float(np.quantile([_scale(part) for part in parts], NOISE.quiet_quantile))
