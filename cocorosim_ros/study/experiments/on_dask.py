@@ -9,12 +9,13 @@ from __future__ import annotations
 import logging
 from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import CancelledError
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import pyarrow as pa
 from dask.distributed import Client, KilledWorker
 from dask.distributed import wait as wait_on_dask
+from distributed.client import ClosedClientError
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.experiments.execution import ASKED_EVERY, LOST_WORKERS, Going
@@ -50,18 +51,19 @@ def run_on_dask(chunks: Sequence[Chunk], client: Any, going: Going) -> Generator
     try:
         futures = [client.submit(run_chunk, chunk, pure=False, retries=LOST_WORKERS) for chunk in chunks]
         yield from _as_finished(futures, going)
-    except (CancelledError, KilledWorker, ImportError, RuntimeError) as error:
+    except (CancelledError, ClosedClientError, KilledWorker, ImportError, RuntimeError) as error:
         what = _what_happened(error)
         if not what:
             raise
         raise CocorosimError(f"The Dask scheduler at '{address}' {what}. What is finished is kept.") from error
     finally:
-        client.cancel(futures)
+        with suppress(ClosedClientError):  # a client that has noticed the loss first has closed itself
+            client.cancel(futures)
 
 
 def _what_happened(error: Exception) -> str:
     """What became of the scheduler or its workers and what to do; nothing if the error is none of theirs."""
-    if isinstance(error, CancelledError):
+    if isinstance(error, CancelledError | ClosedClientError):
         return "was lost on the way; start it and its workers again and give the same command with its address"
     if isinstance(error, KilledWorker):
         return (
