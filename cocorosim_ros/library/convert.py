@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from os import fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,7 @@ import numpy as np
 from cocorosim_ros.library.card import Card, Shown, digits
 from cocorosim_ros.library.frame import data_frame
 from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.library.scenario import Place
+from cocorosim_ros.library.scenario import Place, place_text
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.assembly import Stream
@@ -116,8 +115,10 @@ def convert(
 
     Example: `convert("hovercraft_epfl", "logs", "recordings").recordings[0].read().tracks`.
     """
-    mapped = load_map(find_config("maps", fspath(map)))
-    made = convert_source(mapped, Path(fspath(source)), Path(fspath(out)), force=force, progress=progress)
+    mapped = load_map(find_config("maps", place_text(map, "map")))
+    made = convert_source(
+        mapped, Path(place_text(source, "source")), Path(place_text(out, "out")), force=force, progress=progress
+    )
     return Conversion(mapped.name, tuple(_described(part) for part in made))
 
 

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
-from os import fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.library.card import Card, Shown, digits
 from cocorosim_ros.library.frame import loaded_pandas
-from cocorosim_ros.library.scenario import Place
+from cocorosim_ros.library.scenario import Place, place_text, whole_number
 from cocorosim_ros.study.experiments import execution
 from cocorosim_ros.study.experiments.design import Cell, Design, load_design
 from cocorosim_ros.study.experiments.execution import Going
@@ -116,9 +114,9 @@ def run_design(
 
     Example: `run_design("smoke", "results", workers=1).to_frame().groupby("group")["polarisation"].median()`.
     """
-    chosen, folder = _design(design, replicates), Path(fspath(out))
-    if isinstance(workers, int) and workers < 1:
-        raise CocorosimError(f"The argument 'workers' has {workers}; give 1 or more.")
+    chosen, folder = _design(design, replicates), Path(place_text(out, "out"))
+    if workers is not None and not isinstance(workers, str):
+        workers = whole_number(workers, "workers")
     with _calculator(workers) as calculate:  # before the folder is made: a scheduler may not answer
         store = Store(folder, chosen, force=force)
         missing = _add_missing(store, chosen, calculate, watch)
@@ -127,8 +125,8 @@ def run_design(
 
 def _design(design: Place | Design, replicates: int | None) -> Design:
     if not isinstance(design, Design):
-        return load_design(fspath(design), replicates)
-    return design if replicates is None else replace(design, replicates=replicates)
+        return load_design(place_text(design, "design"), replicates)
+    return design if replicates is None else replace(design, replicates=whole_number(replicates, "replicates"))
 
 
 def _add_missing(store: Store, design: Design, calculate: Calculate, watch: Watch) -> int:

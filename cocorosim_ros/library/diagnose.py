@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from os import PathLike, fspath
 from pathlib import Path
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.library.diagnosis_result import DiagnosisResult
 from cocorosim_ros.library.recording import Recording
-from cocorosim_ros.library.scenario import Place
+from cocorosim_ros.library.scenario import Place, place_text
 from cocorosim_ros.scenario.parts.known_effects import knowing
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 
@@ -43,7 +42,7 @@ def diagnose(
     from cocorosim_ros.diagnosis.report.output_folder import check_folder
 
     if out is not None:
-        check_folder(Path(fspath(out)), force=force)
+        check_folder(Path(place_text(out, "out")), force=force)
     model = _platform(platform) if known is None else knowing(_platform(platform), _platform(known))
     progress("reading", 0.0)
     evidence = gather_evidence(_paths(bags), model)
@@ -58,11 +57,11 @@ def diagnose(
 
 
 def _platform(platform: Place | Platform) -> Platform:
-    return platform if isinstance(platform, Platform) else load_platform(fspath(platform))
+    return platform if isinstance(platform, Platform) else load_platform(place_text(platform, "platform"))
 
 
 def _paths(bags: Source | Sequence[Source]) -> list[Path]:
-    several = [bags] if isinstance(bags, str | PathLike | Recording) else list(bags)
+    several = list(bags) if isinstance(bags, Sequence) and not isinstance(bags, str) else [bags]
     if not several:
         raise CocorosimError("There is no recording to diagnose; give one at least.")
-    return [bag.path if isinstance(bag, Recording) else Path(fspath(bag)) for bag in several]
+    return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, "bags")) for bag in several]

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from os import fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated, Verdict
 from cocorosim_ros.library.card import Card, Shown
 from cocorosim_ros.library.frame import data_frame
-from cocorosim_ros.library.scenario import Place
+from cocorosim_ros.library.scenario import Place, place_text
 from cocorosim_ros.scenario.parts.platform import Platform
 
 if TYPE_CHECKING:
@@ -92,7 +91,7 @@ class DiagnosisResult(Shown):
         """
         from cocorosim_ros.diagnosis.report.output_folder import check_folder, write_folder
 
-        place = Path(fspath(folder))
+        place = Path(place_text(folder, "folder"))
         check_folder(place, force=force)
         write_folder(place, self.files)
         return place

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from os import fspath
 from pathlib import Path
 
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection
 from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.library.scenario import Place, Seed, Time, check_runs_here, load_scenario
+from cocorosim_ros.library.scenario import Place, Seed, Time, check_runs_here, load_scenario, place_text
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import describe_body
 
@@ -34,7 +33,7 @@ def record(
 
     Example: `record("five_lilys", "bag", duration="60 s").tracks["lily_01"].yaw`.
     """
-    loaded, folder = load_scenario(scenario, seed=seed, duration=duration), Path(fspath(out))
+    loaded, folder = load_scenario(scenario, seed=seed, duration=duration), Path(place_text(out, "out"))
     check_runs_here(loaded)
     kept = new_record(loaded, folder, selection=loaded.recording.topics, force=force)
     with kept.writer:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from os import fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +15,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.library.card import Card, Shown
 from cocorosim_ros.library.frame import data_frame
-from cocorosim_ros.library.scenario import Place, Time, nanoseconds
+from cocorosim_ros.library.scenario import Place, Time, nanoseconds, place_text
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
@@ -122,7 +121,7 @@ class Recording(Shown):
         from cocorosim_ros.graph.runs.results import draw_picture
         from cocorosim_ros.study.pictures.facts import MetricSeries
 
-        file = Path(fspath(out))
+        file = Path(place_text(out, "out"))
         check_file(file, force=force)
         measured = statistics or self.measure()
         draw_picture(file, self.bag, self.tracks, MetricSeries(measured.stamp_ns, measured.series))
@@ -200,4 +199,4 @@ def read_recording(path: Place) -> Recording:
 
     Example: `read_recording("runs/demo").tracks["lily_01"].position` is (n, 3) [m; world].
     """
-    return Recording(read_bag(Path(fspath(path))))
+    return Recording(read_bag(Path(place_text(path, "path"))))

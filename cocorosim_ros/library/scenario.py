@@ -45,14 +45,29 @@ def load_scenario(
     """
     number = seed.item() if isinstance(seed, np.integer) else seed
     length = None if duration is None else time_text(duration)
+    external = [external] if isinstance(external, str) else external
     if not isinstance(source, Scenario):
-        return loading.load_scenario(fspath(source), number, length, external, controller)
+        return loading.load_scenario(place_text(source, "source"), number, length, external, controller)
     options = {"seed": number, "duration": length, "external": None if external is None else list(external)}
     given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
     if not given and controller is None:
         return source
     entry = parse_yaml(source.to_yaml(), source.origin)
     return loading.read_with(entry, given, controller)
+
+
+def place_text(place: object, name: str) -> str:
+    """A path or a name as text. Raises CocorosimError, which calls it the argument `name`, if it is neither."""
+    if isinstance(place, str | PathLike):
+        return fspath(place)
+    raise CocorosimError(f"The argument '{name}' has {place!r}, which is no path; give text or a path.")
+
+
+def whole_number(number: object, name: str, least: int = 1) -> int:
+    """A whole number. Raises CocorosimError, which calls it the argument `name`, if it is none or below `least`."""
+    if isinstance(number, int | np.integer) and not isinstance(number, bool) and number >= least:
+        return int(number)
+    raise CocorosimError(f"The argument '{name}' has {number!r}; give a whole number from {least} on.")
 
 
 def time_text(time: Time) -> str:

@@ -17,7 +17,7 @@ CRITERIA = sorted(path for path in (DIAGNOSIS / "criteria").glob("*.py") if path
 # Constants that are compared with and are no thresholds, by file and name, with the reason.
 NO_THRESHOLDS = {
     ("evidence/streams/turning.py", "FULL_TURN"): "2 pi",
-    ("filter/covariance.py", "GATE"): "compiled; caches of kernels know the text of their own folder alone",
+    ("filter/covariance.py", "GATE"): "compiled; a part of the filter's equations, beside which it stands",
     ("evidence/streams/noise.py", "WITHIN_ONE_SIGMA"): "a share of the normal distribution",
     ("filter/motion.py", "AT_POINT"): "counts the stages of an integrator's step",
     ("filter/random_force.py", "EQUAL"): "compiled; chooses between two forms of the same number",

@@ -129,3 +129,13 @@ def test_no_file_of_an_error_is_left_out() -> None:
     assert files - {"__init__"} == set(ERRORS)
     columns = [column for kind in KINDS for _, found in changes_of(kind) for column in found]
     assert set(columns) == set(range(len(ERROR_COLUMNS)))
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_reading_has_a_least_noise(name: str) -> None:
+    """Above zero, its logarithm is taken; readings that share their noise share this, too."""
+    kind = KINDS[name]
+    assert kind.least_noise > 0.0
+    assert {each.least_noise for each in KINDS.values() if kind.noise and each.noise == kind.noise} <= {
+        kind.least_noise
+    }

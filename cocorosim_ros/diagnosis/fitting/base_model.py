@@ -24,6 +24,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import ARM, full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
+from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 # By column: the name that the contract reports, and the unit.
@@ -50,11 +51,8 @@ WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
     ),
 }
 SHARED_NOISE = ("random.correlation", "random.smoothness")
-# Least noise, the error of the filter's own steps however exact a reading is: m, m, rad, rad, Pa, rad/s, m/s^2, m/s.
-LEAST_READING_NOISE = {
-    "reading.pose_xy": 1e-4, "reading.pose_z": 1e-4, "reading.pose_yaw": 1e-3, "reading.compass": 1e-3,
-    "reading.pressure": 1.0, "reading.gyro_z": 1e-3, "reading.accel": 1e-3, "reading.velocity": 1e-4,
-}  # fmt: skip
+LEAST_READING_NOISE = {f"reading.{kind.noise or kind.name}": kind.least_noise for kind in KINDS.values()}
+"""Least noise of a reading, by column."""
 
 
 def base_rows(tracks: Sequence[Track]) -> Floats:

@@ -31,7 +31,7 @@ COMPASS = Sensor(
     for_all=True,
     kinds=(
         Kind("compass", "heading", "rad", heading, by_heading, ("compass", None), angle=True,
-             noise_words="a reading of the compass"),
+             noise_words="a reading of the compass", least_noise=1e-3),
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="compass", late_with="r"),
 )  # fmt: skip

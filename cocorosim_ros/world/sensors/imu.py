@@ -126,11 +126,12 @@ IMU = Sensor(
     for_all=True,
     kinds=(
         Kind("gyro_z", "gyro_z", "rad/s", _gyro, _by_gyro, ("angular_rate", 2),
-             noise_words="a reading of the gyroscope"),
+             noise_words="a reading of the gyroscope", least_noise=1e-3),
         Kind("accel_x", "accel_x", "m/s^2", _ahead, _by_ahead, ("specific_force", 0), noise="accel",
-             noise_words="a reading of the accelerometer"),
-        Kind("accel_y", "accel_y", "m/s^2", _left, _by_left, ("specific_force", 1), noise="accel"),
-        Kind("accel_z", "accel_z", "m/s^2", _up, _by_up, ("specific_force", 2), upright=True, noise="accel"),
+             noise_words="a reading of the accelerometer", least_noise=1e-3),
+        Kind("accel_y", "accel_y", "m/s^2", _left, _by_left, ("specific_force", 1), noise="accel", least_noise=1e-3),
+        Kind("accel_z", "accel_z", "m/s^2", _up, _by_up, ("specific_force", 2), upright=True, noise="accel",
+             least_noise=1e-3),
     ),
     recorded=Recorded(37, _columns, drawn="gyro_z"),
 )  # fmt: skip

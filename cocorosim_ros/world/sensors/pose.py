@@ -101,10 +101,23 @@ POSE = Sensor(
     optional=False,
     for_all=True,
     kinds=(
-        Kind("pose_x", "x", "m", _x, _by_x, noise="pose_xy", noise_words="a reading of pose, x and y"),
-        Kind("pose_y", "y", "m", _y, _by_y, noise="pose_xy"),
-        Kind("pose_z", "z", "m", height, _by_height, upright=True, noise_words="a reading of pose, z"),
-        Kind("pose_yaw", "yaw", "rad", heading, by_heading, angle=True, noise_words="a reading of pose, yaw"),
+        Kind(
+            "pose_x", "x", "m", _x, _by_x, noise="pose_xy", noise_words="a reading of pose, x and y", least_noise=1e-4
+        ),
+        Kind("pose_y", "y", "m", _y, _by_y, noise="pose_xy", least_noise=1e-4),
+        Kind(
+            "pose_z", "z", "m", height, _by_height, upright=True, noise_words="a reading of pose, z", least_noise=1e-4
+        ),
+        Kind(
+            "pose_yaw",
+            "yaw",
+            "rad",
+            heading,
+            by_heading,
+            angle=True,
+            noise_words="a reading of pose, yaw",
+            least_noise=1e-3,
+        ),
     ),
     recorded=Recorded(7, _columns, drawn="pose_x", late_with="u"),
 )

@@ -51,7 +51,7 @@ PRESSURE = Sensor(
     for_all=True,
     kinds=(
         Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True,
-             noise_words="a reading of the pressure"),
+             noise_words="a reading of the pressure", least_noise=1.0),
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="pressure", late_with="w"),
 )  # fmt: skip

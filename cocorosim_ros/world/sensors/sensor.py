@@ -52,6 +52,7 @@ class Kind:
     of_water: bool = False  # depends on the velocity through the water
     noise: str = ""  # readings that are equally good share the number of their noise, under this name; '': alone
     noise_words: str = ""  # of that number, in the report
+    least_noise: float = field(kw_only=True)  # [unit] what the filter's steps err by, however exact a reading is
 
 
 @dataclass(frozen=True)

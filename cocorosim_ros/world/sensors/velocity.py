@@ -60,9 +60,11 @@ VELOCITY = Sensor(
     measure=measure,
     kinds=(
         Kind("velocity_u", "u", "m/s", _ahead, _by_ahead, ("velocity", 0), of_water=True, noise="velocity",
-             noise_words="a reading of the velocity"),
-        Kind("velocity_v", "v", "m/s", _left, _by_left, ("velocity", 1), of_water=True, noise="velocity"),
-        Kind("velocity_w", "w", "m/s", _up, _by_up, ("velocity", 2), upright=True, of_water=True, noise="velocity"),
+             noise_words="a reading of the velocity", least_noise=1e-4),
+        Kind("velocity_v", "v", "m/s", _left, _by_left, ("velocity", 1), of_water=True, noise="velocity",
+             least_noise=1e-4),
+        Kind("velocity_w", "w", "m/s", _up, _by_up, ("velocity", 2), upright=True, of_water=True, noise="velocity",
+             least_noise=1e-4),
     ),
     recorded=Recorded(6, lambda numbers: numbers[:, :3]),
 )  # fmt: skip

@@ -15,7 +15,10 @@ class ControllerError(CocorosimError):
 
 def raised_in(controller: PythonController, error: BaseException) -> str:
     """Where in the user's file an exception came about, as file:line, and its text, in one line."""
-    words = " ".join(str(error).split())
+    try:
+        words = " ".join(str(error).split())
+    except Exception:  # the text of the user's own exception may fail as well
+        words = "its text cannot be shown"
     kind = type(error).__name__
     return f"{controller.shown}{_line(controller.file, error)}: {kind}{f': {words}' if words else ''}"
 
