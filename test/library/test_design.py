@@ -84,7 +84,7 @@ def test_frame_and_card(design: Path, tmp_path: Path, parse: Callable[[str], Any
 
 def test_what_cannot_be_meant(design: Path, tmp_path: Path) -> None:
     """One sentence each, and no folder."""
-    with pytest.raises(library.CocorosimError, match="'workers' has 0; give 1 or more"):
+    with pytest.raises(library.CocorosimError, match="'workers' has 0; give a whole number from 1 on"):
         library.run_design(design, tmp_path / "out", workers=0)
     with pytest.raises(library.CocorosimError, match="no design"):
         library.run_design("smok", tmp_path / "out")
