@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -76,3 +77,16 @@ def test_no_message_gives_no_row(topic: str) -> None:
     readings = topic_readings("boat", topic, [])
     assert readings.values.shape == (0, len(readings.columns))
     assert (readings.stamp_ns.size, readings.unreadable) == (0, 0)
+
+
+def test_a_sensor_without_a_layout_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of each robot, in a sentence: nothing that was recorded is left out in silence."""
+    from cocorosim_ros.wire.bags import readings
+    from cocorosim_ros.wire.bags.bag_reader import read_bag
+
+    bag = read_bag(Path(__file__).parents[3] / "bags" / "five_lilys" / "bag")
+    assert readings.readable_topics(bag)[1] == []
+    monkeypatch.delitem(readings.READABLE, "compass")
+    findings = readings.readable_topics(bag)[1]
+    assert len(findings) == 5
+    assert findings[0].startswith("/lily_01/compass is left out")
