@@ -8,10 +8,7 @@ from __future__ import annotations
 
 from cocorosim_ros.diagnosis.catalogue.entry import Entry, entries_of_error, entry_of
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
-from cocorosim_ros.world.effects.pump_lag import PUMP_TICK
 from cocorosim_ros.world.sensors.errors import ERRORS
-
-__all__ = ["ENTRIES", "IDS", "PUMP_TICK"]
 
 ENTRIES: tuple[Entry, ...] = (
     *(entry_of(name, effect, effect.search) for name, effect in CATALOGUE_EFFECTS.items() if effect.search is not None),

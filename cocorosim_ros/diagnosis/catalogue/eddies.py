@@ -6,8 +6,9 @@ the candidates, one of these currents would be named wrongly where the water tur
 
 from __future__ import annotations
 
-from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
 from cocorosim_ros.world.laws.law import Factor, Law, Product
+from cocorosim_ros.world.terms.search import Scene
 
 EDDY = "eddy"
 """Name of the simulator's effect; a model has one eddy at most."""

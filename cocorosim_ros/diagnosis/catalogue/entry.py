@@ -13,8 +13,6 @@ from cocorosim_ros.world.sensors.sensor_error import OfEveryStream, SensorError
 from cocorosim_ros.world.terms.effect import Description, Number
 from cocorosim_ros.world.terms.search import Basis, Given, Grid, Limits, Scene, Search, Spacing, Standing, Strength
 
-__all__ = ["SENSOR_CHANNELS", "Amplitude", "Entry", "Scene", "Shape", "entries_of_error", "entry_of"]
-
 SENSOR_CHANNELS = ("clock", *(topic for topic, sensor in SENSORS.items() if sensor.kinds))
 """Channels of entries that act on readings; all other channels are equations of motion."""
 

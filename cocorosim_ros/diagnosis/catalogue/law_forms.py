@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.world.laws.law import Factor, Product
+from cocorosim_ros.world.terms.search import Scene
 
 
 def typical_size(product: Product, scene: Scene) -> float:

@@ -9,8 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from cocorosim_ros.diagnosis.catalogue.catalogue import PUMP_TICK
-from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
 from cocorosim_ros.diagnosis.catalogue.law_forms import (
     amount,
     both,
@@ -20,11 +19,13 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
-from cocorosim_ros.diagnosis.catalogue.phases import phased, phases
 from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
+from cocorosim_ros.world.effects.pump_lag import PUMP_TICK
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.terms.equations import EQUATION
+from cocorosim_ros.world.terms.phases import phased, phases
 from cocorosim_ros.world.terms.regressors import REGRESSORS
+from cocorosim_ros.world.terms.search import Scene
 
 
 def _powers(name: str) -> tuple[Product, ...]:

@@ -7,13 +7,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY, eddy_entry
-from cocorosim_ros.diagnosis.catalogue.entry import Entry, Scene
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.laws import law_entries
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import sensor_law_entries
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
+from cocorosim_ros.world.terms.search import Scene
 
 
 def open_set(scene: Scene, found: Sequence[Entry], rows: Floats, *, water: bool) -> list[Entry]:

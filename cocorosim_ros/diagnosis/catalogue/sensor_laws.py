@@ -6,7 +6,7 @@ compass by the sine and cosine of the heading.
 
 from __future__ import annotations
 
-from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.catalogue.law_forms import (
     amount,
     both,
@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
 )
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.laws.readings import READING, readings_of
+from cocorosim_ros.world.terms.search import Scene
 
 
 def _plain(*names: str) -> tuple[Product, ...]:

@@ -10,13 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Scene, Shape
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
 from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.terms.search import Scene
 
 OVER = 0.1  # logarithm by which a shape may exceed the largest value of its grid
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.criteria.naming import SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
@@ -20,6 +19,7 @@ from cocorosim_ros.diagnosis.fitting.starts import best_start
 from cocorosim_ros.diagnosis.fitting.unknowns import prior_precision
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.terms.search import Scene
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
@@ -23,6 +22,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Nea
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.world.terms.search import Scene
 
 Progress = Callable[[str, float], None]
 

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.signal import find_peaks, periodogram
 
-from cocorosim_ros.diagnosis.catalogue.entry import Scene
 from cocorosim_ros.diagnosis.criteria.naming import SWINGS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
@@ -18,6 +17,7 @@ from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Z
 from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
+from cocorosim_ros.world.terms.search import Scene
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
 IN_BODY = ("surge", "sway")
