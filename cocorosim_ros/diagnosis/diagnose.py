@@ -14,8 +14,9 @@ from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
+from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
-from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
+from cocorosim_ros.diagnosis.fitting.recalibration import MOST_ROUNDS, base_fit, nominal_fit
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
@@ -47,6 +48,9 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
             evidence,
             (f"The model of '{name}' cannot be run through these recordings; check the numbers of its platform file.",),
         )
+    form: ChosenForm | None = None
+    if evidence.platform.drag_form is None:
+        base, form = with_best_form(base, MOST_ROUNDS)
     naming = name_effects(base, lambda words, share: progress(words, 0.2 + 0.5 * share))
     progress("locating what was missing", 0.7)
     courses = smoothed_tracks(base)
@@ -78,9 +82,10 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         residual_forces(naming.fit, final_courses),
         readings=residual_readings(base, naming.fit, (courses, final_courses), effects),
         free_runs=runs,
-        remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
+        remarks=(*_remarks(intake.evidence), *_of_form(form)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
+        drag_form=form.name if form else "",
     )
 
 
@@ -93,6 +98,28 @@ def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeR
     return naming, table, runs
 
 
+def _remarks(evidence: Evidence) -> tuple[str, ...]:
+    """Remarks on all recordings, as sentences."""
+    return tuple(remark for recording in evidence.recordings for remark in recording.remarks)
+
+
+FORM_WORDS = {
+    "own_speed": "each axis by its own speed (|u| u, |v| v, |w| w)",
+    "strips": "each axis by its own speed, strip by strip along the hull",
+    "total_speed": "the total speed (|V| u, |V| v, |V| w)",
+}
+
+
+def _of_form(form: ChosenForm | None) -> tuple[str, ...]:
+    """Remark on a form of the drag that was chosen because the platform's file does not say it."""
+    if form is None:
+        return ()
+    return (
+        f"The platform's file does not say how quadratic drag goes with speed ('drag_form'); {FORM_WORDS[form.name]} "
+        f"explains these recordings better than the total speed does, by {form.nats:.0f} nats, and is taken.",
+    )
+
+
 def _is_worse(row: HeldOut) -> bool:
     """Tell whether the model with its effects errs clearly more than the model without."""
     clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
@@ -101,7 +128,6 @@ def _is_worse(row: HeldOut) -> bool:
 
 def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     """The diagnosis of evidence to which no model can be fitted."""
-    remarks = tuple(remark for recording in evidence.recordings for remark in recording.remarks)
     everything = ("frame_mixup", *IDS)
     return Diagnosis(
         "insufficient",
@@ -112,7 +138,7 @@ def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         everything,
         advised((), everything),
         {},
-        remarks=remarks,
+        remarks=_remarks(evidence),
     )
 
 

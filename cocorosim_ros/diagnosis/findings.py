@@ -195,3 +195,4 @@ class Diagnosis:
     remarks: tuple[str, ...] = ()
     needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
+    drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best

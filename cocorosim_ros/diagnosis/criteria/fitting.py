@@ -47,6 +47,20 @@ class RecalibrationCriteria:
 
 
 @dataclass(frozen=True)
+class DragFormCriteria:
+    """The comparison of forms of the drag that a platform's file does not say (`fitting.drag_forms`)."""
+
+    clear: float = 10.0
+    """[nats] by which a form has to be ahead of the total speed. Chosen, not measured."""
+    prior: float = 1.0
+    """[1] standard deviation of the logarithm of a ratio between two axes. Chosen: hulls have ratios of 1 to 10."""
+    most_ratio: float = 50.0
+    """[1] largest ratio between two axes, and one over the smallest. Chosen: beyond that of a flat plate edge on."""
+    steps: int = 4
+    """[1] Gauss-Newton steps before and after the noise is fitted. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class SurroundingsCriteria:
     """Assumptions on the tank, which no recording shows (`tracks.surroundings`)."""
 
@@ -56,6 +70,7 @@ class SurroundingsCriteria:
     """[1] quotient of two sides of a tank, below which they are taken as equal. Chosen, not measured."""
 
 
+DRAG_FORMS = DragFormCriteria()
 CONVERGENCE = ConvergenceCriteria()
 RANDOMNESS = RandomForceCriteria()
 RECALIBRATION = RecalibrationCriteria()

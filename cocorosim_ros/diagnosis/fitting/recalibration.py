@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
+from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
@@ -34,7 +35,8 @@ def first_fit(evidence: Evidence) -> Fit:
     """Make tracks of the evidence, and the model with the numbers of the platform's file and a first guess of noise."""
     tracks = make_tracks(evidence)
     rows = base_rows(tracks)
-    return make_fit(tracks, rows, base_unknowns(tracks), noise_unknowns(tracks, rows))
+    unknowns = [*base_unknowns(tracks), *declared_unknowns(tracks)]
+    return make_fit(tracks, rows, unknowns, noise_unknowns(tracks, rows))
 
 
 def base_fit(evidence: Evidence) -> Fit:

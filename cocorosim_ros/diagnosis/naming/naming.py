@@ -10,10 +10,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_columns
+from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import held_out_gain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
@@ -33,12 +36,13 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
     named: tuple[NamedEffect, ...] = ()
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
+    entries_of_catalogue = _undeclared(base)
     for round_number in range(SEARCH.most_effects):
         progress("looking for what is missing", round_number / SEARCH.most_effects)
-        scene = scene_of(fit.tracks, smoothed_tracks(fit))
+        scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(base))
         screen = Screen(fit, scene)
         taken = {key for effect in named for key in _keys(effect.candidate)}
-        entries = [each for each in expand(ENTRIES, fit.tracks, fit.rows) if not taken & _keys(each)]
+        entries = [each for each in expand(entries_of_catalogue, fit.tracks, fit.rows) if not taken & _keys(each)]
         tested = _ranked(screen, entries)
         water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
         found = [effect.candidate.entry for effect in named]
@@ -52,6 +56,12 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         fit, named = settled(best[0], SEARCH.settling), best[1]
     fit, named = pruned(fit, named, base)
     return Naming(base, fit, named, first, first_laws)
+
+
+def _undeclared(base: Fit) -> list[Entry]:
+    """Choose the entries of the catalogue of which no number is one of the platform's own that are fitted anyway."""
+    declared = declared_columns(base.unknowns)
+    return [entry for entry in ENTRIES if not declared & {amplitude.column for amplitude in entry.amplitudes}]
 
 
 def _keys(candidate: Candidate) -> set[tuple[str, str | None, str]]:

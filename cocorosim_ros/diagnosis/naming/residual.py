@@ -31,10 +31,10 @@ def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
     return tuple(of_each_track(lambda number: fit.tracks[number].filter.smoothed(filled[number]), len(fit.tracks)))
 
 
-def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
+def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: float = 0.0) -> Scene:
     """Describe what the recordings span, and how the residual force swings, for the grids of the catalogue.
 
-    courses: the smoothed course of each track, in their order.
+    courses: the smoothed course of each track, in their order. drag_form: see Scene.
     """
     places = np.concatenate([course.mean[:, X : Z + 1] for course in courses])
     seen = np.concatenate([course.mean for course in courses])
@@ -53,6 +53,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Scene:
         tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_Z])),
         _scales(tracks[0], seen, duration),
         _driven(tracks, seen),
+        drag_form,
     )
 
 

@@ -17,8 +17,10 @@ def diagnosis_json(diagnosis: Diagnosis) -> str:
 
 def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
     """The content of the file as nested plain values."""
+    form = {"drag_form": diagnosis.drag_form} if diagnosis.drag_form else {}
     return {
         "verdict": diagnosis.verdict,
+        **form,
         "recalibrated": [_recalibrated(each) for each in diagnosis.recalibrated],
         "mismatch": [_located(each) for each in diagnosis.mismatch],
         "effects": [_effect(each) for each in diagnosis.effects],

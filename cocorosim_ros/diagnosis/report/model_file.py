@@ -69,7 +69,11 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     tree["effects"] = _known_effects(platform.effect_quantities, tree.get("effects", {}))
     if platform.frame_corrections:
         tree["frame_corrections"] = dict(platform.frame_corrections)
-    _put_parameters(diagnosis.all_recalibrated or diagnosis.recalibrated, origin, tree, robots)
+    if diagnosis.drag_form:
+        tree["drag_form"] = diagnosis.drag_form
+    numbers = diagnosis.all_recalibrated or diagnosis.recalibrated
+    _put_parameters([each for each in numbers if "." not in each.parameter], origin, tree, robots)
+    _put_declared([each for each in numbers if "." in each.parameter], origin, tree, robots)
     _put_effects(diagnosis.effects, origin, tree, robots)
     return tree | {"robots": robots} if robots else tree
 
@@ -87,6 +91,17 @@ def _put_parameters(found: Sequence[Recalibrated], origin: Origin, tree: Tree, r
         if len(values) > 1 and covered >= set(origin.robots):
             mean = _mean([each.estimate for each in values])
             tree[key] = _number(mean, f"{origin.source}, mean of {len(values)} robots")
+
+
+def _put_declared(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
+    """Write numbers of effects that the platform's file gives with a range, and which were fitted within it."""
+    for each in found:
+        effect, _, name = each.parameter.partition(".")
+        everywhere = [tree, *(part for part in robots.values() if "effects" in part)]
+        for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
+            known: Tree = target["effects"] if "effects" in target else tree["effects"]
+            numbers = known.get(effect, {}) | {name: _number(each.estimate, origin.source)}
+            target["effects"] = known | {effect: numbers}
 
 
 def _put_effects(found: Sequence[FoundEffect], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,11 +19,22 @@ from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of, read_any_quantity
 from cocorosim_ros.scenario.reading.ranges import Ranges, collect_ranges, ranges_tree, read_ranges
-from cocorosim_ros.scenario.reading.records import TEXT, list_of, nested, quantity, read_record, record_tree, stored
+from cocorosim_ros.scenario.reading.records import (
+    TEXT,
+    choice,
+    list_of,
+    nested,
+    quantity,
+    read_record,
+    record_tree,
+    stored,
+)
 from cocorosim_ros.scenario.reading.sources import require_sources
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
 Effects = Mapping[str, Mapping[str, Quantity]]
+DragForm = Literal["total_speed", "own_speed", "strips"]
+DRAG_FORMS = ("total_speed", "own_speed", "strips")
 
 
 def _read_effects(entry: Entry) -> Effects:
@@ -50,10 +61,12 @@ class Platform:
 
     mass [kg], yaw_inertia [kg m^2], drag: rho*A*Cd/2 for the total speed [kg/m], yaw_drag [N m s^2],
     water_density [kg/m^3], gravity [m/s^2]. `thrust_gain`, `yaw_torque_gain`, `buoyancy_gain`: what the thrusters push
-    together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `ranges`:
-    between what the numbers lie that are not known exactly, by dotted key (mass, actuators.left.maximum).
-    `frame_corrections`: how axes, signs or units of a recorded stream are mixed up, by topic, in the words of a
-    diagnosis. `robots`: those of this kind that differ, by name. `origin` is the file it came from.
+    together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
+    whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
+    file does not say, and then a simulation takes the total speed. `ranges`: between what the numbers lie that are
+    not known exactly, by dotted key (mass, actuators.left.maximum). `frame_corrections`: how axes, signs or units
+    of a recorded stream are mixed up, by topic, in the words of a diagnosis. `robots`: those of this kind that
+    differ, by name. `origin` is the file it came from.
     """
 
     name: str = field(metadata=TEXT)
@@ -74,6 +87,7 @@ class Platform:
     thrust_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
+    drag_form: DragForm | None = field(default=None, metadata=choice(*DRAG_FORMS))
     ranges: Ranges = field(default_factory=dict, hash=False, metadata=stored(read_ranges, ranges_tree))
     frame_corrections: Mapping[str, str] = field(default_factory=dict, hash=False, metadata=stored(_read_words, dict))
     robots: Mapping[str, Platform] = field(default_factory=dict, hash=False)

@@ -1,12 +1,15 @@
 """Quadratic drag that differs from axis to axis; k is the drag of the basic physics, a and b the ratios to surge.
 
-What pure motion along an axis feels is agreed, what mixed motion feels is not; so there are three forms, of which
-each adds to the drag -k U V, U the total speed, that is the same in all directions:
+What pure motion along an axis feels is agreed, what mixed motion feels is not; so there are several forms. Three of
+them add to the drag -k U V, U the total speed, that is the same in all directions:
 total speed: Y = -k (a - 1) U v, Z = -k (b - 1) U w;
 own speed: Y = -k (a - 1) |v| v, Z = -k (b - 1) |w| w;
 strips: as own speed, but each strip of a hull of `length` meets the water sideways at its own v + x r, which couples
 sway and yaw: Y = -k (a - 1) / L integral |v + x r| (v + x r) dx, N the same with x; turning on the spot, which the yaw
 drag holds already, is left out.
+Two more replace that drag, so that no axis feels another one's speed; a and b are then whole coefficients over surge's:
+each axis: X = -k |u| u, Y = -k a |v| v, Z = -k b |w| w;
+each axis, strips: the same with the strips' integral in place of |v| v.
 Source: Fossen (2021), section 6.4, with the total speed of Read et al. 2013, equation (1); strips: his section 6.4.3 on
 cross-flow drag.
 """
@@ -23,6 +26,8 @@ from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength
 
 TOTAL_SPEED, OWN_SPEED, STRIPS = 0.0, 1.0, 2.0
+EACH_AXIS, EACH_AXIS_STRIPS = 3.0, 4.0
+ADDING, REPLACING = (TOTAL_SPEED, OWN_SPEED, STRIPS), (EACH_AXIS, EACH_AXIS_STRIPS)
 STILL = 1e-4  # rad/s, below which strips all move alike
 
 
@@ -46,21 +51,42 @@ def _strip_moment(aside: float, turn: float, length: float) -> float:
 
 
 @kernel
+def _replace_drag(relative: Floats, drag: float, total: Floats) -> None:
+    """Take back the drag by the total speed, and put in surge's by its own."""
+    speed = math.sqrt(relative[0] ** 2 + relative[1] ** 2 + relative[2] ** 2)
+    for axis in range(3):
+        total[axis] += drag * speed * relative[axis]
+    total[0] -= drag * abs(relative[0]) * relative[0]
+
+
+@kernel
 def anisotropic_drag(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add what the ratios add to the drag that is the same in all directions."""
     sway, heave, form, length = parameters[0] - 1.0, parameters[1] - 1.0, parameters[2], parameters[3]
-    v, w, r = relative[1], relative[2], relative[3]
+    u, v, w, r = relative[0], relative[1], relative[2], relative[3]
+    if form >= EACH_AXIS:
+        _replace_drag(relative, moment.drag, total)
+        sway, heave = sway + 1.0, heave + 1.0
     if form == TOTAL_SPEED:
-        speed = math.sqrt(relative[0] ** 2 + v**2 + w**2)
+        speed = math.sqrt(u**2 + v**2 + w**2)
         total[1] -= sway * moment.drag * speed * v
         total[2] -= heave * moment.drag * speed * w
         return
     total[2] -= heave * moment.drag * abs(w) * w
-    if form == OWN_SPEED or length <= 0.0:
+    if form in (OWN_SPEED, EACH_AXIS) or length <= 0.0:
         total[1] -= sway * moment.drag * abs(v) * v
         return
     total[1] -= sway * moment.drag * _strip_force(v, r, length)
     total[3] -= sway * moment.drag * (_strip_moment(v, r, length) - _strip_moment(0.0, r, length))
+
+
+FORM_BY_NAME = {"total_speed": TOTAL_SPEED, "own_speed": EACH_AXIS, "strips": EACH_AXIS_STRIPS}
+"""Form of the whole drag by the word that a platform file has for it."""
+
+
+def _forms(scene: Scene) -> list[float]:
+    """The forms of a difference between axes that fit the form of the drag itself."""
+    return [scene.drag_form] if scene.drag_form in REPLACING else [*ADDING]
 
 
 def _lengths(scene: Scene) -> list[float]:
@@ -97,10 +123,11 @@ ANISOTROPIC_DRAG = Effect(
         Number(
             "form",
             "1",
-            "0: by the total speed, 1: by each axis' own speed, 2: by strips",
+            "0: by the total speed, 1: what is added by each axis' own speed, 2: by strips, 3: all by each axis' own "
+            "speed, 4: all by own speed and strips",
             sign="not negative",
             gives="1",
-            search=Grid(lambda scene: [TOTAL_SPEED, OWN_SPEED, STRIPS], fixed=True),
+            search=Grid(_forms, fixed=True),
             example=Example(2.0, "the hull is long"),
         ),
         Number(

@@ -17,7 +17,7 @@ class Scene(NamedTuple):
     periods: at which the random force that the model needs swings most, by equation [s]. changes: moments at which
     that of heave steps most [s]. scales: typical sizes of the
     regressors of laws, of the forces by equation, and the mass [kg]. driven: whether thrusters moved the robots more
-    than the water did at random.
+    than the water did at random. drag_form: of the vehicle's quadratic drag, a form of effects.anisotropic_drag.
     """
 
     lower: tuple[float, float, float]
@@ -29,6 +29,7 @@ class Scene(NamedTuple):
     changes: tuple[float, ...]
     scales: Mapping[str, float]
     driven: bool
+    drag_form: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,6 +13,7 @@ from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.platform import Platform, check_effects, check_sensors
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
+from cocorosim_ros.world.effects.anisotropic_drag import ADDING, FORM_BY_NAME, REPLACING
 from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, is_simulated
@@ -78,6 +79,30 @@ _NUMBERS: dict[str, Callable[[Platform], float]] = {
 }
 
 
+DRAG_FORM, STRIP_LENGTH = "anisotropic_drag.form", "anisotropic_drag.length"
+
+
+def _drag_form(platform: Platform) -> dict[str, float]:
+    """The numbers, by column, that make the drag of the basic physics into the form that the platform declares."""
+    if platform.drag_form in (None, "total_speed"):
+        return {}
+    return {DRAG_FORM: FORM_BY_NAME[platform.drag_form], STRIP_LENGTH: platform.hull.length}
+
+
+def _check_drag_form(platform: Platform) -> None:
+    """Refuse a form of the drag that an effect of the same platform contradicts."""
+    form = platform.effects.get("anisotropic_drag", {}).get("form")
+    if form is None or platform.drag_form is None:
+        return
+    whole = FORM_BY_NAME[platform.drag_form]
+    allowed = [whole] if whole in REPLACING else [*ADDING]
+    if form not in allowed:
+        raise CocorosimError(
+            f"{platform.origin}: 'effects.anisotropic_drag.form' has '{form:g}', which is no form of "
+            f"'drag_form: {platform.drag_form}'; write {' or '.join(f'{each:g}' for each in allowed)}, or leave it out."
+        )
+
+
 def _check_code(place: str, name: str, value: float) -> None:
     """Refuse what is no code of a law's equation or regressor."""
     counts = {"equation": len(EQUATIONS), "reading": len(READINGS)}
@@ -99,6 +124,7 @@ def check_platform(platform: Platform) -> None:
     for each in (platform, *platform.robots.values()):
         check_effects(each, KNOWN_EFFECTS)
         check_sensors(each, SENSORS)
+        _check_drag_form(each)
         for place in (*LAWS, *SENSOR_LAWS):
             for name, value in each.effects.get(place, {}).items():
                 _check_code(f"{each.origin}: 'effects.{place}.{name}'", name, value)
@@ -109,7 +135,7 @@ def parameter_row(platform: Platform) -> Floats:
     row = neutral_row()
     for name, number in _NUMBERS.items():
         row[PARAMETER_COLUMNS[name]] = number(platform)
-    for name, value in _chosen(platform, PARAMETER_COLUMNS).items():
+    for name, value in (_drag_form(platform) | _chosen(platform, PARAMETER_COLUMNS)).items():
         row[PARAMETER_COLUMNS[name]] = value
     return row
 
@@ -119,7 +145,7 @@ def active_bits(platform: Platform) -> int:
     bits = EVERYWHERE
     for effect in platform.effects:
         bits |= EFFECT_BIT.get(effect, 0)
-    return bits
+    return bits | (EFFECT_BIT["anisotropic_drag"] if _drag_form(platform) else 0)
 
 
 def build_faults(platforms: Sequence[Platform]) -> Faults | None:

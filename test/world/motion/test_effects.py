@@ -41,6 +41,29 @@ def test_anisotropic_drag_of_pure_motion(swim: Swim, lily: SimpleNamespace, colu
     np.testing.assert_allclose(ahead[:, 0, SURGE], 0.04 / (1 + lily.drag * 0.04 * time / lily.mass), rtol=1e-7)
 
 
+def test_each_axis_by_its_own_speed(acceleration: Swim, lily: SimpleNamespace) -> None:
+    """In mixed motion X = -k |u| u, Y = -k a |v| v, Z = -k b |w| w: no axis feels another one's speed."""
+    numbers = {"drag": lily.drag, "anisotropic_drag.sway_ratio": 3.0, "anisotropic_drag.heave_ratio": 0.5}
+    numbers["anisotropic_drag.form"] = 3.0
+    rates = acceleration(numbers, {SURGE: -0.06, SWAY: 0.02, HEAVE: 0.01}) * lily.mass
+    wanted = [lily.drag * 0.06**2, -3.0 * lily.drag * 0.02**2, -0.5 * lily.drag * 0.01**2]
+    assert rates[:3] == pytest.approx(wanted, rel=1e-9)
+
+
+def test_strips_of_a_hull_that_drifts_and_turns(acceleration: Swim, lily: SimpleNamespace) -> None:
+    """Cross-flow of v + x r, summed over ten thousand strips, gives force and moment of the closed integral."""
+    length, ratio, v, r = 0.2, 3.0, 0.02, 0.5
+    numbers = {"drag": lily.drag, "anisotropic_drag.sway_ratio": ratio, "anisotropic_drag.length": length}
+    numbers["anisotropic_drag.form"] = 4.0
+    place = length * ((np.arange(10_000) + 0.5) / 10_000 - 0.5)
+    aside, spin = v + place * r, place * r
+    force = -ratio * lily.drag * np.mean(np.abs(aside) * aside)
+    moment = -ratio * lily.drag * np.mean(place * (np.abs(aside) * aside - np.abs(spin) * spin))
+    rates = acceleration(numbers, {SURGE: 0.06, SWAY: v, YAW_RATE: r})
+    assert (rates[1] + 0.06 * r) * lily.mass == pytest.approx(force, rel=1e-6)
+    assert rates[3] * lily.inertia == pytest.approx(moment, rel=1e-6)
+
+
 def test_munk_moment(acceleration: Swim, lily: SimpleNamespace) -> None:
     """Drifting at u, v a body of added mass A feels N = -A u v, and turns by it over its whole inertia."""
     numbers = {"added_mass.sway_minus_surge": 0.044, "added_mass.yaw": 6e-5}

@@ -1,0 +1,108 @@
+"""Made boats: a planar vehicle with drag by each axis' own speed, integrated by SciPy and not by the simulator."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+ARM, FULL, MASS, INERTIA = 0.25, 20.0, 12.0, 1.5  # m, N, kg, kg m^2
+STEP, TICK = 0.05, 0.5  # s
+NOISE = (0.005, 0.005, 0.005, 0.01)  # m, m, m, rad of one pose
+
+PLATFORM = """
+name: boat
+description: a made boat with two propellers
+hull: {{length: {{value: 1.0, unit: m, source: made}}, width: {{value: 0.5, unit: m, source: made}},
+  height: {{value: 0.2, unit: m, source: made}}}}
+mass: {{value: 12, unit: kg, source: made}}
+yaw_inertia: {{value: 1.5, unit: kg m^2, source: made}}
+drag: {{value: 8.5, unit: kg/m, range: [6, 10], source: made}}
+yaw_drag: {{value: 0.2, unit: N m s^2, source: made}}
+water_density: {{value: 1000, unit: kg/m^3, source: made}}
+gravity: {{value: 9.81, unit: m/s^2, source: made}}
+actuators:
+  - name: left
+    kind: thruster
+    position: {{value: [-0.4, 0.25, 0], unit: m, source: made}}
+    direction: {{value: [1, 0, 0], unit: "1", source: made}}
+    maximum: {{value: 20, unit: N, source: made}}
+  - name: right
+    kind: thruster
+    position: {{value: [-0.4, -0.25, 0], unit: m, source: made}}
+    direction: {{value: [1, 0, 0], unit: "1", source: made}}
+    maximum: {{value: 20, unit: N, source: made}}
+sensors: {{}}
+{more}
+"""
+
+
+class Truth(NamedTuple):
+    """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag."""
+
+    surge: float = 8.0  # kg/m
+    sway: float = 24.0  # kg/m
+    linear: float = 0.3  # N m s
+    lag: float = 0.35  # s
+
+
+def platform(folder: Path, more: str = "") -> Any:
+    """The platform that somebody would write for the boat, with `more` lines of YAML."""
+    from cocorosim_ros.scenario.parts.platform import read_platform_file
+
+    path = folder / "boat.yaml"
+    path.write_text(PLATFORM.format(more=more).replace("source: made", "source: made, confidence: estimate"))
+    return read_platform_file(path)
+
+
+def course(truth: Truth, commands: Any) -> Any:
+    """(rows, 8) x, y, z, yaw, u, v, w, r every STEP, under commands (ticks, 2) that hold for a TICK each."""
+
+    def rate(_: float, state: Any, wanted: Any) -> list[float]:
+        _x, _y, yaw, u, v, r, left, right = state
+        drag = (-truth.surge * abs(u) * u, -truth.sway * abs(v) * v, -truth.linear * r - 0.2 * abs(r) * r)
+        return [
+            u * math.cos(yaw) - v * math.sin(yaw),
+            u * math.sin(yaw) + v * math.cos(yaw),
+            r,
+            (left + right + drag[0]) / MASS + v * r,
+            drag[1] / MASS - u * r,
+            (ARM * (right - left) + drag[2]) / INERTIA,
+            (wanted[0] - left) / truth.lag,
+            (wanted[1] - right) / truth.lag,
+        ]
+
+    state, rows = np.zeros(8), []
+    moments = np.arange(0.0, TICK + 0.5 * STEP, STEP)
+    for command in commands:
+        found = solve_ivp(rate, (0.0, TICK), state, args=(FULL * command,), t_eval=moments, rtol=1e-9, atol=1e-10)
+        rows.append(found.y.T[:-1])
+        state = found.y[:, -1]
+    path = np.vstack([*rows, state])
+    still = np.zeros(len(path))
+    return np.column_stack([path[:, 0], path[:, 1], still, path[:, 2], path[:, 3], path[:, 4], still, path[:, 5]])
+
+
+def drive(seconds: float, seed: int) -> Any:
+    """(ticks, 2) commands of a driver that goes ahead, turns, spins and coasts."""
+    rng, rows = np.random.default_rng([20261123, seed]), []
+    while len(rows) * TICK < seconds:
+        ahead, turn = rng.choice([0.0, 0.3, 0.7, 1.0]), rng.choice([-0.6, -0.3, 0.0, 0.3, 0.6])
+        rows += [np.clip([ahead - turn, ahead + turn], -1.0, 1.0)] * int(rng.integers(4, 16))
+    return np.array(rows[: round(seconds / TICK)])
+
+
+def recorded(boat: Any, truth: Truth, seconds: float, seed: int) -> Any:
+    """Evidence of one drive: poses every 0.1 s."""
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+
+    commands = drive(seconds, seed)
+    rows = course(truth, commands)[::2, :4]
+    rng = np.random.default_rng([20261123, seed, 1])
+    value = rows + np.array(NOISE) * rng.standard_normal(rows.shape)
+    pose = Stream(2 * STEP * np.arange(len(value)), value, np.array(NOISE))
+    log = RobotLog("boat", TICK * np.arange(len(commands)), commands, {"pose": pose})
+    return Evidence(boat, (Recording("made", seconds, (log,)),))
