@@ -53,8 +53,8 @@ class DragFormCriteria:
     clear: float = 10.0
     """[nats] by which a form has to be ahead of the total speed. Chosen, not measured."""
     prior: float = 1.0
-    """[1] standard deviation of the logarithm of a ratio between two axes. Chosen, not measured: hulls have ratios of 1 to
-    10."""
+    """[1] standard deviation of the logarithm of a ratio between two axes. Chosen, not measured: hulls have
+    ratios of 1 to 10."""
     most_ratio: float = 50.0
     """[1] largest ratio between two axes, and one over the smallest. Chosen, not measured:
     beyond that of a flat plate edge on."""
