@@ -204,6 +204,26 @@ class SufficiencyCriteria:
     """[1] between which means must spread, so that a few faulty readings are no motion. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class TiltCriteria:
+    """Roll and pitch as recorded, and when they are not used (`streams.attitude`, `levelling`)."""
+
+    level: float = 1e-4
+    """[rad] smaller roll and pitch are none. Chosen, not measured: its sine moves a reading by less than its noise."""
+    length: float = 0.02
+    """[1] by which a quaternion may differ from length 1. Chosen, not measured: five decimals of single precision."""
+    fewest: int = 10
+    """[readings] of roll and pitch, and of heights beside them, below which they tell nothing. Chosen, not measured."""
+    rate_span: float = 0.2
+    """[s] over which pitch is differenced. Chosen, not measured."""
+    climb_span: float = 1.0
+    """[s] over which heights are differenced. Chosen, not measured."""
+    contradicted: float = 1.5
+    """[1] quotient of squared misfits from which mirrored axes are believed. Chosen, not measured."""
+    least_cosine: float = 0.2
+    """[1] of a tilt beyond which the heading has no rate to speak of. Chosen, not measured."""
+
+
 EXCITATION = ExcitationCriteria()
 NOISE = NoiseCriteria()
 OUTLIERS = OutlierCriteria()
@@ -214,6 +234,7 @@ BURSTS = BurstCriteria()
 JUMPS = JumpCriteria()
 EXCHANGES = ExchangeCriteria()
 SPEEDS = SpeedCriteria()
+TILT = TiltCriteria()
 SUFFICIENCY = SufficiencyCriteria()
 LEAST_MOTION: Mapping[str, tuple[float, ...]] = MappingProxyType(
     {

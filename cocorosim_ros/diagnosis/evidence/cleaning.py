@@ -10,7 +10,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import SPACING
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 _EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
@@ -44,14 +44,16 @@ def _in_order(rows: TopicRows, remarks: list[str]) -> TopicRows:
         "after its first message); its messages were sorted by their stamps."
     )
     order = np.argsort(rows.stamp_ns, kind="stable")
-    return replace(rows, stamp_ns=rows.stamp_ns[order], log_ns=rows.log_ns[order], values=rows.values[order])
+    return rows.chosen(order)
 
 
 def _with_numbers(rows: TopicRows, remarks: list[str]) -> TopicRows:
     values = np.where(np.isfinite(rows.values), rows.values, np.nan)
     given = np.isfinite(values)
     # A tracker that has lost its robot writes no place but often some attitude.
-    good = given[:, :2].all(axis=1) if rows.topic == "pose" else given.any(axis=1)
+    good: Flags = np.asarray(given[:, :2].all(axis=1) if rows.topic == "pose" else given.any(axis=1))
+    if len(rows.attitude) and rows.topic != "pose":
+        good = good | np.isfinite(rows.attitude).all(axis=1)
     lost = np.flatnonzero(~good)
     if lost.size:
         first = (rows.stamp_ns[lost[0]] - rows.stamp_ns[0]) / NANOSECONDS
@@ -59,7 +61,7 @@ def _with_numbers(rows: TopicRows, remarks: list[str]) -> TopicRows:
             f"{rows.name}: {lost.size} of {good.size} messages hold no number where the reading should be, first "
             f"{first:.1f} s after its first message; they were left out."
         )
-    return replace(rows, stamp_ns=rows.stamp_ns[good], log_ns=rows.log_ns[good], values=values[good])
+    return replace(rows, values=values).chosen(good)
 
 
 def _each_moment_once(rows: TopicRows, remarks: list[str]) -> TopicRows:
@@ -78,7 +80,7 @@ def _each_moment_once(rows: TopicRows, remarks: list[str]) -> TopicRows:
             f"{rows.name}: {unequal} messages have the stamp of another one but say something else (two publishers?); "
             "the first of each was kept."
         )
-    return replace(rows, stamp_ns=rows.stamp_ns[first], log_ns=rows.log_ns[first], values=rows.values[first])
+    return rows.chosen(first)
 
 
 def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:

@@ -133,7 +133,7 @@ def _without_strays(rows: TopicRows, usual: float, topics: Sequence[TopicRows], 
 
 
 def _selected(rows: TopicRows, chosen: Flags) -> TopicRows:
-    return replace(rows, stamp_ns=rows.stamp_ns[chosen], log_ns=rows.log_ns[chosen], values=rows.values[chosen])
+    return rows.chosen(chosen)
 
 
 def _skew(rows: TopicRows) -> Skew:

@@ -9,6 +9,8 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.cleaning import gaps_of
 from cocorosim_ros.diagnosis.evidence.clocks import Skew
+from cocorosim_ros.diagnosis.evidence.levelling import levelled
+from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude, attitude_of
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
 from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
@@ -39,8 +41,17 @@ def robot_log(
         commands.values if commands else np.empty((0, actuators)),
         finished,
         gaps_of(finished["pose"].time) if "pose" in finished else (),
+        _attitude([rows for rows, _ in topics], start_ns),
     )
-    return log, remarks
+    level, said = levelled(log)
+    return level, [*remarks, *said]
+
+
+def _attitude(topics: Sequence[TopicRows], start_ns: int) -> Attitude | None:
+    """Attitude of the topic that has most readings of it; None where none tells any."""
+    found = [attitude_of(seconds(rows, start_ns), rows.attitude) for rows in topics]
+    known = [attitude for attitude in found if attitude is not None]
+    return max(known, key=lambda attitude: len(attitude.time)) if known else None
 
 
 def seconds(rows: TopicRows, start_ns: int) -> Floats:

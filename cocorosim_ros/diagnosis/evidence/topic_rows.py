@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.command_rows import read_command_rows
+from cocorosim_ros.diagnosis.evidence.streams.attitude import tilt_of
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS
-from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.cdr.stamped_numbers import Stamps, read_stamped_numbers
@@ -18,6 +19,7 @@ from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors import SENSORS
 
 COMMAND = "thruster_command"
+NO_ATTITUDE = np.empty((0, 2))
 _RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded is not None}
 
 
@@ -33,7 +35,21 @@ class TopicRows:
     stamp_ns: Stamps
     log_ns: Stamps
     values: Floats
+    attitude: Floats = field(
+        default_factory=lambda: NO_ATTITUDE
+    )  # (n, 2) roll and pitch [rad], where the topic tells them
     remarks: tuple[str, ...] = ()
+
+    def chosen(self, rows: Integers | Flags) -> TopicRows:
+        """The rows with these numbers, or where these flags (n,) are true, in that order."""
+        attitude = self.attitude[rows] if len(self.attitude) else self.attitude
+        return replace(
+            self,
+            stamp_ns=self.stamp_ns[rows],
+            log_ns=self.log_ns[rows],
+            values=self.values[rows],
+            attitude=attitude,
+        )
 
     @property
     def name(self) -> str:
@@ -94,6 +110,7 @@ def _wanted(bag: Bag) -> tuple[list[str], list[str]]:
 def _rows(topic: str, found: _Found, actuators: tuple[str, ...]) -> TopicRows:
     robot, name = split_topic(topic)
     log_ns = np.array(found.log_ns, dtype=np.int64)
+    attitude, said = NO_ATTITUDE, ""
     if name == COMMAND:
         commands = read_command_rows(topic, found.data, actuators)
         readable, stamps, values, remarks = commands.readable, commands.stamp_ns, commands.values, commands.remarks
@@ -101,8 +118,10 @@ def _rows(topic: str, found: _Found, actuators: tuple[str, ...]) -> TopicRows:
         recorded = _RECORDED[name]
         read = read_stamped_numbers(found.data, recorded.numbers)
         readable, stamps, values, remarks = read.readable, read.stamp_ns, recorded.columns(read.numbers), ()
-    remarks = (*remarks, *_unreadable(topic, readable))
-    return TopicRows(robot, name, stamps[readable], log_ns[readable], values[readable], remarks)
+        if recorded.orientation is not None:
+            attitude, said = tilt_of(topic, recorded.orientation(read.numbers))
+    remarks = (*remarks, *_unreadable(topic, readable), *([said] if said else []))
+    return TopicRows(robot, name, stamps, log_ns, values, attitude, remarks).chosen(readable)
 
 
 def _unreadable(topic: str, readable: Flags) -> Sequence[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
@@ -33,35 +35,54 @@ class Actuation:
         The rates at which forces change are computed where a law in the row may need them, or `with_rates`; they are
         zero elsewhere.
         """
-        body = self.vehicle.body(row)
+        body = self.vehicle.actuating_body(row)
         if with_rates:
             body = body._replace(active=body.active | LAW_BITS)
         force, rate = self._lately.once(
             (body.active & ACTUATION_BITS, row[ACTUATING].tobytes()),
-            lambda: mean_forces(self._log.command_time, self._log.command, body, self.grid),
+            lambda: self._tilted(*mean_forces(self._log.command_time, self._log.command, body, self.grid)),
         )
         return Drive(force, rate, self.vehicle.surroundings.around)
 
+    def _tilted(self, force: Floats, rate: Floats) -> tuple[Floats, Floats]:
+        """Forces and rates (points, acting): the actuators', then what roll and pitch add to the thrust's x, y, z."""
+        if self._turns is None:
+            return force, rate
+        added = [self._added(self._turns, numbers) for numbers in (force, rate)]
+        return np.hstack([force, added[0]]), np.hstack([rate, added[1]])
+
+    def _added(self, turns: Floats, force: Floats) -> Floats:
+        """Difference (points, 3) of the thrust in level axes and in the robot's own, of forces (points, actuators)."""
+        thrusters = ~self.vehicle.is_pump
+        thrust = force[:, thrusters] @ self.vehicle.actuator_wrench[thrusters, :3]
+        return np.asarray(np.einsum("nij,nj->ni", turns, thrust) - thrust)
+
+    @cached_property
+    def _turns(self) -> Floats | None:
+        """Rotations (points, 3, 3) from the robot's axes to level ones, in the middle between grid points."""
+        attitude = self._log.attitude
+        if attitude is None:
+            return None
+        return attitude.turns(np.asarray(self.grid.begin + (np.arange(self.grid.points) + 0.5) * self.grid.step))
+
     def thrust(self, drive: Drive) -> Floats:
         """Wrench (points, 4) of the thrusters [N, N, N, N m; body]."""
-        thrusters = ~self.vehicle.is_pump
-        return np.asarray(drive.force[:, thrusters] @ self.vehicle.actuator_wrench[thrusters])
+        thrusters = ~self.vehicle.acting_pump
+        return np.asarray(drive.force[:, thrusters] @ self.vehicle.acting_wrench[thrusters])
 
     def pump_force(self, drive: Drive) -> Floats:
         """Force (points,) of the pumps [N], upwards positive."""
-        return np.asarray(drive.force[:, self.vehicle.is_pump].sum(axis=1))
+        return np.asarray(drive.force[:, self.vehicle.acting_pump].sum(axis=1))
 
     def course_along(self, smoothed: Smoothed, row: Floats) -> Course:
         """Quantities that laws may depend on, along a smoothed course, with the actuators under a row (columns,)."""
         drive, vehicle = self.drive(row, with_rates=True), self.vehicle
         lower, upper, around, own = vehicle.surroundings
         return Course(
-            smoothed.time, smoothed.mean, self.thrust(drive), drive.force, drive.rate, vehicle.is_pump, (lower, upper),
-            around[: len(smoothed.time)], own,
+            smoothed.time, smoothed.mean, self.thrust(drive), drive.force, drive.rate, vehicle.acting_pump,
+            (lower, upper), around[: len(smoothed.time)], own,
         )  # fmt: skip
 
     def nominal_force(self) -> Floats:
         """Forward and leftward force (points, 2) of the thrusters [N; body] under the platform's own numbers."""
-        thrusters = ~self.vehicle.is_pump
-        force = self.drive(self.vehicle.row).force[:, thrusters]
-        return np.asarray(force @ self.vehicle.actuator_wrench[thrusters, :2])
+        return self.thrust(self.drive(self.vehicle.row))[:, :2]

@@ -49,7 +49,7 @@ class Track:
 
 def make_track(platform: Platform, log: RobotLog, begin: float, end: float) -> Track:
     """Make the track of a robot as if alone in open water; begin, end: first and last reading [s]."""
-    vehicle = vehicle_model(platform.of_robot(log.name))
+    vehicle = replace(vehicle_model(platform.of_robot(log.name)), tilts=log.attitude is not None)
     force = vehicle.force_scale
     step = grid_step(float(np.linalg.norm(force[:3])) / vehicle.mass, force[3] / vehicle.yaw_inertia)
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)

@@ -36,6 +36,20 @@ class VehicleModel:
     hull: float  # length of the hull [m]
     arm: float  # mean distance of the thrusters before the centre [m]
     surroundings: RecordedSurroundings = OPEN_WATER
+    tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
+
+    @cached_property
+    def acting_wrench(self) -> Floats:
+        """Wrench per newton (acting, 4) of all columns of a track's forces [1, 1, 1, m; level axes].
+
+        A robot that tilts has three more than actuators: what the tilt adds to the thrust along x, y and z.
+        """
+        return np.vstack([self.actuator_wrench, np.eye(4)[:3]]) if self.tilts else self.actuator_wrench
+
+    @cached_property
+    def acting_pump(self) -> Flags:
+        """Flags (acting,) of the pumps among the columns of a track's forces."""
+        return np.concatenate([self.is_pump, np.zeros(len(self.acting_wrench) - len(self.is_pump), dtype=np.bool_)])
 
     @property
     def mass(self) -> float:
@@ -66,6 +80,10 @@ class VehicleModel:
 
         The array of neighbours holds zeros: the filter writes the neighbours of each grid point into it.
         """
+        return self.actuating_body(row)._replace(actuator_wrench=self.acting_wrench, is_pump=self.acting_pump)
+
+    def actuating_body(self, row: Floats) -> Body:
+        """Make the body with the actuators alone, which turn commands into forces along the robot's own axes."""
         around = self.surroundings
         return Body(
             row[PHYSICS].copy(),

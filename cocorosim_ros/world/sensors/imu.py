@@ -99,6 +99,11 @@ def _by_up(after: float, row: Floats, slope: float, rates: Floats, seen: Floats)
     seen[VFZ] = slope * rates[VW * VERTICAL + VFZ]
 
 
+def _orientation(numbers: Floats) -> Floats:
+    """The first four numbers, unless the covariance behind them says that the IMU does not estimate them."""
+    return np.where(numbers[:, 4:5] == NOT_ESTIMATED, np.nan, numbers[:, :4])
+
+
 def _columns(numbers: Floats) -> Floats:
     """After orientation (4), its covariance (9), rate (3), its covariance (9), specific force (3), its covariance."""
     rate, force = numbers[:, 15:16].copy(), numbers[:, 25:28].copy()
@@ -133,5 +138,5 @@ IMU = Sensor(
         Kind("accel_z", "accel_z", "m/s^2", _up, _by_up, ("specific_force", 2), upright=True, noise="accel",
              least_noise=1e-3),
     ),
-    recorded=Recorded(37, _columns, drawn="gyro_z"),
+    recorded=Recorded(37, _columns, drawn="gyro_z", orientation=_orientation),
 )  # fmt: skip

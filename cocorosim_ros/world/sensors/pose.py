@@ -88,6 +88,10 @@ def yaw_of_quaternions(quaternion: Floats) -> Floats:
     return np.where((quaternion == 0).all(axis=1), np.nan, yaw)
 
 
+def _orientation(numbers: Floats) -> Floats:
+    return numbers[:, 3:]
+
+
 def _columns(numbers: Floats) -> Floats:
     return np.column_stack([numbers[:, :3], yaw_of_quaternions(numbers[:, 3:])])
 
@@ -119,5 +123,5 @@ POSE = Sensor(
             least_noise=1e-3,
         ),
     ),
-    recorded=Recorded(7, _columns, drawn="pose_x", late_with="u"),
+    recorded=Recorded(7, _columns, drawn="pose_x", late_with="u", orientation=_orientation),
 )

@@ -61,12 +61,15 @@ class Recorded:
 
     columns: from (n, numbers) to (n, kinds), NaN where the message says that nothing was measured.
     drawn: the kind that the report draws. late_with: the regressor in proportion to which a late stream is off.
+    orientation: from (n, numbers) to (n, 4) quaternions x y z w of body axes in the world, NaN where not measured; None
+    for a topic without any.
     """
 
     numbers: int
     columns: Callable[[Floats], Floats]
     drawn: str = ""
     late_with: str = "t"
+    orientation: Callable[[Floats], Floats] | None = None
 
 
 @dataclass(frozen=True)

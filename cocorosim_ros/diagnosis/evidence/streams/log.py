@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.sensors import SENSORS
@@ -48,6 +49,7 @@ class RobotLog:
     command: Floats
     streams: Mapping[str, Stream]
     gaps: tuple[tuple[float, float], ...] = ()  # s: start and end of each gap of the poses
+    attitude: Attitude | None = None  # roll and pitch, where they were recorded; None for a robot that stays level
 
 
 @dataclass(frozen=True)
