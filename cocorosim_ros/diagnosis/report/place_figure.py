@@ -20,7 +20,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import X, Y, Z
 
 _CELLS = 12
-_LEAST_EXTENT = 1e-3  # m
 # Transparent in the middle: a residual of zero shows the page, light or dark.
 _STRONG, _MIDDLE = 1.0, 0.6
 _COLOURS = LinearSegmentedColormap.from_list(
@@ -78,7 +77,7 @@ def _cells(residual: ResidualForce) -> CellEdges | None:
     if not len(place):
         return None
     low, high = place.min(axis=0), place.max(axis=0)
-    side = max(float(np.max(high - low)), _LEAST_EXTENT) / _CELLS
+    side = max(float(np.max(high - low)), REPORT.least_extent) / _CELLS
     counts = np.maximum(np.ceil((high - low) / side), 1).astype(int)
     return CellEdges(
         *(
@@ -116,5 +115,5 @@ def _usual_length(cells: ForceMap) -> float:
 
 
 def _path(residual: ResidualForce) -> tuple[Floats, Floats]:
-    every = max(1, len(residual.time) // 1500)
+    every = max(1, len(residual.time) // REPORT.most_places)
     return residual.place[::every, X], residual.place[::every, Y]

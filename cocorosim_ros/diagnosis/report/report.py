@@ -36,7 +36,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.words import (
-    CHANNELS,
+    CHANNEL_WORDS,
     NOISES,
     TIERS,
     VERDICTS,
@@ -216,7 +216,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
     augmented = bool(diagnosis.effects)
     return {
         "fit": [
-            {"channel": CHANNELS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
+            {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
         ],
         "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),

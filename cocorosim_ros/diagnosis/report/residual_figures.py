@@ -9,6 +9,7 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, Located, ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import binned_means
 from cocorosim_ros.diagnosis.report.figure_style import (
@@ -38,7 +39,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-_DOTS = 600
 _CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")
 
 
@@ -169,7 +169,7 @@ def _scatter(axes: Axes, points: Points, law: SaidLaw, colour: str) -> float:
     x_scale = _scale_along(law.regressor, along.values, along.unit)
     y_scale = handy_scale(_size(missing.values), missing.unit)
     x, y = along.values * x_scale.factor, missing.values * y_scale.factor
-    every = max(1, len(x) // _DOTS)
+    every = max(1, len(x) // REPORT.most_dots)
     axes.scatter(x[::every], y[::every], s=5, color=colour, alpha=0.3, linewidths=0, rasterized=False)
     _draw_means(axes, x, y, INK)
     axes.axhline(0.0, color=QUIET, linewidth=0.8)

@@ -16,8 +16,6 @@ from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS
 
-REMEMBERED = 6  # sets of forces, because the same numbers are soon asked for again
-
 
 class Actuation:
     """The actuators of one track: recorded commands to forces, under a row of numbers of a model."""
@@ -25,7 +23,7 @@ class Actuation:
     def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid) -> None:
         self.vehicle, self.grid = vehicle, grid
         self._log = log
-        self._lately: Lately[tuple[Floats, Floats]] = Lately(REMEMBERED)
+        self._lately: Lately[tuple[Floats, Floats]] = Lately()
 
     def drive(self, row: Floats, with_rates: bool = False) -> Drive:
         """Forces and neighbours that act on the robot from each grid point to the next, under a row (columns,).
