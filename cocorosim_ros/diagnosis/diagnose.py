@@ -28,7 +28,7 @@ from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
-from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 
 Progress = Callable[[str, float], None]
 
@@ -76,7 +76,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         screened_effects(naming.screened),
         residual_forces(base, courses),
         residual_forces(naming.fit, final_courses),
-        readings=residual_readings(base, naming.fit, (courses, final_courses), effects),
+        readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
         needed_nats=NAMING.threshold,

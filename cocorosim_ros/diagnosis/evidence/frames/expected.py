@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.frames import ROUGH_MOTION
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import FORWARD, LEFT, TURN, UP, coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 Complex = NDArray[np.complex128]
-LONGEST_STEP, STEPS = 0.1, 20.0  # s, and how many make a coasting time
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,8 @@ def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
         return None
     last = max([float(log.command_time[-1]), *(float(stream.time[-1]) for stream in log.streams.values())])
     coasting = coasting_time(platform)
-    step = min(LONGEST_STEP, coasting / STEPS) if coasting > 0.0 else LONGEST_STEP
+    longest = ROUGH_MOTION.longest_step
+    step = min(longest, coasting / ROUGH_MOTION.steps) if coasting > 0.0 else longest
     time = np.arange(float(log.command_time[0]), last, step)
     if len(time) < 2:
         return None

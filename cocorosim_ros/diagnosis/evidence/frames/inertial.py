@@ -11,7 +11,7 @@ from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of
 from cocorosim_ros.diagnosis.evidence.frames.upright import FeltGravity
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import ACCEL_X, ACCEL_Z, GYRO
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT_X, FELT_Z, TURN_RATE
 
 MIRRORED = Turned(mirrored=1, quarters=0)
 OPPOSITE = Turned(mirrored=0, quarters=2)
@@ -36,8 +36,8 @@ def inertial_axes(motion: Motion, gravity: FeltGravity | None, gyro_nats: float)
     if not known:  # without motion that shows them: the IMU as a whole is upside down, or they are right
         turned = MIRRORED if over and backwards else SAME
     matrix = np.eye(4)
-    matrix[GYRO, GYRO], matrix[ACCEL_Z, ACCEL_Z] = (-1.0 if backwards else 1.0), (-1.0 if over else 1.0)
-    matrix[ACCEL_X:ACCEL_Z, ACCEL_X:ACCEL_Z] = matrix_of(turned)
+    matrix[TURN_RATE, TURN_RATE], matrix[FELT_Z, FELT_Z] = (-1.0 if backwards else 1.0), (-1.0 if over else 1.0)
+    matrix[FELT_X:FELT_Z, FELT_X:FELT_Z] = matrix_of(turned)
     seen = [f"gravity reads {gravity.reading:.2f} m/s^2 along z"] if gravity is not None and over else []
     seen += ["its yaw rate has the opposite sign of the others'"] if backwards else []
     seen += ["its accelerations fit the motion only so"] if known and turned != SAME else []

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT
+from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT, BINS
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex, Expected, expected_motion
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
-    ACCEL_X,
-    ACCEL_Y,
-    GYRO,
+    AMBIENT,
+    FELT_X,
+    FELT_Y,
     HEADING,
-    PRESSURE,
+    TURN_RATE,
     YAW,
     U,
     V,
@@ -28,9 +28,6 @@ from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
-
-NARROW, NARROWEST, WIDEST = 0.15, 0.1, 2.0  # widths of a bin: coasting times; s; s
-READINGS = 2.0  # in a bin, of the slowest stream
 
 
 @dataclass(frozen=True)
@@ -80,7 +77,7 @@ class Motion:
 
 def motion_of(log: RobotLog, platform: Platform) -> Motion:
     """The motion that each stream of a log shows."""
-    bins = _Bins(log, NARROW * coasting_time(platform))
+    bins = _Bins(log, BINS.narrow * coasting_time(platform))
     pose, pose_rate = bins.stream(log, "pose")
     compass, compass_rate = bins.stream(log, "compass")
     imu, _ = bins.stream(log, "imu")
@@ -98,11 +95,11 @@ def motion_of(log: RobotLog, platform: Platform) -> Motion:
         turn=pose_rate[:, YAW],
         heading=compass[:, HEADING],
         swing=compass_rate[:, HEADING],
-        gyro=imu[:, GYRO],
-        pulled=np.asarray(imu[:, ACCEL_X] + 1j * imu[:, ACCEL_Y]),
+        gyro=imu[:, TURN_RATE],
+        pulled=np.asarray(imu[:, FELT_X] + 1j * imu[:, FELT_Y]),
         through=np.asarray(velocity[:, U] + 1j * velocity[:, V]),
         lift=velocity[:, W],
-        sinking=pressure_rate[:, PRESSURE],
+        sinking=pressure_rate[:, AMBIENT],
         advance=advance,
         shove=shove,
         dive=bins.mean(expected.time, expected.dive) if expected else unknown,
@@ -138,8 +135,8 @@ class _Bins:
     def __init__(self, log: RobotLog, narrow: float) -> None:
         streams = list(log.streams.values())
         slow = [np.median(np.diff(stream.time)) for stream in streams if len(stream.time) > 2]
-        widest = max([narrow, NARROWEST, *(READINGS * interval for interval in slow)])
-        self.width = float(min(widest, WIDEST))
+        widest = max([narrow, BINS.narrowest, *(BINS.readings * interval for interval in slow)])
+        self.width = float(min(widest, BINS.widest))
         self.start = min((float(stream.time[0]) for stream in streams), default=0.0)
         end = max((float(stream.time[-1]) for stream in streams), default=0.0)
         self.count = max(int((end - self.start) / self.width), 1)

@@ -11,7 +11,7 @@ from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, indep
 from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine, scaled
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PRESSURE
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -50,7 +50,7 @@ def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
 
 def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameCorrection | None:
     """The correction of a pressure that is not in pascals, or counts from the surface; None if it is absolute."""
-    readings = [log.streams["pressure"].value[:, PRESSURE] for log in logs if "pressure" in log.streams]
+    readings = [log.streams["pressure"].value[:, AMBIENT] for log in logs if "pressure" in log.streams]
     if not readings or platform.water_density < UNITS.dense:
         return None
     level = float(np.median(np.concatenate(readings)))

@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, indep
 from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import ACCELERATIONS
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
@@ -68,7 +68,7 @@ def force_unit(logs: Sequence[RobotLog], platform: Platform) -> FrameCorrection 
 
 def _mean_force(logs: Sequence[RobotLog]) -> Floats:
     """Medians (3,) of the accelerometer [its unit]; NaN without readings."""
-    readings = [log.streams["imu"].value[:, ACCELERATIONS] for log in logs if "imu" in log.streams]
+    readings = [log.streams["imu"].value[:, FELT] for log in logs if "imu" in log.streams]
     if not readings:
         return np.full(3, np.nan)
     given = [column[np.isfinite(column)] for column in np.vstack(readings).T]
