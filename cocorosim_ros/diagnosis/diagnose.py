@@ -8,6 +8,7 @@ from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
@@ -16,7 +17,7 @@ from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, He
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
-from cocorosim_ros.diagnosis.fitting.recalibration import MOST_ROUNDS, base_fit, nominal_fit
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
@@ -29,7 +30,7 @@ from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
-from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 
 Progress = Callable[[str, float], None]
 
@@ -50,7 +51,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         )
     form: ChosenForm | None = None
     if evidence.platform.drag_form is None:
-        base, form = with_best_form(base, MOST_ROUNDS)
+        base, form = with_best_form(base, RECALIBRATION.most_rounds)
     naming = name_effects(base, lambda words, share: progress(words, 0.2 + 0.5 * share))
     progress("locating what was missing", 0.7)
     courses = smoothed_tracks(base)
@@ -80,7 +81,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         screened_effects(naming.screened),
         residual_forces(base, courses),
         residual_forces(naming.fit, final_courses),
-        readings=residual_readings(base, naming.fit, (courses, final_courses), effects),
+        readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=runs,
         remarks=(*_remarks(intake.evidence), *_of_form(form)),
         needed_nats=NAMING.threshold,

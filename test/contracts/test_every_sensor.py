@@ -65,10 +65,11 @@ def test_every_channel_has_a_field() -> None:
 def expected(name: str, state: Any, after: float, numbers: Any) -> float:
     """What the filter expects, `after` [s] behind a state that does not accelerate."""
     from cocorosim_ros.diagnosis.filter.reading import expected as expect
+    from cocorosim_ros.diagnosis.filter.records import Rates, When
 
-    still = (np.zeros(STATE_SIZE), np.zeros(STATE_SIZE))
+    still = Rates(np.zeros(STATE_SIZE), np.zeros(STATE_SIZE))
     code = list(KINDS).index(name)
-    return float(expect(code, (3.0, after, abs(after), 0.0), state, still, numbers, state[4:8].copy()))
+    return float(expect(code, When(3.0, after, abs(after), 0.0), state, still, numbers, state[4:8].copy()))
 
 
 @every_kind

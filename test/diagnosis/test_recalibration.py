@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.fitting import recalibration
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -46,7 +47,7 @@ def test_the_best_of_three_ways_is_taken(rough: Any) -> None:
     shut = [[recalibration._is_shut(fit, unknown) for unknown in fit.noise] for fit in (first, second)]
     assert any(shut[0]) and sum(shut[1]) < sum(shut[0])
     ways = [
-        settled(recalibration._opened(start), recalibration.MOST_ROUNDS).objective
+        settled(recalibration._opened(start), RECALIBRATION.most_rounds).objective
         for start in (first, second, recalibration._without_inertial(first))
     ]
     assert recalibration.base_fit(rough).objective == pytest.approx(max(ways))

@@ -12,7 +12,7 @@ import pytest
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
-from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
@@ -47,6 +47,11 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
     return SimpleNamespace(tracks=(track,), filled=row[None])
 
 
+def smoothed(fit: Any) -> SmoothedFit:
+    """A fit whose only track takes the course."""
+    return SmoothedFit(fit, [COURSE])
+
+
 def effect(name: str, topic: str | None = None, correction: str | None = None) -> FoundEffect:
     """An effect of lily_01."""
     return FoundEffect(name, name, "", ("lily_01",), "confirmed", {}, 10.0, topic=topic, correction=correction)
@@ -67,7 +72,7 @@ def test_with_its_number_a_stream_shows_what_is_expected(
 ) -> None:
     """Before, the deviation is the effect itself; after, it is nothing."""
     before, after = fit(kind, values), fit(kind, values, **numbers)
-    (reading,) = residual_readings(before, after, ([COURSE], [COURSE]), [found])
+    (reading,) = residual_readings(smoothed(before), smoothed(after), [found])
     assert np.abs(reading.after).max() < 1e-9 * max(1.0, np.abs(values).max())
     assert np.abs(reading.before).max() > 0.02
     assert (reading.robot, reading.regressor) == ("lily_01", regressor)
@@ -78,7 +83,7 @@ def test_a_late_stream_is_off_by_rate_times_delay() -> None:
     values = 0.1 * (TIME - 0.5) + 2 * np.pi
     before, after = fit(COMPASS, values), fit(COMPASS, values, sensor_latency__compass=0.5)
     late = effect("sensor_latency", "compass")
-    (reading,) = residual_readings(before, after, ([COURSE], [COURSE]), [late])
+    (reading,) = residual_readings(smoothed(before), smoothed(after), [late])
     assert reading.before == pytest.approx(-0.05)
     assert reading.against == pytest.approx(0.1)
     assert reading.after[10:] == pytest.approx(0.0, abs=1e-9)
@@ -102,7 +107,7 @@ def test_other_effects_have_no_reading() -> None:
     """Physics of the body, mixed-up frames, streams that the robot does not have."""
     one = fit(COMPASS, 0.1 * TIME)
     others = [effect("added_mass"), effect("frame_mixup", "compass", "in degrees"), effect("pressure_offset")]
-    assert residual_readings(one, one, ([COURSE], [COURSE]), others) == ()
+    assert residual_readings(smoothed(one), smoothed(one), others) == ()
 
 
 def test_a_law_is_drawn_over_its_product() -> None:
@@ -110,7 +115,7 @@ def test_a_law_is_drawn_over_its_product() -> None:
     fits = fit(COMPASS, 0.1 * TIME + 8.0 * 0.003 * TIME), fit(COMPASS, 0.1 * TIME)
     law = Law.parse("unknown:compass~|thrust|")
     named = replace(effect(law.text, "compass"), law=law)
-    (reading,) = residual_readings(*fits, ([COURSE], [COURSE]), [named])
+    (reading,) = residual_readings(*map(smoothed, fits), [named])
     assert (reading.regressor, reading.against_unit) == ("|thrust|", "N")
     # What actuators deliver is a mean until the next point, half a step of 0.1 s later.
     assert reading.against[1:] == pytest.approx(0.003 * (TIME[1:] - 0.05))
@@ -121,4 +126,4 @@ def test_laws_of_readings_without_a_picture_have_no_other_readings() -> None:
     """An accelerometer in error is not shown by the gyroscope of the same topic."""
     one = fit(GYRO, 0.1 + 0 * TIME)
     law = Law.parse("unknown:imu~u", "accel_x")
-    assert residual_readings(one, one, ([COURSE], [COURSE]), [replace(effect(law.text, "imu"), law=law)]) == ()
+    assert residual_readings(smoothed(one), smoothed(one), [replace(effect(law.text, "imu"), law=law)]) == ()

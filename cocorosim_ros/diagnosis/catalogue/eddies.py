@@ -7,6 +7,7 @@ the candidates, one of these currents would be named wrongly where the water tur
 from __future__ import annotations
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
+from cocorosim_ros.diagnosis.criteria.catalogue import EDDIES
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.terms.search import Scene
 
@@ -14,10 +15,6 @@ EDDY = "eddy"
 """Name of the simulator's effect; a model has one eddy at most."""
 ALONG_X = Law("world_x", Product(Factor("y")))
 """Law under which an eddy is reported: of its two components the one along x."""
-_PLACES = 6  # grid points along each axis
-_BESIDE = 0.25  # share of the robots' range along an axis by which the centre of an eddy may lie outside of that range
-_CORES = (0.2, 0.6)  # radii of the core, as shares of the robots' greater range
-_FAST = 0.005  # m/s at the edge of the core in a bad case
 _AROUND = 9.94  # 2 pi / (1 - 1/e): circulation, divided by the core's radius and the velocity at its edge
 
 
@@ -28,7 +25,7 @@ def eddy_entry(scene: Scene) -> Entry:
     at a distance d is that of a Lamb-Oseen vortex: circulation / (2 pi d) (1 - exp(-d^2 / core^2)).
     """
     reach = max(scene.upper[0] - scene.lower[0], scene.upper[1] - scene.lower[1])
-    large = _AROUND * _FAST * _CORES[-1] * reach
+    large = _AROUND * EDDIES.fast * EDDIES.cores[-1] * reach
     return Entry(
         ALONG_X.text,
         "a law outside the catalogue: water that turns about a place, along x in proportion to y and along y to x",
@@ -38,7 +35,9 @@ def eddy_entry(scene: Scene) -> Entry:
         (
             Shape(f"{EDDY}.x", "x", "m", lambda here: _grid(here, 0)),
             Shape(f"{EDDY}.y", "y", "m", lambda here: _grid(here, 1)),
-            Shape(f"{EDDY}.core", "core", "m", lambda here: [share * reach for share in _CORES], logarithmic=True),
+            Shape(
+                f"{EDDY}.core", "core", "m", lambda here: [share * reach for share in EDDIES.cores], logarithmic=True
+            ),
         ),
         water=True,
         law=EDDY,
@@ -48,6 +47,6 @@ def eddy_entry(scene: Scene) -> Entry:
 
 def _grid(scene: Scene, axis: int) -> list[float]:
     """Places [m; world] of the centre to try along one axis, evenly spaced."""
-    beside = _BESIDE * (scene.upper[axis] - scene.lower[axis])
+    beside = EDDIES.beside * (scene.upper[axis] - scene.lower[axis])
     low, high = scene.lower[axis] - beside, scene.upper[axis] + beside
-    return [low + (high - low) * (index + 0.5) / _PLACES for index in range(_PLACES)]
+    return [low + (high - low) * (index + 0.5) / EDDIES.places for index in range(EDDIES.places)]

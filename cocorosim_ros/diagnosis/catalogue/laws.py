@@ -19,7 +19,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
-from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
+from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE, LAWS
 from cocorosim_ros.world.effects.pump_lag import PUMP_TICK
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.terms.equations import EQUATION
@@ -103,7 +103,6 @@ LAWS_OF: dict[str, tuple[Product, ...]] = {
     "world_x": (*PLACE, single("t"), *SQUARED_PLACE, signed_power("x", 3.0), single("speed")),
     "world_y": (*PLACE, single("t"), *SQUARED_PLACE, signed_power("y", 3.0), single("speed")),
 }
-ROUNDINGS = (0.03, 0.1, 0.3)  # of the typical size of a regressor
 SWINGING = ("world_x", "world_y", "surge", "sway", "heave", "yaw")
 PUMP_BEHIND = Law("heave", single("pump_rate"))
 TURNING_AXES = (Law("surge", both("v", "r")), Law("sway", both("u", "r")))
@@ -171,7 +170,9 @@ def _roundings(place: str, product: Product, scene: Scene) -> tuple[Shape, ...]:
     if product.first.power >= 1.0:
         return ()
     size = scene.scales[product.first.name]
-    return (Shape(f"{place}.round_1", "round_1", "1", lambda here: [share * size for share in ROUNDINGS], fixed=True),)
+    return (
+        Shape(f"{place}.round_1", "round_1", "1", lambda here: [share * size for share in LAWS.roundings], fixed=True),
+    )
 
 
 def _swinging(place: str, equation: str, scene: Scene) -> Entry:

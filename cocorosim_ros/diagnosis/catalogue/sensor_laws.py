@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
+from cocorosim_ros.diagnosis.criteria.catalogue import BAD_READING
 from cocorosim_ros.world.laws.law import Factor, Law, Product
 from cocorosim_ros.world.laws.readings import READING, readings_of
 from cocorosim_ros.world.terms.search import Scene
@@ -59,16 +60,6 @@ SENSOR_LAWS_OF: dict[str, tuple[Product, ...]] = {
     "velocity_v": _plain("v", "r", "t"),
     "velocity_w": _plain("w", "t"),
 }  # fmt: skip
-# By reading: the error in a bad case, in the unit of the reading.
-_BAD = {
-    "compass": 0.05,
-    "pressure": 200.0,
-    "gyro_z": 0.02,
-    **dict.fromkeys(("accel_x", "accel_y", "accel_z"), 0.03),
-    **dict.fromkeys(("pose_x", "pose_y", "pose_z"), 0.03),
-    "pose_yaw": 0.05,
-    **dict.fromkeys(("velocity_u", "velocity_v", "velocity_w"), 0.005),
-}
 
 
 def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:
@@ -88,7 +79,7 @@ def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:
 def _entry(place: str, law: Law, scene: Scene) -> Entry:
     """Make the entry of one law; its large coefficient is that of a typical error as in a bad case."""
     reading, product = READING[law.of], law.product
-    large = _BAD[reading.name] / typical_size(product, scene)
+    large = BAD_READING[reading.name] / typical_size(product, scene)
     words = reading.topic if len(readings_of(reading.topic)) == 1 else f"{reading.topic} ({reading.name})"
     return Entry(
         law.text,

@@ -1,8 +1,10 @@
-"""Thresholds of the catalogue: amplitudes that are too small to be an effect."""
+"""Thresholds of the catalogue: amplitudes that are too small to be an effect, and sizes of a bad case."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 
 @dataclass(frozen=True)
@@ -18,4 +20,41 @@ class CatalogueCriteria:
     below it that was not there."""
 
 
+@dataclass(frozen=True)
+class LawCriteria:
+    """Shapes of laws of motion that are tried (`catalogue.laws`)."""
+
+    roundings: tuple[float, ...] = (0.03, 0.1, 0.3)
+    """[of the typical size of a regressor] within which a law that is steep at zero is rounded. Chosen, not
+    measured."""
+
+
+@dataclass(frozen=True)
+class EddyCriteria:
+    """Eddies that are tried, and how strong a bad case is (`catalogue.eddies`)."""
+
+    places: int = 6
+    """[grid points] of the centre along each axis: each costs a slope. Chosen, not measured."""
+    beside: float = 0.25
+    """[of the robots' range along an axis] by which the centre may lie outside of the range. Chosen, not measured."""
+    cores: tuple[float, ...] = (0.2, 0.6)
+    """[of the robots' greater range] radii of the core. Chosen, not measured."""
+    fast: float = 0.005
+    """[m/s] at the edge of the core in a bad case. Chosen, not measured."""
+
+
 CATALOGUE = CatalogueCriteria()
+LAWS = LawCriteria()
+EDDIES = EddyCriteria()
+BAD_READING: Mapping[str, float] = MappingProxyType(
+    {
+        "compass": 0.05,
+        "pressure": 200.0,
+        "gyro_z": 0.02,
+        **dict.fromkeys(("accel_x", "accel_y", "accel_z"), 0.03),
+        **dict.fromkeys(("pose_x", "pose_y", "pose_z"), 0.03),
+        "pose_yaw": 0.05,
+        **dict.fromkeys(("velocity_u", "velocity_v", "velocity_w"), 0.005),
+    }
+)
+"""[the unit of the reading] errors of a bad case, by reading. Chosen, not measured."""

@@ -31,6 +31,8 @@ class NoiseCriteria:
     """[of the lower order's estimate] a higher order below it means that motion was left in. Chosen, not measured."""
     quiet_quantile: float = 0.25
     """[1] quantile of the blocks' scales that is taken as quiet. Chosen, not measured."""
+    stretches: int = 24
+    """[stretches] of the time at most, among which the quiet ones are sought. Chosen, not measured."""
     uneven: float = 0.7
     """[of the whole's scale] even noise never makes the quiet quarter so small by chance. Chosen, not measured."""
     fewest: int = 30
@@ -155,6 +157,8 @@ class JumpCriteria:
     """[usual steps] that two poses count as apart at least: stamps may lie closer. Chosen, not measured."""
     fewest: int = 10
     """[poses] fewer do not show a usual speed. Chosen, not measured."""
+    most_told: int = 5
+    """[leaps] of a track that a remark lists, so that it stays a sentence. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

@@ -37,6 +37,8 @@ class RecalibrationCriteria:
     prior: float = 0.2
     """[1] standard deviation of the logarithm of a number that the platform gives without a range. Chosen, not
     measured."""
+    range_widths: float = 4.0
+    """[standard deviations of a prior] in the range that a platform's file gives. Chosen, not measured."""
     shut: float = 0.2
     """[share of the readings of a kind] beyond the gate, from which their noise is taken as wrong. Chosen, not
     measured."""
@@ -44,6 +46,14 @@ class RecalibrationCriteria:
     """[logarithm] by which noise of inertial sensors is raised for a further start. Chosen, not measured."""
     coarse: float = math.log(10.0)
     """[logarithm] by which noise of readings beyond the gate is raised for a further start. Chosen, not measured."""
+    at_random: float = math.log(10.0)
+    """[logarithm] by which random forces are stronger and quicker for a further start. Chosen, not measured."""
+    most_doublings: int = 12
+    """[doublings] of the noise of readings beyond the gate: to 4000 times. Chosen, not measured."""
+    most_rounds: int = 10
+    """[turns of noise and unknowns] at most; a good start needs two or three. Chosen, not measured."""
+    most_leaps: int = 4
+    """[leaps] at most, each followed by a climb. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -72,8 +82,116 @@ class SurroundingsCriteria:
     """[1] quotient of two sides of a tank, below which they are taken as equal. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class GridCriteria:
+    """Steps of the filter's grid, and what one step may err by (`tracks.grid`)."""
+
+    longest_step: float = 0.1
+    """[s] however slow the vehicle is. Chosen, not measured."""
+    shortest_step: float = 0.01
+    """[s] however agile the vehicle is; steps are multiples of it. Chosen, not measured."""
+    yaw_error: float = 0.005
+    """[rad] of a step under full acceleration. Chosen, not measured."""
+    place_error: float = 0.001
+    """[m] of a step under full acceleration. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class StartCriteria:
+    """The first state of a track, and how sure it is (`tracks.start`)."""
+
+    window: float = 0.5
+    """[s] in which the first readings are looked for. Chosen, not measured."""
+    place: float = 0.05
+    """[m] standard deviation of the first place. Chosen, not measured."""
+    yaw: float = 0.2
+    """[rad] standard deviation of the first yaw. Chosen, not measured."""
+    speed_share: float = 0.5
+    """[of the speed that full thrust gives in a metre] standard deviation of the first speeds. Chosen, not
+    measured."""
+    least_speed: float = 0.05
+    """[m/s] least standard deviation of the first speeds, for vehicles that hardly drive. Chosen, not measured."""
+    least_turn: float = 0.3
+    """[rad/s] the same of the first yaw rate. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class FullForceCriteria:
+    """Likely ratios of full forces, in directions where a vehicle has no actuator (`tracks.vehicle_size`)."""
+
+    across: float = 0.1
+    """[of the full force in heave] a horizontal force, or one of the water in heave. Chosen, not measured."""
+    arm: float = 0.02
+    """[m] by which the full horizontal force turns a vehicle. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class FirstNoiseCriteria:
+    """The noise at which fits begin, and how far they may leave it (`fitting.base_model`)."""
+
+    disturbance: float = 0.01
+    """[of full thrust] rms of the random forces. Chosen, not measured."""
+    correlation: float = 2.5
+    """[s] memory of the random forces. Chosen, not measured."""
+    smoothness: float = 0.4
+    """[1] of the random forces. Chosen, not measured."""
+    force_prior: float = 3.0
+    """[logarithm] standard deviation of the strength of a random force. Chosen, not measured."""
+    correlation_prior: float = 0.7
+    """[logarithm] standard deviation of the memory. Chosen, not measured."""
+    smoothness_prior: float = 1.0
+    """[logarithm] standard deviation of the smoothness. Chosen, not measured."""
+    farthest: float = 7.0
+    """[logarithm] by which random forces may leave the first guess. Chosen, not measured."""
+    reading_prior: float = 0.7
+    """[logarithm] standard deviation of the noise of a reading. Chosen, not measured."""
+    finer_reading: float = 3.0
+    """[logarithm] by which a reading may be finer than its differences say. Chosen, not measured."""
+    coarser_reading: float = 5.0
+    """[logarithm] by which a reading may be coarser than its differences say. Chosen, not measured."""
+    farthest_number: float = 4.0
+    """[logarithm] by which a number of the platform may leave its file. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class StepCriteria:
+    """Steps of the climbs to the most likely numbers (`fitting.climbing`, `leaps`, `starts`, `solving`)."""
+
+    largest_noise_step: float = 1.0
+    """[logarithm] of a noise in one step: farther away the curvature says little. Chosen, not measured."""
+    noise_difference: float = 0.02
+    """[logarithm] of a noise for its slopes: far above rounding, and small beside 1. Chosen, not measured."""
+    dampings: tuple[float, ...] = (0.0, 0.3, 3.0, 30.0, 300.0)
+    """[of the curvature of each noise] that are tried one after the other. Chosen, not measured."""
+    leaps: tuple[float, ...] = (-2.0, -1.0, 1.0, 2.0)
+    """[logarithm] changes of a noise that may land on a higher summit. Chosen, not measured."""
+    cautious: float = 0.3
+    """[of the promised amplitudes] a second start, where the slope promises too much. Chosen, not measured."""
+    beyond_grid: float = 0.1
+    """[logarithm] by which a shape may exceed the largest value of its grid. Chosen, not measured."""
+    no_information: float = 1e-10
+    """[of the mean eigenvalue] of a scaled information matrix: a direction with less is rounding. Chosen, not
+    measured."""
+    least_push: float = 1e-9
+    """[of an unknown's unit] by which a bound is tried: far below any step. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class HeldOutCriteria:
+    """Blocks of the recordings that tell whether an addition foretells (`fitting.held_out`)."""
+
+    blocks: int = 10
+    """[blocks] of each recording: enough for a signed-rank test at 5 %. Chosen, not measured."""
+
+
 DRAG_FORMS = DragFormCriteria()
 CONVERGENCE = ConvergenceCriteria()
 RANDOMNESS = RandomForceCriteria()
 RECALIBRATION = RecalibrationCriteria()
 SURROUNDINGS = SurroundingsCriteria()
+GRID = GridCriteria()
+START = StartCriteria()
+FULL_FORCES = FullForceCriteria()
+FIRST_NOISE = FirstNoiseCriteria()
+STEPS = StepCriteria()
+HELD_OUT = HeldOutCriteria()

@@ -71,6 +71,30 @@ class OrientationCriteria:
     """[prices] less for swapped axes where z points down, as in north-east-down axes. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class BinCriteria:
+    """Widths of the bins of time in which streams are compared (`frames.motion`)."""
+
+    narrow: float = 0.15
+    """[coasting times] motion changes little within a bin of this width. Chosen, not measured."""
+    narrowest: float = 0.1
+    """[s] no bin is narrower, so that it holds readings of usual sensors. Chosen, not measured."""
+    widest: float = 2.0
+    """[s] no bin is wider, however slow the sensors are. Chosen, not measured."""
+    readings: float = 2.0
+    """[readings] of the slowest stream that a bin holds. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class RoughMotionCriteria:
+    """Steps of the rough motion that is expected under the commands (`frames.expected`)."""
+
+    longest_step: float = 0.1
+    """[s] no step is longer, so that commands show. Chosen, not measured."""
+    steps: float = 20.0
+    """[steps] that make a coasting time: enough to tell signs, axes and powers of ten. Chosen, not measured."""
+
+
 class LengthUnit(NamedTuple):
     """A unit of length, and the quotients of speeds that only this unit explains."""
 
@@ -120,3 +144,5 @@ AGREEMENT = AgreementCriteria()
 AXES = AxesCriteria()
 ORIENTATION = OrientationCriteria()
 UNITS = UnitCriteria()
+BINS = BinCriteria()
+ROUGH_MOTION = RoughMotionCriteria()

@@ -92,6 +92,14 @@ class SwingCriteria:
     """[s] faster swings are no candidates. Chosen, not measured."""
     steady: float = 15.0
     """[s] before and after a change of the force that are compared. Chosen, not measured."""
+    most_periods: int = 3
+    """[periods] of a force that become candidates, the strongest first: each costs a slope. Chosen, not measured."""
+    most_changes: int = 3
+    """[moments] of a change that become candidates, the clearest first: each costs a slope. Chosen, not measured."""
+    least_extent: float = 0.05
+    """[m] along each axis of the water in which candidates have their places. Chosen, not measured."""
+    least_force: float = 1e-9
+    """[N, N m] of a direction without actuators, so that nothing is divided by zero. Chosen, not measured."""
 
 
 SEARCH = SearchCriteria()

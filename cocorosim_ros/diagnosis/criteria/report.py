@@ -29,6 +29,39 @@ class ReportCriteria:
     """[stretches] that are drawn. Chosen, not measured."""
     most_readings: int = 4
     """[streams] that are drawn. Chosen, not measured."""
+    most_dots: int = 600
+    """[dots] of a cloud, about: more make the page slow and no clearer. Chosen, not measured."""
+    most_points: int = 400
+    """[points] of a line, for the same reason. Chosen, not measured."""
+    most_places: int = 1500
+    """[places] of a path seen from above, about, for the same reason. Chosen, not measured."""
+    most_numbers: int = 4
+    """[numbers] of an effect or of a platform that a sentence can carry. Chosen, not measured."""
+    three_digits: float = 10.0
+    """[nats] from which evidence is written with three digits, and to which the axis reaches. Chosen, not measured."""
+    told_odds: float = 100.0
+    """[1] odds above are told in words. Chosen, not measured."""
+    most_told_nats: float = 20.0
+    """[nats] more make no other words, and numbers that overflow. Chosen, not measured."""
+    least_extent: float = 1e-3
+    """[m] of a map of places, so that a robot at rest has one. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class ManoeuvreCriteria:
+    """Lengths and sizes of the manoeuvres that are advised (`report.manoeuvre_scenario`)."""
+
+    least_duration: float = 600.0
+    """[s] ten minutes are good for a diagnosis. Chosen, not measured."""
+    long: float = 1800.0
+    """[s] of a manoeuvre that shows what changes slowly. Chosen, not measured."""
+    depth: float = 4.0
+    """[m] of water. Chosen, not measured."""
+    side: float = 100.0
+    """[s at full speed] side of the tank. Chosen, not measured."""
+    least_side: float = 6.0
+    """[m] side of the tank of the slowest robots. Chosen, not measured."""
 
 
 REPORT = ReportCriteria()
+MANOEUVRE = ManoeuvreCriteria()

@@ -23,6 +23,10 @@ class EstimateCriteria:
     """[probability] of any clear number among all recalibrated ones where none has moved. Chosen, not measured."""
     beyond_threshold: float = 4.0
     """[nats] of a confirmed effect above the threshold of naming. Chosen, not measured."""
+    numerical: float = 1e-3
+    """[of a number] its least standard deviation: the error of the filter's midpoint steps. Reckoned from that error,
+    (h l)^2 / 6, for steps h of 0.1 s and a rate l of 0.77 / s, at which Lilys turn. In still water, readings alone
+    would give narrower intervals than the steps of the filter are exact."""
     held_out_p: float = 0.05
     """[probability] of a held-out gain by chance, below which an effect may be confirmed. Chosen, not measured."""
 
@@ -42,6 +46,14 @@ class LocationCriteria:
 
 
 @dataclass(frozen=True)
+class FramingCriteria:
+    """Stand-in for evidence without doubt (`showing.framing`)."""
+
+    certain: float = 1e4
+    """[nats] of a correction that is certain, in place of infinity, which files cannot hold. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class FreeRunCriteria:
     """Parts of a recording through which models run freely (`showing.free_runs`)."""
 
@@ -51,9 +63,12 @@ class FreeRunCriteria:
     """[rad] in a window at the usual turn rate: after five turns no model foretells a heading. Chosen, not measured."""
     fewest_points: int = 10
     """[grid points] of a window. Chosen, not measured."""
+    windows: tuple[float, ...] = (20.0, 10.0, 5.0, 2.0)
+    """[s] lengths of a window, of which the longest is taken that can be foretold. Chosen, not measured."""
 
 
 VERDICT = VerdictCriteria()
 ESTIMATES = EstimateCriteria()
 LOCATION = LocationCriteria()
+FRAMING = FramingCriteria()
 FREE_RUNS = FreeRunCriteria()

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import SPACING
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
@@ -51,7 +52,7 @@ def _with_numbers(rows: TopicRows, remarks: list[str]) -> TopicRows:
     values = np.where(np.isfinite(rows.values), rows.values, np.nan)
     given = np.isfinite(values)
     # A tracker that has lost its robot writes no place but often some attitude.
-    good: Flags = np.asarray(given[:, :2].all(axis=1) if rows.topic == "pose" else given.any(axis=1))
+    good: Flags = np.asarray(given[:, PLANE].all(axis=1) if rows.topic == "pose" else given.any(axis=1))
     if len(rows.attitude) and rows.topic != "pose":
         good = good | np.isfinite(rows.attitude).all(axis=1)
     lost = np.flatnonzero(~good)

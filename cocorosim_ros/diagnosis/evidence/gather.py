@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.evidence.bursts import as_taken
 from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
 from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
-from cocorosim_ros.diagnosis.evidence.robot_logs import robot_log, seconds
+from cocorosim_ros.diagnosis.evidence.robot_logs import ClockedRows, robot_log, seconds
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, Recording, Stream, told_apart
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -76,7 +76,7 @@ def gather_recording(path: Path, platform: Platform) -> Recording:
     duration = max((int(rows.stamp_ns[-1]) - start) / NANOSECONDS for rows in clean if len(rows.stamp_ns))
     robots = []
     for name in sorted({rows.robot for rows in clean}):
-        mine = [(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
+        mine = [ClockedRows(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
         log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
         robots.append(log)
         remarks += log_remarks

@@ -8,15 +8,14 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.evidence import EXCHANGES
+from cocorosim_ros.diagnosis.criteria.evidence import EXCHANGES, JUMPS
 from cocorosim_ros.diagnosis.evidence.cleaning import gaps_of
 from cocorosim_ros.diagnosis.evidence.pose_jumps import Jump, find_jumps, reach, selected, without_spikes
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, YAW
 from cocorosim_ros.diagnosis.evidence.streams.turning import unwrapped
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.scenario.parts.platform import Platform
-
-YAW = 3
 
 
 def with_true_identities(logs: Sequence[RobotLog], platform: Platform) -> tuple[list[RobotLog], list[str]]:
@@ -83,7 +82,7 @@ def _exchanged(here: Jump, there: Jump, pose: Stream, platform: Platform) -> boo
     near = reach(pose, platform, EXCHANGES.close) + EXCHANGES.full_speeds * full_speed(platform) * duration
     closer = EXCHANGES.closer * min(here.distance, there.distance)
     return all(
-        np.hypot(*(reached - left)[:2]) < min(near, closer)
+        np.hypot(*(reached - left)[PLANE]) < min(near, closer)
         for reached, left in ((here.reached, there.left), (there.reached, here.left))
     )
 
@@ -114,8 +113,9 @@ def _longest_stretch(log: RobotLog, platform: Platform, remarks: list[str]) -> R
     ]
     stretches = [(first, last) for first, last in list(pairwise(ends))[::2]]
     first, last = max(stretches, key=lambda stretch: stretch[1] - stretch[0])
-    times = ", ".join(f"{jump.after:.1f} s ({jump.distance:.2f} m)" for jump in jumps[:5])
-    more = f" and {len(jumps) - 5} times more" if len(jumps) > 5 else ""
+    times = ", ".join(f"{jump.after:.1f} s ({jump.distance:.2f} m)" for jump in jumps[: JUMPS.most_told])
+    untold = len(jumps) - JUMPS.most_told
+    more = f" and {untold} times more" if untold > 0 else ""
     remarks.append(
         f"{log.name}/pose: the track leaps farther than the robot can swim, at {times}{more}: lost, or of another "
         f"robot; of the poses only those from {first:.1f} to {last:.1f} s are used."

@@ -9,11 +9,12 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT, TURN_RATE, U, V, W, Z
 from cocorosim_ros.foundation.arrays import Floats
 
-VELOCITY, FORCE, YAW_RATE = ("u", "v", "w"), ("accel_x", "accel_y", "accel_z"), "gyro_z"
-HEIGHT = STREAMS["pose"].index("z")
+BODY_VECTORS = {"velocity": slice(U, W + 1), "imu": FELT}
+"""Columns of the vectors along body axes, by stream."""
 
 
 def levelled(log: RobotLog) -> tuple[RobotLog, tuple[str, ...]]:
@@ -36,15 +37,12 @@ def levelled(log: RobotLog) -> tuple[RobotLog, tuple[str, ...]]:
 
 
 def _levelled_stream(topic: str, stream: Stream, attitude: Attitude) -> Stream:
-    columns = STREAMS[topic]
-    value = stream.value.copy()
-    for axes in (VELOCITY, FORCE):
-        if set(axes) <= set(columns):
-            places = [columns.index(axis) for axis in axes]
-            value[:, places] = _turned(value[:, places], attitude, stream.time)
-    if YAW_RATE in columns:
-        place = columns.index(YAW_RATE)
-        value[:, place] = _heading_rate(value[:, place], attitude, stream.time)
+    if topic not in BODY_VECTORS:
+        return stream
+    value, vector = stream.value.copy(), BODY_VECTORS[topic]
+    value[:, vector] = _turned(value[:, vector], attitude, stream.time)
+    if topic == "imu":
+        value[:, TURN_RATE] = _heading_rate(value[:, TURN_RATE], attitude, stream.time)
     return replace(stream, value=value)
 
 
@@ -79,7 +77,7 @@ def _contradiction(log: RobotLog, attitude: Attitude) -> str:
         return ""
     measured, parts = climbs
     left = {
-        signs: float(np.mean((measured - parts[:, 0] * signs[0] - parts[:, 1] * signs[1] - parts[:, 2]) ** 2))
+        signs: float(np.mean((measured - parts @ [*signs, 1.0]) ** 2))
         for signs in ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0))
     }
     best = min(left, key=lambda signs: left[signs])
@@ -101,17 +99,16 @@ def _climbs(streams: Mapping[str, Stream], attitude: Attitude) -> tuple[Floats, 
     pose, velocity = streams.get("pose"), streams.get("velocity")
     if pose is None or velocity is None:
         return None
-    seen = np.isfinite(pose.value[:, HEIGHT])
-    places = [STREAMS["velocity"].index(axis) for axis in VELOCITY]
-    known = np.isfinite(velocity.value[:, places]).all(axis=1)
+    seen = np.isfinite(pose.value[:, Z])
+    known = np.isfinite(velocity.value[:, BODY_VECTORS["velocity"]]).all(axis=1)
     if min(np.count_nonzero(seen), np.count_nonzero(known)) < TILT.fewest:
         return None
     edges = np.arange(pose.time[seen][0], pose.time[seen][-1], TILT.climb_span)
     if len(edges) < TILT.fewest:
         return None
-    height = np.interp(edges, pose.time[seen], pose.value[seen, HEIGHT])
+    height = np.interp(edges, pose.time[seen], pose.value[seen, Z])
     middle = 0.5 * (edges[1:] + edges[:-1])
-    u, v, w = (np.interp(middle, velocity.time[known], velocity.value[known, place]) for place in places)
+    u, v, w = (np.interp(middle, velocity.time[known], velocity.value[known, place]) for place in (U, V, W))
     roll, pitch = attitude.roll_at(middle), attitude.pitch_at(middle)
     parts = [-u * np.sin(pitch), v * np.cos(pitch) * np.sin(roll), w * np.cos(pitch) * np.cos(roll)]
     return np.diff(height) / TILT.climb_span, np.column_stack(parts)

@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import JUMPS
 from cocorosim_ros.diagnosis.evidence.streams.log import Stream
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, POSITION
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -25,7 +26,7 @@ class Jump:
     @property
     def distance(self) -> float:
         """Horizontal distance [m] of the leap."""
-        return float(np.hypot(*(self.reached - self.left)[:2]))
+        return float(np.hypot(*(self.reached - self.left)[PLANE]))
 
 
 def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Jump, ...]:
@@ -35,10 +36,10 @@ def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Ju
     """
     if len(pose.time) < JUMPS.fewest:
         return ()
-    place = pose.value[:, :3]
+    place = pose.value[:, POSITION]
     steps = np.diff(pose.time)
     steps = np.maximum(steps, JUMPS.burst * np.median(steps))
-    leap = np.hypot(*np.diff(place[:, :2], axis=0).T)
+    leap = np.hypot(*np.diff(place[:, PLANE], axis=0).T)
     far = leap > reach(pose, platform, hulls) + _top_speed(pose, platform) * steps
     return tuple(
         Jump(float(pose.time[k]), float(pose.time[k + 1]), place[k], place[k + 1]) for k in np.flatnonzero(far)
@@ -47,7 +48,7 @@ def find_jumps(pose: Stream, platform: Platform, hulls: float = 1.0) -> tuple[Ju
 
 def reach(pose: Stream, platform: Platform, hulls: float = 1.0) -> float:
     """Distance [m] that two poses of one moment may lie apart: noise, and `hulls` lengths of the hull."""
-    noise = pose.noise[:2][np.isfinite(pose.noise[:2])]
+    noise = pose.noise[PLANE][np.isfinite(pose.noise[PLANE])]
     return JUMPS.noises * float(noise.max(initial=0.0)) + hulls * platform.hull.length
 
 
@@ -55,7 +56,7 @@ def _top_speed(pose: Stream, platform: Platform) -> float:
     lag = max(round(JUMPS.over / float(np.median(np.diff(pose.time)))), 1)
     own = 0.0
     if len(pose.time) > lag:
-        way = np.hypot(*(pose.value[lag:, :2] - pose.value[:-lag, :2]).T)
+        way = np.hypot(*(pose.value[lag:, PLANE] - pose.value[:-lag, PLANE]).T)
         own = float(np.quantile(way / (pose.time[lag:] - pose.time[:-lag]), JUMPS.usual_top))
     return max(JUMPS.own_speeds * own, JUMPS.platform_speeds * full_speed(platform))
 
@@ -67,7 +68,7 @@ def without_spikes(pose: Stream, jumps: tuple[Jump, ...], platform: Platform) ->
         for back in jumps:
             if not 0.0 <= back.before - there.after <= JUMPS.spike:
                 continue
-            way = np.hypot(*(back.reached - there.left)[:2])
+            way = np.hypot(*(back.reached - there.left)[PLANE])
             if way <= reach(pose, platform) + _top_speed(pose, platform) * (back.after - there.before):
                 kept &= (pose.time < there.after) | (pose.time > back.before)
                 break

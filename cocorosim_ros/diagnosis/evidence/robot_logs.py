@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,24 +14,33 @@ from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude, attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
 from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import HEADING, PLANE, YAW
 from cocorosim_ros.diagnosis.evidence.streams.turning import period_of, turned_by_gyro, unwrapped
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
-HEADINGS = {"pose": 3, "compass": 0}  # column of the angle
-HORIZONTAL = 2  # the first columns of a pose, whose leaps are found by speed and not reading by reading
+HEADINGS = {"pose": YAW, "compass": HEADING}
+"""Column of the angle, by topic."""
 
 
-def robot_log(
-    name: str, topics: Sequence[tuple[TopicRows, Skew]], start_ns: int, actuators: int
-) -> tuple[RobotLog, list[str]]:
+@dataclass(frozen=True)
+class ClockedRows:
+    """Clean rows of a topic, and the rate of the clock that stamped them."""
+
+    rows: TopicRows
+    skew: Skew
+
+
+def robot_log(name: str, topics: Sequence[ClockedRows], start_ns: int, actuators: int) -> tuple[RobotLog, list[str]]:
     """Make the log of a robot from its topics, time counting from `start_ns`; give remarks on what was left out."""
-    commands = next((rows for rows, _ in topics if rows.topic == COMMAND and len(rows.stamp_ns)), None)
+    commands = next((each.rows for each in topics if each.rows.topic == COMMAND and len(each.rows.stamp_ns)), None)
     streams = {
-        rows.topic: Stream(seconds(rows, start_ns), rows.values, np.empty(0), skew.rate, skew.error)
-        for rows, skew in topics
-        if rows.topic != COMMAND and len(rows.stamp_ns)
+        each.rows.topic: Stream(
+            seconds(each.rows, start_ns), each.rows.values, np.empty(0), each.skew.rate, each.skew.error
+        )
+        for each in topics
+        if each.rows.topic != COMMAND and len(each.rows.stamp_ns)
     }
     remarks: list[str] = []
     finished = {topic: _finished(f"{name}/{topic}", topic, streams, remarks) for topic in streams}
@@ -41,7 +50,7 @@ def robot_log(
         commands.values if commands else np.empty((0, actuators)),
         finished,
         gaps_of(finished["pose"].time) if "pose" in finished else (),
-        _attitude([rows for rows, _ in topics], start_ns),
+        _attitude([topic.rows for topic in topics], start_ns),
     )
     level, said = levelled(log)
     return level, [*remarks, *said]
@@ -88,8 +97,8 @@ def _leave_out_leaps(name: str, time: Floats, heading: Floats, noise: float, rem
 
 
 def _leave_out(name: str, topic: str, time: Floats, value: Floats, noise: Floats, remarks: list[str]) -> None:
-    """Write NaN over faulty readings."""
-    for column in range(HORIZONTAL if topic == "pose" else 0, value.shape[1]):
+    """Write NaN over faulty readings; leaps of a pose in the plane are found by speed, not reading by reading."""
+    for column in range(PLANE.stop if topic == "pose" else 0, value.shape[1]):
         wrong = outliers(value[:, column], float(noise[column]))
         if wrong.any():
             value[wrong, column] = np.nan

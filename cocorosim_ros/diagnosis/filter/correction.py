@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from cocorosim_ros.diagnosis.filter.motion import FORCE_X, FORCE_Y, MOMENT, Motion
-from cocorosim_ros.diagnosis.filter.motion import FORCE_Z as FORCE_UP
+from cocorosim_ros.diagnosis.filter.motion import PUSH_X, PUSH_Y, PUSH_YAW, PUSH_Z, Motion
 from cocorosim_ros.diagnosis.filter.reading import is_upright
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
@@ -19,7 +18,7 @@ def correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: flo
     if is_upright(kind):
         row[Z] += gain[VZ] * innovation
         row[HEAVE] += gain[VW] * innovation
-        body.parameters[FORCE_UP] += gain[VFZ] * innovation
+        body.parameters[PUSH_Z] += gain[VFZ] * innovation
         gust[2] += gain[VGZ] * innovation
         return
     row[X] += gain[HX] * innovation
@@ -28,9 +27,9 @@ def correct(motion: Motion, body: Body, kind: int, gain: Floats, innovation: flo
     row[SURGE] += gain[HU] * innovation
     row[SWAY] += gain[HV] * innovation
     row[YAW_RATE] += gain[HR] * innovation
-    body.parameters[FORCE_X] += gain[HFX] * innovation
-    body.parameters[FORCE_Y] += gain[HFY] * innovation
-    body.parameters[MOMENT] += gain[HN] * innovation
+    body.parameters[PUSH_X] += gain[HFX] * innovation
+    body.parameters[PUSH_Y] += gain[HFY] * innovation
+    body.parameters[PUSH_YAW] += gain[HN] * innovation
     gust[0] += gain[HGX] * innovation
     gust[1] += gain[HGY] * innovation
     gust[3] += gain[HGN] * innovation

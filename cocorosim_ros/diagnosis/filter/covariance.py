@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.filter.random_force import Fading
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import add_four, stack_array
 from cocorosim_ros.world.terms.blocks import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
 
-GATE = 6.0  # standard deviations; a reading beyond pulls no harder, and leaves the covariance as it is
+GATE = FILTER.gate
+"""The gate [standard deviations], by a name that compiled functions can see."""
 
 
 @kernel

@@ -28,7 +28,7 @@ from cocorosim_ros.diagnosis.filter.covariance import (
     update,
     update_upright,
 )
-from cocorosim_ros.diagnosis.filter.layout import CORRELATION, FORCE_XY, FORCE_Z, MOMENT_YAW, SMOOTHNESS
+from cocorosim_ros.diagnosis.filter.layout import CORRELATION, RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, SMOOTHNESS
 from cocorosim_ros.diagnosis.filter.motion import (
     FORCE,
     Clock,
@@ -54,9 +54,11 @@ from cocorosim_ros.diagnosis.filter.records import (
     History,
     PassNumbers,
     Past,
+    Rates,
     Readings,
     SlopeNumbers,
     Start,
+    When,
 )
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
@@ -132,10 +134,10 @@ def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: N
 @kernel
 def _add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
     """Let variance into the random forces."""
-    _add_pair(parts.wide, HFX, HORIZONTAL, 3, noise[FORCE_XY], new)
-    _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[FORCE_XY], new)
-    _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[MOMENT_YAW], new)
-    _add_pair(parts.high, VFZ, VERTICAL, 1, noise[FORCE_Z], new)
+    _add_pair(parts.wide, HFX, HORIZONTAL, 3, noise[RMS_LEVEL], new)
+    _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[RMS_LEVEL], new)
+    _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[RMS_YAW], new)
+    _add_pair(parts.high, VFZ, VERTICAL, 1, noise[RMS_UPRIGHT], new)
 
 
 @outlined_kernel
@@ -218,8 +220,8 @@ def _filter(
             kind, after, origin = readings.kind[index], readings.after[index], readings.origin[index]
             if is_of_water(kind):
                 relative_velocity(row, time, body, water)
-            when = readings.stamp[index], after, readings.apart[index], readings.side[index]
-            shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
+            when = When(readings.stamp[index], after, readings.apart[index], readings.side[index])
+            shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
             if is_upright(kind):
@@ -263,8 +265,8 @@ def _slope(
             kind, origin = readings.kind[index], readings.origin[index]
             if is_of_water(kind):
                 relative_velocity(row, time, body, water)
-            when = readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index]
-            shown = expected(kind, when, row, (motion.rate, motion.leap), sensor, water)
+            when = When(readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index])
+            shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water)
             # A reading beyond the gate pulls by the same amount under every model.
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:

@@ -38,4 +38,4 @@ ANGLES = tuple(code for code, kind in enumerate(KIND_TABLE.values()) if kind.ang
 SENSOR_COLUMNS = tuple(ERROR_COLUMNS)
 
 # The random force of the water: rms of its processes, their correlation time and smoothness.
-FORCE_XY, FORCE_Z, MOMENT_YAW, CORRELATION, SMOOTHNESS = range(5)
+RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, CORRELATION, SMOOTHNESS = range(5)

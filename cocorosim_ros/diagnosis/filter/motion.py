@@ -18,8 +18,8 @@ from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE
 from cocorosim_ros.world.terms.blocks import HFX, HFY, HN, HORIZONTAL, HR, HU, HV, HX, HY, HYAW, VERTICAL, VFZ, VW, VZ
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_BITS, PATCH_FORCE_COLUMNS, Body
 
-FORCE_X, FORCE_Y, FORCE_Z, MOMENT = PATCH_FORCE_COLUMNS  # world x, y, z [N] and yaw [N m], behind each other
-FORCE = FORCE_X  # the first of the four
+PUSH_X, PUSH_Y, PUSH_Z, PUSH_YAW = PATCH_FORCE_COLUMNS  # world x, y, z [N] and yaw [N m], behind each other
+FORCE = PUSH_X  # the first of the four
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
 AT_POINT = 2  # number of stages of a step before the rates at its end
@@ -125,8 +125,8 @@ def responses(motion: Motion, time: float, body: Body, response: Floats) -> None
     cosine, sine = NUDGE * math.cos(row[YAW]), NUDGE * math.sin(row[YAW])
     for nudged in range(2):
         if nudged == 1:
-            body.parameters[FORCE_X], body.parameters[FORCE_Y] = cosine - sine, sine + cosine
-            body.parameters[FORCE_Z], body.parameters[MOMENT] = NUDGE, NUDGE
+            body.parameters[PUSH_X], body.parameters[PUSH_Y] = cosine - sine, sine + cosine
+            body.parameters[PUSH_Z], body.parameters[PUSH_YAW] = NUDGE, NUDGE
         state_rate(row, time, body, rate)
         for axis in range(4):
             response[axis] = (rate[SURGE + axis] - response[axis]) / (NUDGE if nudged == 1 else 1.0)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.filter.records import Rates, When
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.tables import compile_lines
@@ -29,7 +30,7 @@ def _expected_lines() -> tuple[list[str], Functions]:
         lines += [f"if kind == {code}:", f"    shown = truth = foresee_{code}(when, row, rates, water)"]
         for number, (change, columns) in enumerate(changes_of(name)):
             functions[f"shown_{code}_{number}"] = change.foreseen or change.shown
-            lines.append(f"    shown = shown_{code}_{number}(shown, truth, when[0], {_numbers(columns)})")
+            lines.append(f"    shown = shown_{code}_{number}(shown, truth, when.stamp, {_numbers(columns)})")
         lines.append("    return shown")
     return [*lines, "return math.nan"], {**functions, "math": math}
 
@@ -37,9 +38,8 @@ def _expected_lines() -> tuple[list[str], Functions]:
 expected = compile_lines("expected", "kind, when, row, rates, sensor, water", *_expected_lines())
 """Expected reading of a kind, in the unit of the kind; `row` is the state at the grid point.
 
-when: stamp of the reading, time after the grid point, distance from it [s] and side of it. rates: the mean of the rate
-of the state on both sides of the grid point, and by how much it is greater behind it. sensor: the numbers of the
-errors, by errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone.
+when: records.When; rates: records.Rates. sensor: the numbers of the errors, by
+errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone.
 """
 
 
@@ -93,6 +93,6 @@ def deviation(kind: int, value: float, expected: float) -> float:
 @allocating_kernel
 def expected_along(kind: int, states: Floats, stamps: Floats, sensor: Floats, shown: Floats) -> None:
     """Write into `shown` (n,) what readings of one kind show in the states (n, STATE_SIZE or more) at `stamps` [s]."""
-    rates, water = (np.zeros(STATE_SIZE), np.zeros(STATE_SIZE)), np.zeros(4)
+    rates, water = Rates(np.zeros(STATE_SIZE), np.zeros(STATE_SIZE)), np.zeros(4)
     for index in range(len(stamps)):
-        shown[index] = expected(kind, (stamps[index], 0.0, 0.0, 0.0), states[index], rates, sensor, water)
+        shown[index] = expected(kind, When(stamps[index], 0.0, 0.0, 0.0), states[index], rates, sensor, water)

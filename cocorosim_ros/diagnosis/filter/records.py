@@ -43,6 +43,22 @@ class Readings(NamedTuple):
     origin: Integers  # (m,) place of each in the order of the track, which is that of all results
 
 
+class When(NamedTuple):
+    """The moment of a reading, and how it lies to the grid point next to it."""
+
+    stamp: float  # s, as it stands in the recording
+    after: float  # s after the grid point, may be negative
+    apart: float  # s from the grid point, mean of averaged readings
+    side: float  # -1 before the grid point, 1 behind it, mean of averaged readings
+
+
+class Rates(NamedTuple):
+    """Rates of the state at a grid point, (8,) each."""
+
+    mean: Floats  # of the rates on both sides of it
+    leap: Floats  # by how much the rate is greater behind it
+
+
 class Drive(NamedTuple):
     """Forces and neighbours that act on the robot from each grid point to the next."""
 

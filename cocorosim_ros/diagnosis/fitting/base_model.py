@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.fitting import RANDOMNESS, RECALIBRATION
+from cocorosim_ros.diagnosis.criteria.fitting import FIRST_NOISE, FULL_FORCES, RANDOMNESS, RECALIBRATION
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
@@ -21,7 +22,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     READING_NOISE_OF_KIND,
 )
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.vehicle_size import ARM, full_forces
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
 from cocorosim_ros.world.sensors import KINDS
@@ -36,20 +37,31 @@ RECALIBRATED: dict[str, tuple[str, str]] = {
     "yaw_inertia": ("inertia", "kg m^2"),
     "buoyancy_gain": ("buoyancy_gain", "1"),
 }
-FIRST_DISTURBANCE = 0.01  # of full thrust
-FIRST_CORRELATION = 2.5  # s
-FIRST_SMOOTHNESS = 0.4
-# By column: standard deviation and bounds of the logarithm, both relative to the value at which the fit begins.
-WATER_PRIOR: dict[str, tuple[float, tuple[float, float]]] = {
-    "random.force": (3.0, (-7.0, 7.0)),
-    "random.heave_force": (3.0, (-7.0, 7.0)),
-    "random.moment": (3.0, (-7.0, 7.0)),
-    "random.correlation": (0.7, (-7.0, math.log(RANDOMNESS.most_correlation / FIRST_CORRELATION))),
-    "random.smoothness": (
-        1.0,
-        (math.log(RANDOMNESS.least_smoothness / FIRST_SMOOTHNESS), -math.log(FIRST_SMOOTHNESS)),
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Prior of a logarithm, relative to the value at which the fit begins: standard deviation and bounds."""
+
+    spread: float
+    bounds: tuple[float, float]
+
+
+_OF_FORCE = Prior(FIRST_NOISE.force_prior, (-FIRST_NOISE.farthest, FIRST_NOISE.farthest))
+WATER_PRIOR = {
+    "random.force": _OF_FORCE,
+    "random.heave_force": _OF_FORCE,
+    "random.moment": _OF_FORCE,
+    "random.correlation": Prior(
+        FIRST_NOISE.correlation_prior,
+        (-FIRST_NOISE.farthest, math.log(RANDOMNESS.most_correlation / FIRST_NOISE.correlation)),
+    ),
+    "random.smoothness": Prior(
+        FIRST_NOISE.smoothness_prior,
+        (math.log(RANDOMNESS.least_smoothness / FIRST_NOISE.smoothness), -math.log(FIRST_NOISE.smoothness)),
     ),
 }
+"""Priors of the random forces, by column."""
 SHARED_NOISE = ("random.correlation", "random.smoothness")
 LEAST_READING_NOISE = {f"reading.{kind.noise or kind.name}": kind.least_noise for kind in KINDS.values()}
 """Least noise of a reading, by column."""
@@ -64,11 +76,11 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
     rows = np.array([track.vehicle.row for track in tracks])
     for row, track in zip(rows, tracks, strict=True):
         full = full_forces(track.vehicle)
-        row[COLUMN["random.force"]] = math.log(FIRST_DISTURBANCE * full.across)
-        row[COLUMN["random.heave_force"]] = math.log(FIRST_DISTURBANCE * full.random_heave)
-        row[COLUMN["random.moment"]] = math.log(FIRST_DISTURBANCE * max(full.yaw, ARM * full.across))
-        row[COLUMN["random.correlation"]] = math.log(FIRST_CORRELATION)
-        row[COLUMN["random.smoothness"]] = math.log(FIRST_SMOOTHNESS)
+        row[COLUMN["random.force"]] = math.log(FIRST_NOISE.disturbance * full.across)
+        row[COLUMN["random.heave_force"]] = math.log(FIRST_NOISE.disturbance * full.random_heave)
+        row[COLUMN["random.moment"]] = math.log(FIRST_NOISE.disturbance * max(full.yaw, FULL_FORCES.arm * full.across))
+        row[COLUMN["random.correlation"]] = math.log(FIRST_NOISE.correlation)
+        row[COLUMN["random.smoothness"]] = math.log(FIRST_NOISE.smoothness)
         for name, kinds in KINDS_OF_STREAM.items():
             if name not in track.log.streams:
                 continue
@@ -84,6 +96,7 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
 def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
     """Unknowns of recalibration: the numbers of each robot's platform that are fitted."""
     found = []
+    bounds = (-FIRST_NOISE.farthest_number, FIRST_NOISE.farthest_number)
     for robot, numbers in tracks_by_robot(tracks).items():
         vehicle = tracks[numbers[0]].vehicle
         ranges = vehicle.ranges
@@ -94,7 +107,7 @@ def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
             if base > 0.0 and (column != "yaw_inertia" or column in ranges):
                 prior = _prior(column, ranges)
                 owner = Owner(PLATFORM, (robot,), name, unit)
-                found.append(Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=(-4.0, 4.0)))
+                found.append(Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=bounds))
     return found
 
 
@@ -105,7 +118,7 @@ def _prior(column: str, ranges: Ranges) -> float:
     """
     wanted = {"thrust_gain": ".maximum", "yaw_torque_gain": ".maximum"}.get(column, column)
     found = [each for key, each in ranges.items() if key.endswith(wanted) and each.low > 0.0]
-    widths = [math.log(each.high / each.low) / 4.0 for each in found]
+    widths = [math.log(each.high / each.low) / RECALIBRATION.range_widths for each in found]
     return max([RECALIBRATION.prior, *widths])
 
 
@@ -122,9 +135,14 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
     alone = {(robot,): numbers for robot, numbers in robots.items()}
     found = [
         Unknown(
-            _noise_owner(RANDOM_FORCE, names, column), column, alike, _at(rows, alike, column), prior=prior, bounds=ends
+            _noise_owner(RANDOM_FORCE, names, column),
+            column,
+            alike,
+            _at(rows, alike, column),
+            prior=prior.spread,
+            bounds=prior.bounds,
         )
-        for column, (prior, ends) in WATER_PRIOR.items()
+        for column, prior in WATER_PRIOR.items()
         for names, alike in (everybody if column in SHARED_NOISE else alone).items()
     ]
     for robot, numbers in robots.items():
@@ -132,8 +150,9 @@ def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:
             owner = _noise_owner(READING, (robot,), column)
             for alike in [(number,) for number in numbers] if column.startswith("reading.pose") else [numbers]:
                 base = _at(rows, alike, column)
-                least = max(-3.0, math.log(LEAST_READING_NOISE[column]) - base)
-                found.append(Unknown(owner, column, alike, base, prior=0.7, bounds=(least, 5.0)))
+                least = max(-FIRST_NOISE.finer_reading, math.log(LEAST_READING_NOISE[column]) - base)
+                ends = (least, FIRST_NOISE.coarser_reading)
+                found.append(Unknown(owner, column, alike, base, prior=FIRST_NOISE.reading_prior, bounds=ends))
     return found
 
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
+from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
@@ -18,8 +19,6 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
-
-OVER = 0.1  # logarithm by which a shape may exceed the largest value of its grid
 
 
 class Robots(NamedTuple):
@@ -136,13 +135,13 @@ def _shape(shape: Shape, owner: Owner, tracks: tuple[int, ...], value: float, gr
     """Make a shape into an unknown around `value`, a point of its grid.
 
     q counts spacings of the grid, or is the logarithm of the shape over `value` where the shape is logarithmic. Bounds
-    keep the shape near the grid: within half a spacing; on a logarithmic grid a spacing below and OVER above it. A
+    keep the shape near the grid: within half a spacing; on a logarithmic grid a spacing below and a little above it. A
     periodic shape is not bounded.
     """
     ends = (min(grid), max(grid))
     if shape.logarithmic:
         spacing = math.log(ends[1] / ends[0]) / (len(grid) - 1) if len(grid) > 1 else 0.5
-        reach = (math.log(ends[0] / value) - spacing, math.log(ends[1] / value) + OVER)
+        reach = (math.log(ends[0] / value) - spacing, math.log(ends[1] / value) + STEPS.beyond_grid)
         return Unknown(
             owner, shape.column, tracks, value, 1.0, True, prior=3.0 * spacing, step=0.1 * spacing, bounds=reach
         )

@@ -11,14 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
+from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE, STEPS
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
 from cocorosim_ros.diagnosis.fitting.noise_information import noise_information
 from cocorosim_ros.diagnosis.fitting.solving import clipped, step_within
 
-LARGEST_NOISE_STEP = 1.0  # of a logarithm
-HALVINGS = 4
-DAMPINGS = (0.0, 0.3, 3.0, 30.0, 300.0)  # of the curvature of each noise
+STEP_HALVINGS = 4
 
 
 def improved(fit: Fit, rounds: int) -> Fit:
@@ -38,7 +36,7 @@ def _unknowns_step(fit: Fit) -> Fit | None:
     known = information(fit)
     step = step_within(known.matrix, known.score, fit.unknowns, fit.q)
     return _first_better(
-        fit, (replace(fit, q=clipped(fit.unknowns, fit.q + step / 2.0**halving)) for halving in range(HALVINGS))
+        fit, (replace(fit, q=clipped(fit.unknowns, fit.q + step / 2.0**halving)) for halving in range(STEP_HALVINGS))
     )
 
 
@@ -70,10 +68,11 @@ def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     def damped(damping: float) -> Fit:
         step = step_within(matrix + damping * np.diag(np.diag(matrix)), score, unknowns, fit.q_noise[chosen])
         q = fit.q_noise.copy()
-        q[chosen] = clipped(unknowns, q[chosen] + np.clip(step, -LARGEST_NOISE_STEP, LARGEST_NOISE_STEP))
+        largest = STEPS.largest_noise_step
+        q[chosen] = clipped(unknowns, q[chosen] + np.clip(step, -largest, largest))
         return replace(fit, q_noise=q)
 
-    return _first_better(fit, map(damped, DAMPINGS))
+    return _first_better(fit, map(damped, STEPS.dampings))
 
 
 def _first_better(fit: Fit, trials: Iterable[Fit]) -> Fit | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
@@ -16,7 +17,6 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.scenario.reading.ranges import Range, Ranges
 
 SECTION = "effects."
-WIDTHS = 4.0  # standard deviations of the prior in a range
 
 
 def declared_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
@@ -42,7 +42,7 @@ def _declared(ranges: Ranges) -> Iterator[tuple[str, Range]]:
 
 
 def _unknown(robot: str, numbers: tuple[int, ...], column: str, limits: Range, base: float) -> Unknown:
-    width = (limits.high - limits.low) / WIDTHS
+    width = (limits.high - limits.low) / RECALIBRATION.range_widths
     bounds = ((limits.low - base) / width, (limits.high - base) / width)
     owner = Owner(PLATFORM, (robot,), column, limits.unit)
     return Unknown(owner, column, numbers, base, scale=width, prior=1.0, bounds=bounds)

@@ -16,11 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import wilcoxon
 
+from cocorosim_ros.diagnosis.criteria.fitting import HELD_OUT
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.foundation.arrays import Floats
-
-BLOCKS = 10  # of each recording
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,7 @@ def held_out_gain(base: Fit, more: Fit, kept: Collection[str] = ()) -> HeldOutGa
 
 
 def _foretold(fit: Fit, kept: Collection[str]) -> Floats:
-    """Log-likelihood of each block under the fit to all others [nats], up to a constant: (tracks * BLOCKS,)."""
+    """Log-likelihood of each block under the fit to all others [nats], up to a constant: (tracks * blocks,)."""
     known = information(fit)
     loose = np.array([unknown.column not in kept for unknown in fit.unknowns], dtype=bool)
     matrix, known_score = known.matrix[np.ix_(loose, loose)], known.score[loose]
@@ -55,9 +54,10 @@ def _foretold(fit: Fit, kept: Collection[str]) -> Floats:
     for track, passed, slope in zip(fit.tracks, fit.passes, known.slopes, strict=True):
         grid = track.timeline.grid
         block = np.minimum(
-            ((track.timeline.stamp - grid.begin) / (grid.step * grid.points) * BLOCKS).astype(np.int64), BLOCKS - 1
+            ((track.timeline.stamp - grid.begin) / (grid.step * grid.points) * HELD_OUT.blocks).astype(np.int64),
+            HELD_OUT.blocks - 1,
         )
-        for number in range(BLOCKS):
+        for number in range(HELD_OUT.blocks):
             chosen = block == number
             innovation, variance = passed.innovation[chosen], passed.variance[chosen]
             moved = slope[chosen][:, loose]

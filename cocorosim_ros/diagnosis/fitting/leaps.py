@@ -12,20 +12,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
+from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE, RECALIBRATION, STEPS
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.solving import clipped
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
 from cocorosim_ros.foundation.arrays import Flags
 
-LEAPS = (-2.0, -1.0, 1.0, 2.0)  # changes of the logarithm of a noise
-MOST_TURNS = 4
-
 
 def leapt(fit: Fit, rounds: int) -> Fit:
-    """Leap and settle (at most `rounds` each time) until no leap gains enough, MOST_TURNS times at most."""
-    for _ in range(MOST_TURNS):
+    """Leap and settle (at most `rounds` each time) until no leap gains enough, `most_leaps` times at most."""
+    for _ in range(RECALIBRATION.most_leaps):
         best = fit
         for moved in _moving_together(fit):
             best = _best_leap(best, moved)
@@ -46,9 +43,9 @@ def _moving_together(fit: Fit) -> Iterator[Flags]:
 
 
 def _best_leap(fit: Fit, moved: Flags) -> Fit:
-    """Try all LEAPS of the chosen noise; return the best fit, or `fit` itself if no leap gains enough."""
+    """Try all leaps of the chosen noise; return the best fit, or `fit` itself if no leap gains enough."""
     best = fit
-    for leap in LEAPS:
+    for leap in STEPS.leaps:
         trial = evaluated(replace(fit, q_noise=clipped(fit.noise, fit.q_noise + leap * moved)))
         if trial.objective > best.objective + CONVERGENCE.worth:
             best = trial

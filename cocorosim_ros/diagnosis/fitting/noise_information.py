@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.solving import solve
@@ -14,8 +15,6 @@ from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
-
-NOISE_STEP = 0.02  # change of the logarithm of a noise
 
 
 def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
@@ -34,7 +33,9 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
     def of_track(number: int) -> tuple[Floats, Floats]:
         row = filled[number]
         others = [
-            nudged(row, unknown, float(fit.q_noise[index]) + NOISE_STEP) if number in unknown.tracks else None
+            nudged(row, unknown, float(fit.q_noise[index]) + STEPS.noise_difference)
+            if number in unknown.tracks
+            else None
             for index, unknown in zip(chosen, unknowns, strict=True)
         ]
         return _of_track(fit.tracks[number], fit.passes[number], others)
@@ -56,8 +57,8 @@ def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tupl
         other = track.filter.full(row)
         believed = passed.believed & other.believed
         change = _shorter(other.innovation - passed.innovation, track)
-        mean[column] = np.where(believed, change / NOISE_STEP, 0.0)
-        spread[column] = (other.variance - passed.variance) / NOISE_STEP
+        mean[column] = np.where(believed, change / STEPS.noise_difference, 0.0)
+        spread[column] = (other.variance - passed.variance) / STEPS.noise_difference
     excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
     relative = spread / passed.variance
     one = np.ones_like(passed.variance)

@@ -19,15 +19,13 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_COLUMNS, WATE
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.foundation.arrays import Floats
 
-MOST_DOUBLINGS = 12
-MOST_ROUNDS = 10  # turns of noise and unknowns; a good start needs two or three
 INERTIAL = ("reading.gyro_z", "reading.accel")
 # By column: how much the logarithm of a noise moves for the second start.
 AT_RANDOM = {
-    "random.force": math.log(10.0),
-    "random.heave_force": math.log(10.0),
-    "random.moment": math.log(10.0),
-    "random.correlation": -math.log(10.0),
+    "random.force": RECALIBRATION.at_random,
+    "random.heave_force": RECALIBRATION.at_random,
+    "random.moment": RECALIBRATION.at_random,
+    "random.correlation": -RECALIBRATION.at_random,
 }
 
 
@@ -49,12 +47,12 @@ def base_fit(evidence: Evidence) -> Fit:
     """
     first = first_fit(evidence)
     if not any(_is_shut(first, unknown) for unknown in first.noise):
-        return settled(first, MOST_ROUNDS)
+        return settled(first, RECALIBRATION.most_rounds)
     starts = [first, _at_random(first)]
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
-    ways = [settled(_opened(start), MOST_ROUNDS) for start in starts]
-    return leapt(max(ways, key=lambda fit: fit.objective), MOST_ROUNDS)
+    ways = [settled(_opened(start), RECALIBRATION.most_rounds) for start in starts]
+    return leapt(max(ways, key=lambda fit: fit.objective), RECALIBRATION.most_rounds)
 
 
 def _at_random(fit: Fit) -> Fit:
@@ -81,7 +79,7 @@ def _opened(fit: Fit) -> Fit:
     Otherwise the fit would learn nothing from them. A sensor that is off by many times its noise has no outliers but a
     fault; once this fault is in the model, the fit takes the noise back.
     """
-    for _ in range(MOST_DOUBLINGS):
+    for _ in range(RECALIBRATION.most_doublings):
         shut = [_is_shut(fit, unknown) for unknown in fit.noise]
         if not any(shut):
             return fit

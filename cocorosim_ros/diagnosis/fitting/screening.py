@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 
@@ -23,6 +24,14 @@ from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
+
+
+@dataclass(frozen=True)
+class Summand:
+    """A direction of a weighted sum, by its number, and its weight."""
+
+    number: int
+    weight: float
 
 
 @dataclass(frozen=True)
@@ -120,10 +129,11 @@ class _Products:
         self._absorbed = [solve(screen.known.matrix, cross) for cross in self._cross]
         self._found: dict[tuple[int, int], Floats] = {}
 
-    def mixed(self, weighted: Sequence[tuple[int, float]]) -> tuple[Floats, Floats]:
-        """Information (n, n) and score (n,) of a sum of directions, given by their numbers and weights."""
-        own = sum(one * other * self._pair(i, j) for i, one in weighted for j, other in weighted)
-        score = sum(weight * self._score(number) for number, weight in weighted)
+    def mixed(self, weighted: Sequence[Summand]) -> tuple[Floats, Floats]:
+        """Information (n, n) and score (n,) of a weighted sum of directions."""
+        pairs = product(weighted, repeat=2)
+        own = sum(one.weight * other.weight * self._pair(one.number, other.number) for one, other in pairs)
+        score = sum(each.weight * self._score(each.number) for each in weighted)
         return 0.5 * np.asarray(own + np.transpose(own)), np.asarray(score)
 
     def _score(self, number: int) -> Floats:
@@ -164,11 +174,11 @@ class _Directions:
         self._found: dict[tuple[tuple[str, float], ...], int] = {}
         self.slopes: list[tuple[Floats, ...]] = []
 
-    def sum_at(self, values: dict[str, float]) -> list[tuple[int, float]]:
-        """Numbers and weights of the slopes that add up to the slope at the given shapes."""
+    def sum_at(self, values: dict[str, float]) -> list[Summand]:
+        """The weighted slopes that add up to the slope at the given shapes."""
         basis = self._candidate.entry.basis
         wanted = basis(values) if basis is not None and values else [(values, 1.0)]
-        return [(self._number(shapes), weight) for shapes, weight in wanted]
+        return [Summand(self._number(shapes), weight) for shapes, weight in wanted]
 
     def _number(self, values: dict[str, float]) -> int:
         """Number of the slope at the given shapes, computed when first asked for."""

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -16,7 +17,7 @@ def solve(matrix: Floats, right: Floats) -> Floats:
         return np.zeros_like(right)
     scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
     values, vectors = np.linalg.eigh(matrix * scale[:, None] * scale)
-    inverse = np.where(values > 1e-10, 1.0 / np.maximum(values, 1e-300), 0.0)
+    inverse = np.where(values > STEPS.no_information, 1.0 / np.maximum(values, 1e-300), 0.0)
     shaped = right * (scale if right.ndim == 1 else scale[:, None])
     result = vectors @ ((vectors.T @ shaped).T * inverse).T
     return np.asarray(result * (scale if right.ndim == 1 else scale[:, None]))
@@ -28,8 +29,9 @@ def step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: F
     Were they not held, the others would move to make room for a step that is then cut off.
     """
     step = np.zeros(len(unknowns))
+    pushes = np.sign(score) * STEPS.least_push
     free = np.array([unknown.clipped(number + push) != number or push == 0.0
-                     for unknown, number, push in zip(unknowns, q, np.sign(score) * 1e-9, strict=True)])  # fmt: skip
+                     for unknown, number, push in zip(unknowns, q, pushes, strict=True)])  # fmt: skip
     step[free] = solve(matrix[np.ix_(free, free)], score[free])
     return step
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.foundation.arrays import Floats
 
-CAUTIOUS = 0.3  # of the promised amplitudes
-HALVINGS = 4
+SPACING_HALVINGS = 4
 
 
 def best_start(at: Callable[[Floats], Fit], promised: Floats, candidate: Candidate) -> Fit:
@@ -23,7 +23,7 @@ def best_start(at: Callable[[Floats], Fit], promised: Floats, candidate: Candida
 
     at: makes and evaluates a fit with these amplitudes (n,), in q; promised: the amplitudes that the screening found.
     """
-    best = max((at(promised), at(CAUTIOUS * promised)), key=lambda fit: fit.objective)
+    best = max((at(promised), at(STEPS.cautious * promised)), key=lambda fit: fit.objective)
     grid = candidate.searched()
     return best if not grid else max(best, _found(at, grid), key=lambda fit: fit.objective)
 
@@ -34,7 +34,7 @@ def _found(at: Callable[[Floats], Fit], grid: Sequence[Floats]) -> Fit:
     place = max(range(len(grid)), key=lambda index: fits[index].objective)
     best, middle = fits[place], grid[place]
     width = middle - grid[place - 1] if place > 0 else middle
-    for _ in range(HALVINGS):
+    for _ in range(SPACING_HALVINGS):
         width = 0.5 * width
         around = [(at(point), point) for point in (middle - width, middle + width)]
         best, middle = max([(best, middle), *around], key=lambda pair: pair[0].objective)

@@ -188,6 +188,7 @@ def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:
     more = [
         each
         for each in tested[SEARCH.leaders :]
-        if each.candidate.entry.group in groups and each.nats > min(SEARCH.worth_refining, 0.1 * leaders[0].nats)
+        if each.candidate.entry.group in groups
+        and each.nats > min(SEARCH.worth_refining, SEARCH.group_share * leaders[0].nats)
     ]
     return [*leaders, *more][: SEARCH.most_refined]

@@ -21,8 +21,6 @@ from cocorosim_ros.world.terms.search import Scene
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
 IN_BODY = ("surge", "sway")
-PEAKS = 3
-CHANGES = 3
 
 
 def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
@@ -38,7 +36,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
     """
     places = np.concatenate([course.mean[:, X : Z + 1] for course in courses])
     seen = np.concatenate([course.mean for course in courses])
-    lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + 0.05)
+    lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + SWINGS.least_extent)
     duration = max(float(course.time[-1]) for course in courses)
     forces = {name: [course.mean[:, column] for course in courses] for name, column in FORCE_COLUMNS.items()}
     forces |= {name: [_in_body(course.mean)[axis] for course in courses] for axis, name in enumerate(IN_BODY)}
@@ -87,7 +85,7 @@ def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[flo
         total = power if len(total) == 0 else total + power
     wanted = (frequency > SWINGS.swings / duration) & (frequency < 1.0 / SWINGS.shortest_period)
     peaks, _ = find_peaks(np.where(wanted, total, 0.0))
-    strongest = peaks[np.argsort(total[peaks])[::-1][:PEAKS]]
+    strongest = peaks[np.argsort(total[peaks])[::-1][: SWINGS.most_periods]]
     return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS.swings)
 
 
@@ -100,7 +98,7 @@ def _changes(time: Floats, force: Floats) -> list[float]:
     middle = np.arange(width, len(time) - width)
     change = np.abs(total[middle + width] - 2.0 * total[middle] + total[middle - width]) / width
     peaks, _ = find_peaks(change, distance=width)
-    strongest = peaks[np.argsort(change[peaks])[::-1][:CHANGES]]
+    strongest = peaks[np.argsort(change[peaks])[::-1][: SWINGS.most_changes]]
     return [float(time[middle[peak]]) for peak in strongest]
 
 
@@ -113,7 +111,7 @@ def _scales(track: Track, seen: Floats, duration: float) -> dict[str, float]:
     extent = Extent(
         np.sqrt(np.mean(seen**2, axis=0)),
         duration,
-        np.maximum(vehicle.force_scale, 1e-9),
+        np.maximum(vehicle.force_scale, SWINGS.least_force),
         bool(vehicle.surroundings.upper[0] < FAR),
     )
     full = full_forces(vehicle)

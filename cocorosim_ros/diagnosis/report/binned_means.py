@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +17,14 @@ class BinnedMeans(NamedTuple):
     centre: Floats
     mean: Floats
     half_width: Floats
+
+
+@dataclass(frozen=True)
+class CellEdges:
+    """Edges of the cells of a map seen from above, along x and along y [m; world], ascending."""
+
+    x: Floats
+    y: Floats
 
 
 def binned_means(abscissa: Floats, values: Floats, classes: int = 12) -> BinnedMeans:
@@ -48,14 +57,15 @@ def _class_mean(abscissa: Floats, values: Floats, inside: Flags) -> tuple[float,
     return float(abscissa[inside].mean()), mean, 1.96 * error
 
 
-def mean_map(place: Floats, values: Floats, edges: tuple[Floats, Floats], least: int = 1) -> Floats:
-    """Means (rows along y, columns along x, ...) of values (n, ...) in a grid of places (n, 2).
+def mean_map(place: Floats, values: Floats, edges: CellEdges, least: int = 1) -> Floats:
+    """Means (rows along y, columns along x, ...) of values (n, ...) in a grid of places (n, 2) [m; world].
 
     NaN in cells with fewer than `least` samples.
     """
-    columns = np.digitize(place[:, 0], edges[0]) - 1
-    rows = np.digitize(place[:, 1], edges[1]) - 1
-    shape = (len(edges[1]) - 1, len(edges[0]) - 1)
+    x, y = place.T
+    columns = np.digitize(x, edges.x) - 1
+    rows = np.digitize(y, edges.y) - 1
+    shape = (len(edges.y) - 1, len(edges.x) - 1)
     inside = (columns >= 0) & (columns < shape[1]) & (rows >= 0) & (rows < shape[0])
     total = np.zeros((*shape, *values.shape[1:]))
     count = np.zeros(shape)

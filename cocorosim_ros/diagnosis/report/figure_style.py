@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.report.number_text import Scale
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -23,7 +24,6 @@ BEFORE, AFTER, NOMINAL, MEASURED = "#d9792b", "#2f7fc1", "#a05195", "#808a94"
 QUIET = "#8a94a0"
 # Replaced by the colour of the page's text, which is dark on light or light on dark.
 INK = "#010203"
-MOST_POINTS = 400
 _STYLE: dict[Any, Any] = {
     "svg.fonttype": "none",
     "svg.hashsalt": "cocorosim",
@@ -121,7 +121,7 @@ def labelled(name: str, scale: Scale, between: str = " ") -> str:
     return f"{name}{between}[{scale.unit}]" if scale.unit else name
 
 
-def thinned(values: Floats, most: int = MOST_POINTS) -> Floats:
+def thinned(values: Floats, most: int = REPORT.most_points) -> Floats:
     """Means over equal stretches along the first axis, at most `most` of them."""
     if len(values) <= most:
         return values

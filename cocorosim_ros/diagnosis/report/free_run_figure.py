@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from markupsafe import Markup
@@ -22,10 +23,25 @@ from cocorosim_ros.diagnosis.report.figure_style import (
 )
 from cocorosim_ros.diagnosis.report.number_text import handy_scale
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
-MODELS = (("nominal", NOMINAL), ("recalibrated", BEFORE), ("augmented", AFTER))
 CHANNEL_UNITS = {"position": "m", "heading": "rad", "depth": "m"}
-MODEL_WORDS = {"nominal": "platform file", "recalibrated": "recalibrated", "augmented": "with the effects"}
+
+
+@dataclass(frozen=True)
+class DrawnModel:
+    """A model in the pictures: its name among the paths of a free run, its colour and its label."""
+
+    name: str
+    colour: str
+    label: str
+
+
+DRAWN_MODELS = (
+    DrawnModel("nominal", NOMINAL, "platform file"),
+    DrawnModel("recalibrated", BEFORE, "recalibrated"),
+    DrawnModel("augmented", AFTER, "with the effects"),
+)
 
 
 def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmented: bool) -> Markup:
@@ -33,7 +49,7 @@ def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmen
     shown = [name for name in CHANNEL_UNITS if name in channels]
     if not runs or not shown:
         return Markup("")
-    models = MODELS if augmented else MODELS[:2]
+    models = DRAWN_MODELS if augmented else DRAWN_MODELS[:2]
     above = "position" in shown
     with Drawing(len(runs), len(shown) + above, 0.75 + 2.6 * len(runs), Margins(top=0.62)) as drawing:
         for row, run in zip(drawing.axes, runs, strict=True):
@@ -49,23 +65,24 @@ def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmen
     return drawing.svg
 
 
-def _from_above(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]]) -> None:
-    axes.plot(run.measured[:, 0], run.measured[:, 1], color=MEASURED, linewidth=3.5, alpha=0.6, label="measured")
-    for name, colour in models:
-        path = getattr(run, name)
-        axes.plot(path[:, 0], path[:, 1], color=colour, linewidth=1.3, label=MODEL_WORDS[name])
-        axes.plot(path[-1:, 0], path[-1:, 1], "o", color=colour, markersize=3.5)
-    axes.plot(run.measured[:1, 0], run.measured[:1, 1], "o", color=MEASURED, markersize=5, fillstyle="none")
+def _from_above(axes: Axes, run: FreeRun, models: Sequence[DrawnModel]) -> None:
+    axes.plot(run.measured[:, X], run.measured[:, Y], color=MEASURED, linewidth=3.5, alpha=0.6, label="measured")
+    for model in models:
+        path = getattr(run, model.name)
+        axes.plot(path[:, X], path[:, Y], color=model.colour, linewidth=1.3, label=model.label)
+        axes.plot(path[-1:, X], path[-1:, Y], "o", color=model.colour, markersize=3.5)
+    axes.plot(run.measured[:1, X], run.measured[:1, Y], "o", color=MEASURED, markersize=5, fillstyle="none")
     style_axes(axes, ticks=4)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set(ylabel="y [m]", title=f"{run.robot}, from {run.time[0]:.0f} s")
 
 
-def _over_time(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]], channel: str) -> None:
-    errors = {name: _error(getattr(run, name), run.measured, channel) for name, _ in models}
+def _over_time(axes: Axes, run: FreeRun, models: Sequence[DrawnModel], channel: str) -> None:
+    errors = {name: _error(getattr(run, name), run.measured, channel) for name in (model.name for model in models)}
     scale = handy_scale(max(largest(error) for error in errors.values()), CHANNEL_UNITS[channel])
-    for name, colour in models:
-        axes.plot(run.time, errors[name] * scale.factor, color=colour, linewidth=1.3, label=MODEL_WORDS[name])
+    for model in models:
+        error = errors[model.name] * scale.factor
+        axes.plot(run.time, error, color=model.colour, linewidth=1.3, label=model.label)
     style_axes(axes, ticks=4)
     axes.set_title(labelled(f"error of {channel}", scale))
     axes.margins(x=0.01)
@@ -73,7 +90,7 @@ def _over_time(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]], chan
 
 def _error(path: Floats, measured: Floats, channel: str) -> Floats:
     if channel == "position":
-        return np.asarray(np.hypot(*(path[:, :2] - measured[:, :2]).T))
+        return np.asarray(np.hypot(*(path[:, X:Z] - measured[:, X:Z]).T))
     if channel == "depth":
-        return np.asarray(np.abs(path[:, 2] - measured[:, 2]))
-    return np.asarray(np.abs(np.mod(path[:, 3] - measured[:, 3] + np.pi, 2 * np.pi) - np.pi))
+        return np.asarray(np.abs(path[:, Z] - measured[:, Z]))
+    return np.asarray(np.abs(np.mod(path[:, YAW] - measured[:, YAW] + np.pi, 2 * np.pi) - np.pi))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from cocorosim_ros.diagnosis.criteria.report import REPORT
+from cocorosim_ros.diagnosis.criteria.report import MANOEUVRE, REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -13,11 +13,6 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.controllers.programme import ROWS
 from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
-
-LEAST_DURATION = 600.0  # s; ten minutes are good for a diagnosis
-LONG = 1800.0  # s
-DEPTH = 4.0  # m of water
-SIDE, LEAST_SIDE = 100.0, 6.0  # s at full speed; m
 
 
 class Row(NamedTuple):
@@ -72,9 +67,9 @@ def scenario_of(name: str, platform: Platform, reference: str) -> str:
             f"{platform.origin}: 'actuators' has {len(platform.actuators)}, and {DIRECT_LIMIT} are the most that a "
             "programme of commands can drive; drive the manoeuvre with a controller of your own."
         )
-    side = max(LEAST_SIDE, math.ceil(SIDE * full_speed(platform)))
+    side = max(MANOEUVRE.least_side, math.ceil(MANOEUVRE.side * full_speed(platform)))
     poses = "\n".join(
-        f"        - [{x:g} m, {y:g} m, -{DEPTH / 2:g} m, 0 deg]" for x, y in _places(name, platform, side)
+        f"        - [{x:g} m, {y:g} m, -{MANOEUVRE.depth / 2:g} m, 0 deg]" for x, y in _places(name, platform, side)
     )
     settings = "\n".join(f"      {key}: {value}" for key, value in _overrides(name, platform).items())
     return f"""# {MANOEUVRES[name][0].upper()}{MANOEUVRES[name][1:]}. Make the tank yours.
@@ -85,7 +80,7 @@ tick: 0.5 s
 duration: {_duration(name):g} s
 
 tank:
-  size: [{side:g} m, {side:g} m, {DEPTH:g} m]
+  size: [{side:g} m, {side:g} m, {MANOEUVRE.depth:g} m]
 
 integrator:
   name: rk4
@@ -114,7 +109,7 @@ recording:
 def _duration(name: str) -> float:
     """Duration [s] of the fewest whole rounds of the programme that last long enough."""
     once = sum(row.seconds for row in PROGRAMMES[name])
-    return once * math.ceil((LONG if name == "repeat_at_end" else LEAST_DURATION) / once)
+    return once * math.ceil((MANOEUVRE.long if name == "repeat_at_end" else MANOEUVRE.least_duration) / once)
 
 
 def _places(name: str, platform: Platform, side: float) -> list[tuple[float, float]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from markupsafe import Markup
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import ResidualReading
 from cocorosim_ros.diagnosis.report.binned_means import binned_means
 from cocorosim_ros.diagnosis.report.figure_style import (
@@ -19,15 +20,13 @@ from cocorosim_ros.diagnosis.report.figure_style import (
 )
 from cocorosim_ros.diagnosis.report.number_text import handy_scale
 
-_DOTS = 600
-
 
 def reading_figure(reading: ResidualReading) -> Markup:
     """Draw the deviation of the readings over the quantity that it depends on, before and after."""
     y_scale = handy_scale(largest(reading.before), reading.unit)
     x_scale = handy_scale(largest(reading.against), reading.against_unit)
     x = reading.against * x_scale.factor
-    every = max(1, len(x) // _DOTS)
+    every = max(1, len(x) // REPORT.most_dots)
     with Drawing(1, 1, 3.0, Margins(top=0.1)) as drawing:
         axes = drawing.axes[0, 0]
         for values, colour, label in (

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.findings import Located, ResidualForce
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR, values_along
 
@@ -31,24 +33,32 @@ class Missing(NamedTuple):
     unit: str
 
 
-def said_law(located: Located) -> tuple[str, str]:
+@dataclass(frozen=True)
+class SaidLaw:
+    """The equation of a finding and what it is in proportion to, by their own names."""
+
+    equation: str
+    regressor: str
+
+
+def said_law(located: Located) -> SaidLaw:
     """Equation and regressor by their own names; diagnosis.json writes 'x (world_x)' beside an equation of the body."""
     if located.law is None or located.law.topic is not None:
-        return located.equation, located.regressor
-    return located.law.of, located.law.product.text
+        return SaidLaw(located.equation, located.regressor)
+    return SaidLaw(located.law.of, located.law.product.text)
 
 
 def residual_of(equation: str, residual: ResidualForce) -> Missing | None:
     """Force or moment missing from an equation of motion; None for a stream's equation."""
     if equation not in EQUATION:
         return None
-    yaw = residual.place[:, 3]
-    along, across = residual.force[:, 0], residual.force[:, 1]
+    yaw = residual.place[:, YAW]
+    along, across, upwards, moment = residual.force.T
     turned = {
         "world_x": along * np.cos(yaw) - across * np.sin(yaw),
         "world_y": along * np.sin(yaw) + across * np.cos(yaw),
-        "world_z": residual.force[:, 2],
-        **{name: residual.force[:, column] for column, name in enumerate(OF_BODY)},
+        "world_z": upwards,
+        **dict(zip(OF_BODY, (along, across, upwards, moment), strict=True)),
     }
     return Missing(turned[equation], residual.spread[:, _SPREAD[equation]], EQUATION[equation].unit)
 

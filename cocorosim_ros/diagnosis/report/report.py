@@ -36,7 +36,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.words import (
-    CHANNELS,
+    CHANNEL_WORDS,
     NOISES,
     TIERS,
     VERDICTS,
@@ -131,7 +131,8 @@ def _more(robots: Sequence[str]) -> str:
 
 def _located(found: Located) -> Context:
     start, end = found.when
-    equation, regressor = said_law(found)
+    law = said_law(found)
+    equation, regressor = law.equation, law.regressor
     return {
         "equation": equation.replace("_", " "),
         "regressor": typeset(regressor) if regressor != "1" else "nothing: it is constant",
@@ -145,13 +146,17 @@ def _located(found: Located) -> Context:
 
 def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
     mine = [each for each in diagnosis.mismatch if not each.robots or pair.before.robot in each.robots]
-    equations = [name for name, _ in map(said_law, mine) if residual_of(name, pair.before)] or ["surge", "yaw"]
+    equations = [law.equation for law in map(said_law, mine) if residual_of(law.equation, pair.before)] or [
+        "surge",
+        "yaw",
+    ]
     leading = equations[0]
+    drawn = [(each, said_law(each)) for each in mine[: REPORT.most_located]]
     return {
         "robot": pair.before.robot,
         "paired": pair.after is not None,
         "over_time": over_time(pair),
-        "against": [(against_regressor(pair, each), *said_law(each)) for each in mine[: REPORT.most_located]],
+        "against": [(against_regressor(pair, each), law.equation, law.regressor) for each, law in drawn],
         "left_out": _left_out(pair, mine, {each.topic for each in diagnosis.readings}),
         "leading": leading.replace("_", " "),
         "over_place": over_place(pair, leading) if "position" in diagnosis.fit or not diagnosis.fit else "",
@@ -161,7 +166,11 @@ def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
 
 def _left_out(pair: Pair, mine: Sequence[Located], drawn_streams: Collection[str]) -> list[str]:
     """A sentence for each finding about a robot that has no picture of its own."""
-    said = [why_not_drawn(pair, each) for each in mine[: REPORT.most_located] if said_law(each)[0] not in drawn_streams]
+    said = [
+        why_not_drawn(pair, each)
+        for each in mine[: REPORT.most_located]
+        if said_law(each).equation not in drawn_streams
+    ]
     if len(mine) > REPORT.most_located:
         said.append(f"Drawn are the {REPORT.most_located} clearest of {len(mine)} findings; the table has all.")
     return [sentence for sentence in said if sentence]
@@ -207,7 +216,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
     augmented = bool(diagnosis.effects)
     return {
         "fit": [
-            {"channel": CHANNELS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
+            {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
         ],
         "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),

@@ -9,6 +9,7 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, Located, ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import binned_means
 from cocorosim_ros.diagnosis.report.figure_style import (
@@ -28,6 +29,7 @@ from cocorosim_ros.diagnosis.report.regressors import (
     OF_BODY,
     Along,
     Missing,
+    SaidLaw,
     followed_by,
     regressor_of,
     residual_of,
@@ -37,8 +39,24 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-_DOTS = 600
 _CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A residual force in a picture: its colour and its label."""
+
+    residual: ResidualForce
+    colour: str
+    label: str
+
+
+@dataclass(frozen=True)
+class Points:
+    """Values to draw, rightwards and upwards."""
+
+    along: Along
+    missing: Missing
 
 
 @dataclass(frozen=True)
@@ -49,12 +67,12 @@ class Pair:
     after: ResidualForce | None
 
     @property
-    def both(self) -> tuple[tuple[ResidualForce, str, str], ...]:
-        """Residual, colour and label of each."""
-        first = (self.before, BEFORE, "recalibrated model")
+    def both(self) -> tuple[Shown, ...]:
+        """Both residuals as they are drawn; one without effects."""
+        first = Shown(self.before, BEFORE, "recalibrated model")
         if self.after is None:
             return (first,)
-        return first, (self.after, AFTER, "with the effects")
+        return first, Shown(self.after, AFTER, "with the effects")
 
 
 def pairs_of(diagnosis: Diagnosis) -> list[Pair]:
@@ -88,12 +106,14 @@ def over_time(pair: Pair) -> Markup:
 def _panel_over_time(axes: Axes, pair: Pair, equation: str) -> None:
     column, unit = OF_BODY.index(equation), EQUATION[equation].unit
     scale = handy_scale(largest(thinned(pair.before.force[:, column])), unit)
-    for residual, colour, label in pair.both:
-        time, middle, spread = (thinned(part) for part in (
-            residual.time, residual.force[:, column] * scale.factor, residual.spread[:, column] * scale.factor
-        ))  # fmt: skip
-        axes.fill_between(time, middle - 1.96 * spread, middle + 1.96 * spread, color=colour, alpha=0.22, linewidth=0)
-        axes.plot(time, middle, color=colour, linewidth=1.0, label=label)
+    for shown in pair.both:
+        force, deviation = shown.residual.force[:, column], shown.residual.spread[:, column]
+        time, middle, spread = (
+            thinned(part) for part in (shown.residual.time, force * scale.factor, deviation * scale.factor)
+        )
+        low, high = middle - 1.96 * spread, middle + 1.96 * spread
+        axes.fill_between(time, low, high, color=shown.colour, alpha=0.22, linewidth=0)
+        axes.plot(time, middle, color=shown.colour, linewidth=1.0, label=shown.label)
     axes.axhline(0.0, color=INK, linewidth=0.7)
     axes.set_ylabel(labelled(equation, scale, between="\n"))
     style_axes(axes)
@@ -106,11 +126,11 @@ def against_regressor(pair: Pair, located: Located) -> Markup:
         return Markup("")
     with Drawing(1, len(pair.both), 3.2, Margins(across=0.85)) as drawing:
         top = 0.0
-        for axes, (residual, colour, label) in zip(drawing.axes[0], pair.both, strict=True):
-            points = _points(residual, located)
+        for axes, shown in zip(drawing.axes[0], pair.both, strict=True):
+            points = _points(shown.residual, located)
             if points is not None:
-                top = max(top, _scatter(axes, points, said_law(located), colour))
-            axes.set_title(label)
+                top = max(top, _scatter(axes, points, said_law(located), shown.colour))
+            axes.set_title(shown.label)
         for axes in drawing.axes[0]:
             axes.set_ylim(-top, top)
     return drawing.svg
@@ -120,41 +140,44 @@ def why_not_drawn(pair: Pair, located: Located) -> str:
     """A sentence where there is no picture of this residual over what it is proportional to; empty if there is one."""
     if _points(pair.before, located) is not None:
         return ""
-    equation, regressor = (words.replace("_", " ") for words in said_law(located))
+    said = said_law(located)
+    equation, regressor = said.equation.replace("_", " "), said.regressor.replace("_", " ")
     subject = f"There is no picture of {equation} against {regressor}"
-    if residual_of(said_law(located)[0], pair.before) is None:
+    if residual_of(said.equation, pair.before) is None:
         return f"{subject}: it is of readings, which are drawn where an effect of them was found."
     if followed_by(located, pair.before) is None:
         return f"{subject}: that is no product of what a recording shows."
     return f"{subject}: in this recording it has no value."
 
 
-def _points(residual: ResidualForce, located: Located) -> tuple[Along, Missing] | None:
+def _points(residual: ResidualForce, located: Located) -> Points | None:
     """Values to draw rightwards and upwards, where both are finite; None if there are none, or no such picture."""
-    missing, along = residual_of(said_law(located)[0], residual), followed_by(located, residual)
+    missing, along = residual_of(said_law(located).equation, residual), followed_by(located, residual)
     if missing is None or along is None:
         return None
     good = np.isfinite(missing.values) & np.isfinite(along.values)
     if not good.any():
         return None
-    return Along(along.values[good], along.unit), Missing(missing.values[good], missing.spread[good], missing.unit)
+    return Points(
+        Along(along.values[good], along.unit), Missing(missing.values[good], missing.spread[good], missing.unit)
+    )
 
 
-def _scatter(axes: Axes, points: tuple[Along, Missing], law: tuple[str, str], colour: str) -> float:
+def _scatter(axes: Axes, points: Points, law: SaidLaw, colour: str) -> float:
     """Draws a cloud, its means in classes, and gives the height that both panels need."""
-    (along, along_unit), (missing, _, unit) = points
-    x_scale, y_scale = _scale_along(law[1], along, along_unit), handy_scale(_size(missing), unit)
-    x, y = along * x_scale.factor, missing * y_scale.factor
-    every = max(1, len(x) // _DOTS)
+    along, missing = points.along, points.missing
+    x_scale = _scale_along(law.regressor, along.values, along.unit)
+    y_scale = handy_scale(_size(missing.values), missing.unit)
+    x, y = along.values * x_scale.factor, missing.values * y_scale.factor
+    every = max(1, len(x) // REPORT.most_dots)
     axes.scatter(x[::every], y[::every], s=5, color=colour, alpha=0.3, linewidths=0, rasterized=False)
     _draw_means(axes, x, y, INK)
     axes.axhline(0.0, color=QUIET, linewidth=0.8)
-    equation, regressor = law
-    name = "time" if regressor == "1" else regressor.replace("*", "\u00b7")
+    name = "time" if law.regressor == "1" else law.regressor.replace("*", "\u00b7")
     axes.set_xlabel(labelled(name, x_scale))
-    axes.set_ylabel(labelled(f"{equation.replace('_', ' ')}, missing", y_scale))
+    axes.set_ylabel(labelled(f"{law.equation.replace('_', ' ')}, missing", y_scale))
     style_axes(axes)
-    return 1.15 * _size(missing) * y_scale.factor
+    return 1.15 * _size(missing.values) * y_scale.factor
 
 
 def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
@@ -177,14 +200,14 @@ def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
 
 def _condition_panel(axes: Axes, pair: Pair, equation: str, condition: str) -> None:
     first = residual_of(equation, pair.before)
-    factor = handy_scale(_size(first[0]), first[2]).factor if first else 1.0
+    factor = handy_scale(_size(first.values), first.unit).factor if first else 1.0
     scale = None
-    for residual, colour, label in pair.both:
-        missing, along = residual_of(equation, residual), regressor_of(condition, residual)
+    for shown in pair.both:
+        missing, along = residual_of(equation, shown.residual), regressor_of(condition, shown.residual)
         if missing is not None:
             values = np.mod(along.values + np.pi, 2 * np.pi) - np.pi if condition == "yaw" else along.values
             scale = scale or _scale_along(condition, values, along.unit)
-            _draw_means(axes, values * scale.factor, missing[0] * factor, colour, label)
+            _draw_means(axes, values * scale.factor, missing.values * factor, shown.colour, shown.label)
     axes.axhline(0.0, color=QUIET, linewidth=0.8)
     if scale is not None:
         axes.set_xlabel(labelled(REGRESSOR[condition].label or condition, scale, between="\n"))
@@ -194,7 +217,7 @@ def _condition_panel(axes: Axes, pair: Pair, equation: str, condition: str) -> N
 def _equation_label(pair: Pair, equation: str) -> str:
     missing = residual_of(equation, pair.before)
     name = equation.replace("_", " ")
-    return labelled(name, handy_scale(_size(missing[0]), missing[2]), between="\n") if missing else name
+    return labelled(name, handy_scale(_size(missing.values), missing.unit), between="\n") if missing else name
 
 
 def _draw_means(axes: Axes, x: Floats, y: Floats, colour: str, label: str | None = None) -> None:

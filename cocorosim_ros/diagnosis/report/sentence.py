@@ -8,8 +8,6 @@ from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, quantity_words
 
-MOST_NUMBERS = 4  # of an effect or of a platform that a sentence can carry
-
 
 def sentence_of(
     verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], table: Mapping[str, HeldOut]
@@ -53,8 +51,8 @@ def _gain(table: Mapping[str, HeldOut]) -> str:
 
 
 def _shortened(parts: Sequence[str]) -> str:
-    more = len(parts) - MOST_NUMBERS
-    return ", ".join(parts[:MOST_NUMBERS]) + (f" and {more} more" if more > 0 else "")
+    more = len(parts) - REPORT.most_numbers
+    return ", ".join(parts[: REPORT.most_numbers]) + (f" and {more} more" if more > 0 else "")
 
 
 def _plain(name: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law, subject_and_product
@@ -35,7 +36,7 @@ TIERS = {
     "confirmed": "confirmed: it also improves data that its fit did not see",
     "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
 }
-CHANNELS = {"position": "position, horizontal"}
+CHANNEL_WORDS = {"position": "position, horizontal"}
 
 NOISES = {
     "random.force": "random force, horizontal",
@@ -83,8 +84,8 @@ def odds_words(nats: float) -> str:
     """Words for the odds of a rival that is `nats` behind."""
     if not math.isfinite(nats):
         return "\u2013"
-    factor = math.exp(min(nats, 20.0))
-    return f"{factor:.2g} times less likely" if factor < 100 else "much less likely"
+    factor = math.exp(min(nats, REPORT.most_told_nats))
+    return f"{factor:.2g} times less likely" if factor < REPORT.told_odds else "much less likely"
 
 
 def nothing_missing_words(diagnosis: Diagnosis) -> str:

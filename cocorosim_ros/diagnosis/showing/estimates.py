@@ -18,12 +18,6 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 Z95 = float(norm.ppf(0.975))
-NUMERICAL = 1e-3
-"""Least standard deviation of a number, as a share of its value: the error of the filter's midpoint steps.
-
-That error is (h l)^2 / 6 for steps h of 0.1 s and a rate l of 0.77 / s, at which Lilys turn. In still water, readings
-alone would give narrower intervals than the steps of the filter are exact.
-"""
 
 
 @dataclass(frozen=True)
@@ -46,10 +40,10 @@ class Fitted:
 
 
 def fitted(fit: Fit) -> tuple[Fitted, ...]:
-    """All unknowns of a fit but its noise, with standard deviations no less than NUMERICAL allows."""
+    """All unknowns of a fit but its noise, with standard deviations no less than ESTIMATES.numerical allows."""
     values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
-    spread = np.hypot(np.sqrt(np.diag(covariance(fit))), NUMERICAL * np.abs(values / slopes))
+    spread = np.hypot(np.sqrt(np.diag(covariance(fit))), ESTIMATES.numerical * np.abs(values / slopes))
     return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist()))
 
 

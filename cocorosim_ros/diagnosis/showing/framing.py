@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+from cocorosim_ros.diagnosis.criteria.showing import FRAMING
 from cocorosim_ros.diagnosis.evidence.intake import Intake, Mixup
 from cocorosim_ros.diagnosis.findings import FoundEffect
-
-CERTAIN = 1e4  # nats, in place of infinity
 
 
 def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:
@@ -25,7 +24,7 @@ def _effect(mixup: Mixup) -> FoundEffect:
         mixup.robots,
         "confirmed",
         {},
-        min(correction.nats, CERTAIN),
+        min(correction.nats, FRAMING.certain),
         topic=correction.topic,
         correction=correction.wrong,
     )

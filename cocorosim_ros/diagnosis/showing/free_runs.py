@@ -24,7 +24,6 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import STATE_SIZE, YAW, YAW_RATE, X, Y, Z
 
-WINDOWS = (20.0, 10.0, 5.0, 2.0)  # s
 CHANNELS = {"position": "m", "heading": "rad", "depth": "m"}
 MODELS = ("nominal", "recalibrated", "augmented")
 
@@ -63,10 +62,12 @@ def held_out_free_runs(base: Fit, final: Fit) -> tuple[dict[str, HeldOut], tuple
 
 
 def window_length(courses: Sequence[Smoothed]) -> float:
-    """Choose the longest of WINDOWS [s] in which the robots turn by no more than FREE_RUNS.most_turned."""
+    """Choose the longest of FREE_RUNS.windows [s] in which the robots turn by no more than FREE_RUNS.most_turned."""
     turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
     rate = float(np.sqrt(np.mean(turned**2)))
-    return next((seconds for seconds in WINDOWS if seconds * rate <= FREE_RUNS.most_turned), WINDOWS[-1])
+    return next(
+        (seconds for seconds in FREE_RUNS.windows if seconds * rate <= FREE_RUNS.most_turned), FREE_RUNS.windows[-1]
+    )
 
 
 def _refitted(fit: Fit, tracks: tuple[Track, ...]) -> Fit:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,34 +27,49 @@ KIND_OF_TOPIC = {topic: KIND_NAMES.index(recorded.drawn) for topic, recorded in 
 """Kind of reading, as its code, that is drawn for a stream; by topic."""
 
 
+@dataclass(frozen=True)
+class SmoothedFit:
+    """A fit, and the smoothed course of each of its tracks under it."""
+
+    fit: Fit
+    courses: Sequence[Smoothed]
+
+    def of_track(self, number: int) -> SmoothedTrack:
+        """The track of this number under the fit."""
+        return SmoothedTrack(self.courses[number], self.fit.filled[number])
+
+
+@dataclass(frozen=True)
+class SmoothedTrack:
+    """The smoothed course of a track, and the row of numbers (columns,) under which it was smoothed."""
+
+    course: Smoothed
+    row: Floats
+
+
 def unit_of_kind(kind: int) -> str:
     """The SI unit of a kind of reading."""
     return KINDS[KIND_NAMES[kind]].unit
 
 
 def residual_readings(
-    base: Fit, final: Fit, courses: tuple[Sequence[Smoothed], Sequence[Smoothed]], effects: Sequence[FoundEffect]
+    base: SmoothedFit, final: SmoothedFit, effects: Sequence[FoundEffect]
 ) -> tuple[ResidualReading, ...]:
-    """Deviations of every stream that one of the effects is about, under the recalibrated and under the final fit.
-
-    courses: the smoothed courses by track, of `base` and of `final`.
-    """
+    """Deviations of every stream that one of the effects is about, under the recalibrated and under the final fit."""
     found = []
     for effect in effects:
         topic = effect.topic or (ERRORS[effect.id].sensor if effect.id in ERRORS else None)
         if effect.correction is not None or topic not in KIND_OF_TOPIC or _of_another_reading(effect, topic):
             continue
         product = _product(effect, topic)
-        for number, track in enumerate(base.tracks):
+        for number, track in enumerate(base.fit.tracks):
             chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
             if track.name not in effect.robots or not chosen.any():
                 continue
-            rows = base.filled[number], final.filled[number]
-            before, after = (
-                deviation(track, chosen, course[number], row) for course, row in zip(courses, rows, strict=True)
-            )
+            last = final.of_track(number)
+            before, after = (deviation(track, chosen, each.course, each.row) for each in (base.of_track(number), last))
             stamp = track.timeline.stamp[chosen]
-            against = _along(product, stamp, track, courses[1][number], rows[1])
+            against = _along(product, stamp, track, last.course, last.row)
             unit = unit_of_kind(KIND_OF_TOPIC[topic])
             found.append(
                 ResidualReading(track.name, topic, unit, product.text, stamp, against, before, after, product.unit)

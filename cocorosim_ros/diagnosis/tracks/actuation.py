@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
 from cocorosim_ros.diagnosis.filter.commands import mean_forces
 from cocorosim_ros.diagnosis.filter.records import Drive, Grid
 from cocorosim_ros.diagnosis.tracks.columns import ACTUATING
@@ -18,8 +19,6 @@ from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS
 
-REMEMBERED = 6  # sets of forces, because the same numbers are soon asked for again
-
 
 class Actuation:
     """The actuators of one track: recorded commands to forces, under a row of numbers of a model."""
@@ -27,7 +26,7 @@ class Actuation:
     def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid) -> None:
         self.vehicle, self.grid = vehicle, grid
         self._log = log
-        self._lately: Lately[tuple[Floats, Floats]] = Lately(REMEMBERED)
+        self._lately: Lately[tuple[Floats, Floats]] = Lately()
 
     def drive(self, row: Floats, with_rates: bool = False) -> Drive:
         """Forces and neighbours that act on the robot from each grid point to the next, under a row (columns,).
@@ -85,4 +84,4 @@ class Actuation:
 
     def nominal_force(self) -> Floats:
         """Forward and leftward force (points, 2) of the thrusters [N; body] under the platform's own numbers."""
-        return self.thrust(self.drive(self.vehicle.row))[:, :2]
+        return self.thrust(self.drive(self.vehicle.row))[:, PLANE]

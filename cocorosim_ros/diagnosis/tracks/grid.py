@@ -6,11 +6,9 @@ import math
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import GRID
 from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.foundation.arrays import Floats
-
-LONGEST_STEP = 0.1  # s
-YAW_ERROR, PLACE_ERROR = 0.005, 0.001  # rad, m: allowed error of a step under full acceleration
 
 
 def grid_step(acceleration: float, yaw_acceleration: float) -> float:
@@ -18,12 +16,12 @@ def grid_step(acceleration: float, yaw_acceleration: float) -> float:
 
     A step h under an acceleration a that sets in or ends within it errs by up to a h^2 / 8.
     """
-    step = LONGEST_STEP
+    step = GRID.longest_step
     if acceleration > 0.0:
-        step = min(step, math.sqrt(8.0 * PLACE_ERROR / acceleration))
+        step = min(step, math.sqrt(8.0 * GRID.place_error / acceleration))
     if yaw_acceleration > 0.0:
-        step = min(step, math.sqrt(8.0 * YAW_ERROR / yaw_acceleration))
-    return max(0.01, math.floor(step * 100.0 + 1e-9) / 100.0)
+        step = min(step, math.sqrt(8.0 * GRID.yaw_error / yaw_acceleration))
+    return max(GRID.shortest_step, math.floor(step * 100.0 + 1e-9) / 100.0)
 
 
 def grid_begin(command_time: Floats, step: float, begin: float) -> float:

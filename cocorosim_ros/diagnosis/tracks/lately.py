@@ -9,10 +9,14 @@ from typing import Generic, TypeVar
 Made = TypeVar("Made")
 
 
+REMEMBERED = 6
+"""Results that are kept: the same numbers are soon asked for again, by a few steps and slopes."""
+
+
 class Lately(Generic[Made]):
     """A cache of the last few results by key; it has no lock, so one thread only may use it."""
 
-    def __init__(self, most: int) -> None:
+    def __init__(self, most: int = REMEMBERED) -> None:
         self._most = most
         self._made: OrderedDict[Hashable, Made] = OrderedDict()
 

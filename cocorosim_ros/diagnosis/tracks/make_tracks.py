@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import SURROUNDINGS
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, POSITION, YAW, X, Y, Z
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR, OPEN_WATER
 from cocorosim_ros.diagnosis.tracks.track import Track, make_track
 from cocorosim_ros.foundation.arrays import Floats
@@ -28,17 +29,17 @@ def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
 
     The contract puts the origin into the middle of the surface. A tank that is nearly square is taken as square.
     """
-    places = [track.log.streams["pose"].value[:, :3] for track in tracks if "pose" in track.log.streams]
+    places = [track.log.streams["pose"].value[:, POSITION] for track in tracks if "pose" in track.log.streams]
     if not places:
         return np.full(3, -FAR), np.full(3, FAR)
     everything = np.concatenate(places)
     seen = np.isfinite(everything).any(axis=0)
     if not seen.all():
         return np.full(3, -FAR), np.full(3, FAR)
-    half = np.nanmax(np.abs(everything[:, :2]), axis=0) + SURROUNDINGS.shore
+    half = np.nanmax(np.abs(everything[:, PLANE]), axis=0) + SURROUNDINGS.shore
     if half.max() < SURROUNDINGS.alike * half.min():
         half[:] = half.max()
-    floor = min(float(np.nanmin(everything[:, 2])) - SURROUNDINGS.shore, -SURROUNDINGS.shore)
+    floor = min(float(np.nanmin(everything[:, Z])) - SURROUNDINGS.shore, -SURROUNDINGS.shore)
     return np.array([-half[0], -half[1], floor]), np.array([half[0], half[1], 0.0])
 
 
@@ -49,14 +50,14 @@ def _around(tracks: Sequence[Track], track: Track) -> Floats:
     """
     moments = track.timeline.grid.moments
     around = np.zeros((len(moments), len(tracks), NEIGHBOUR_SIZE))
-    around[:, :, :3] = FAR
+    around[:, :, POSITION] = FAR
     for other, fellow in enumerate(tracks):
         if "pose" not in fellow.log.streams:
             continue
         pose = fellow.log.streams["pose"]
-        for axis in range(3):
+        for axis in (X, Y, Z):
             around[:, other, axis] = np.interp(moments, pose.time, pose.value[:, axis])
-        yaw = np.interp(moments, pose.time, pose.value[:, 3])
+        yaw = np.interp(moments, pose.time, pose.value[:, YAW])
         surge, sway = _thrust(fellow, moments)
         around[:, other, NEIGHBOUR_FORCE] = surge * np.cos(yaw) - sway * np.sin(yaw)
         around[:, other, NEIGHBOUR_FORCE + 1] = surge * np.sin(yaw) + sway * np.cos(yaw)
@@ -68,7 +69,8 @@ def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
     drive = track.actuation.nominal_force()
     own = track.timeline.grid.moments
     index = np.clip(np.searchsorted(own, moments, side="right") - 1, 0, len(own) - 1)
-    return drive[index, 0], drive[index, 1]
+    surge, sway = drive[index].T
+    return surge, sway
 
 
 def make_tracks(evidence: Evidence) -> tuple[Track, ...]:

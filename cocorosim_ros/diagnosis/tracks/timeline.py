@@ -27,7 +27,6 @@ class Timing:
 
 
 RIGHT = Timing()
-REMEMBERED = 6  # sets of readings on the grid, because the same timings are soon asked for again
 
 
 def timing_of(row: Floats) -> Timing:
@@ -48,7 +47,7 @@ class Timeline:
         self.grid = grid_until(begin, step, end)
         self.stream_names = [name for name in KINDS_OF_STREAM if name in log.streams]
         self._log = log
-        self._lately: Lately[Readings] = Lately(REMEMBERED)
+        self._lately: Lately[Readings] = Lately()
         taken = []
         for number, name in enumerate(self.stream_names):
             averaged = averaged_stream(log.streams[name], step, begin)

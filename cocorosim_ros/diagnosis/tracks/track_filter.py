@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.filter.covariance import GATE
 from cocorosim_ros.diagnosis.filter.filter import filter_pass, slope_pass
 from cocorosim_ros.diagnosis.filter.motion import run_free
@@ -68,7 +69,7 @@ class TrackFilter:
             innovation, variance = np.where(sound, innovation, 0.0), np.where(sound, variance, 1.0)
         squared = innovation**2 / variance
         likelihood = -0.5 * float(np.sum(squared + np.log(2.0 * math.pi * variance))) if sound.all() else -math.inf
-        return Pass(innovation, variance, gain, squared < GATE * GATE * (1.0 - 1e-9), likelihood)
+        return Pass(innovation, variance, gain, squared < GATE * GATE * (1.0 - FILTER.rounding), likelihood)
 
     def smoothed(self, row: Floats) -> Smoothed:
         """Smooth: the most likely state at each grid point given all readings, later ones too."""

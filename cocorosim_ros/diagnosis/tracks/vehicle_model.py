@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
 from cocorosim_ros.diagnosis.tracks.columns import ALWAYS_ACTIVE, COLUMN, NEUTRAL, PHYSICS, active_effects
 from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
 from cocorosim_ros.foundation.arrays import Flags, Floats
@@ -64,7 +65,7 @@ class VehicleModel:
     @cached_property
     def force_scale(self) -> Floats:
         """Full wrench (4,): sum over all actuators of the amounts of X, Y, Z, N at command +1 [N, N, N, N m; body]."""
-        return np.asarray(np.abs(self.actuator_wrench * self.actuator_limit[:, :1]).sum(axis=0))
+        return np.asarray(np.abs(self.actuator_wrench * self.actuator_limit[:, AHEAD]).sum(axis=0))
 
     @property
     def row(self) -> Floats:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+from cocorosim_ros.diagnosis.criteria.fitting import FULL_FORCES
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
@@ -37,8 +38,6 @@ UNSCALED = ("1", "m", "s", "Hz", "rad", "Pa", "Pa/s", "s/s")
 """Units of amplitudes that are as large for every vehicle: pure numbers, lengths, errors of sensors and clocks."""
 LILY_SIZES: Mapping[str, float] = dict.fromkeys((*SCALED, *UNSCALED), 1.0)
 """Factors for a Lily, which are 1, for every unit that an amplitude may have."""
-ACROSS = 0.1  # of the full force in heave
-ARM = 0.02  # m, of the full force across
 
 
 class FullForces(NamedTuple):
@@ -54,18 +53,18 @@ class FullForces(NamedTuple):
 
         It is a tenth of the pump's full force, or the full horizontal force if that is greater.
         """
-        return max(ACROSS * self.heave, self.across)
+        return max(FULL_FORCES.across * self.heave, self.across)
 
 
 def full_forces(vehicle: VehicleModel) -> FullForces:
     """Full forces of a vehicle by its actuators, or by likely ratios in directions where it has none.
 
     The water turns a vehicle even if its own actuators cannot. So without yaw moment of its own, its full force times
-    ARM stands for it, and without horizontal force ACROSS of the force in heave.
+    an arm stands for it, and without horizontal force a share of the force in heave.
     """
     surge, sway, heave, yaw = vehicle.force_scale.tolist()
-    across = max(surge, sway) or ACROSS * heave or LILY["force"]
-    return FullForces(across, heave, yaw or ARM * across)
+    across = max(surge, sway) or FULL_FORCES.across * heave or LILY["force"]
+    return FullForces(across, heave, yaw or FULL_FORCES.arm * across)
 
 
 def sizes(vehicle: VehicleModel) -> Mapping[str, float]:

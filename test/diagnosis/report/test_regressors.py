@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.findings import Located, ResidualForce
-from cocorosim_ros.diagnosis.report.binned_means import binned_means, mean_map
-from cocorosim_ros.diagnosis.report.regressors import followed_by, regressor_of, residual_of, said_law
+from cocorosim_ros.diagnosis.report.binned_means import CellEdges, binned_means, mean_map
+from cocorosim_ros.diagnosis.report.regressors import SaidLaw, followed_by, regressor_of, residual_of, said_law
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
@@ -87,13 +87,13 @@ def test_the_heading_is_drawn_over() -> None:
 def test_world_axes() -> None:
     """At a quarter turn ahead is north and left is west."""
     turned = moment(np.pi / 2)
-    assert [residual_of(name, turned)[0][0] for name in ("world_x", "world_y", "world_z", "yaw")] == pytest.approx(
+    assert [residual_of(name, turned).values[0] for name in ("world_x", "world_y", "world_z", "yaw")] == pytest.approx(
         [-2.0, 1.0, 3.0, 4.0]
     )
-    assert said_law(located("surge", "x (world_x)", Law.parse("unknown:world_x~x"))) == ("world_x", "x")
-    assert said_law(located("yaw", "u*v", Law.parse("unknown:yaw~u*v"))) == ("yaw", "u*v")
-    assert said_law(located("pose", "u", Law.parse("unknown:velocity~u", "velocity_u"))) == ("pose", "u")
-    assert said_law(located("compass", "sin", None)) == ("compass", "sin")
+    assert said_law(located("surge", "x (world_x)", Law.parse("unknown:world_x~x"))) == SaidLaw("world_x", "x")
+    assert said_law(located("yaw", "u*v", Law.parse("unknown:yaw~u*v"))) == SaidLaw("yaw", "u*v")
+    assert said_law(located("pose", "u", Law.parse("unknown:velocity~u", "velocity_u"))) == SaidLaw("pose", "u")
+    assert said_law(located("compass", "sin", None)) == SaidLaw("compass", "sin")
 
 
 def test_means_in_classes_count_visits() -> None:
@@ -114,7 +114,7 @@ def test_a_class_that_was_visited_once_has_no_interval() -> None:
 
 def test_maps_have_means_where_the_robot_was() -> None:
     """A grid of two by one cells, one of which has two samples."""
-    edges = (np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]))
+    edges = CellEdges(x=np.array([0.0, 1.0, 2.0]), y=np.array([0.0, 1.0]))
     places = np.array([[0.5, 0.5], [0.6, 0.2], [5.0, 0.5]])
     cells = mean_map(places, np.array([1.0, 3.0, 9.0]), edges)
     assert cells[0, 0] == 2.0

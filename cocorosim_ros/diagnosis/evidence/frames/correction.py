@@ -8,9 +8,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, YAW
 from cocorosim_ros.foundation.arrays import Floats
 
 COMMAND = "thruster_command"
+CERTAIN = float("inf")
+"""Nats of a correction of which the readings themselves leave no doubt."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """The fault of the readings of a stream, and the evidence for it, both in words."""
+
+    wrong: str
+    because: str
 
 
 @dataclass(frozen=True)
@@ -51,7 +62,7 @@ def _corrected_stream(log: RobotLog, correction: FrameCorrection, matrix: Floats
     stream = log.streams[correction.topic]
     value = stream.value.copy()
     if correction.into_body and "pose" in log.streams:
-        value[:, :2] = _in_body(stream.time, value[:, :2], log.streams["pose"])
+        value[:, PLANE] = _in_body(stream.time, value[:, PLANE], log.streams["pose"])
     # A missing column must not spoil columns into which the matrix does not mix it.
     given = np.isfinite(value)
     mixed = np.where(given, value, 0.0) @ matrix.T + correction.offset
@@ -63,20 +74,21 @@ def _corrected_stream(log: RobotLog, correction: FrameCorrection, matrix: Floats
 
 
 def _in_body(time: Floats, horizontal: Floats, pose: Stream) -> Floats:
-    given = np.isfinite(pose.value[:, 3])
-    yaw = np.interp(time, pose.time[given], pose.value[given, 3])
+    given = np.isfinite(pose.value[:, YAW])
+    yaw = np.interp(time, pose.time[given], pose.value[given, YAW])
     cosine, sine = np.cos(yaw), np.sin(yaw)
     x, y = horizontal.T
     return np.column_stack([cosine * x + sine * y, cosine * y - sine * x])
 
 
 def affine(
-    topic: str, words: tuple[str, str], nats: float, matrix: Floats, offset: Floats | None = None
-) -> FrameCorrection:
-    """A correction by matrix and offset; words: `wrong` and `because`."""
-    return FrameCorrection(topic, *words, nats, matrix, np.zeros(len(matrix)) if offset is None else offset)
+    topic: str, fault: Fault, nats: float, matrix: Floats, offset: Floats | None = None
+) -> FrameCorrection:  # fmt: skip
+    """A correction by matrix (columns, columns) and offset (columns,); None: an offset of zero."""
+    summand = np.zeros(len(matrix)) if offset is None else offset
+    return FrameCorrection(topic, fault.wrong, fault.because, nats, matrix, summand)
 
 
-def scaled(topic: str, words: tuple[str, str], nats: float, factors: Sequence[float]) -> FrameCorrection:
+def scaled(topic: str, fault: Fault, nats: float, factors: Sequence[float]) -> FrameCorrection:
     """A correction that multiplies each column by a factor."""
-    return affine(topic, words, nats, np.diag(np.asarray(factors, dtype=np.float64)))
+    return affine(topic, fault, nats, np.diag(np.asarray(factors, dtype=np.float64)))

@@ -7,14 +7,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cocorosim_ros.diagnosis.criteria.frames import ROUGH_MOTION
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import FORWARD, LEFT, TURN, UP, coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
 Complex = NDArray[np.complex128]
-LONGEST_STEP, STEPS = 0.1, 20.0  # s, and how many make a coasting time
-HEAVE, YAW = 2, 3
+
+
+@dataclass(frozen=True)
+class ExpectedCourse:
+    """A course (n,) [world], x + iy: its velocity [m/s] and its acceleration [m/s^2]."""
+
+    velocity: Complex
+    acceleration: Complex
 
 
 @dataclass(frozen=True)
@@ -31,8 +38,8 @@ class Expected:
     spin: Floats
     drag: float
 
-    def course(self, angle: Floats, *, mirrored: bool = False) -> tuple[Complex, Complex]:
-        """Velocity (n,) [m/s] and acceleration (n,) [m/s^2], x + iy [world], of a robot that heads along `angle` [rad].
+    def course(self, angle: Floats, *, mirrored: bool = False) -> ExpectedCourse:
+        """The course of a robot that heads along `angle` (n,) [rad].
 
         m dV/dt = X - k |V| V, with a force X that turns with the heading and drag by the total speed. mirrored: left
         and right of the force are exchanged.
@@ -40,7 +47,7 @@ class Expected:
         push = np.conj(self.push) if mirrored else self.push
         world = push * np.exp(1j * angle)
         velocity = _free_run(world, self.drag, float(self.time[1] - self.time[0]))
-        return velocity, np.asarray(world - self.drag * np.abs(velocity) * velocity)
+        return ExpectedCourse(velocity, np.asarray(world - self.drag * np.abs(velocity) * velocity))
 
 
 def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
@@ -53,17 +60,18 @@ def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
         return None
     last = max([float(log.command_time[-1]), *(float(stream.time[-1]) for stream in log.streams.values())])
     coasting = coasting_time(platform)
-    step = min(LONGEST_STEP, coasting / STEPS) if coasting > 0.0 else LONGEST_STEP
+    longest = ROUGH_MOTION.longest_step
+    step = min(longest, coasting / ROUGH_MOTION.steps) if coasting > 0.0 else longest
     time = np.arange(float(log.command_time[0]), last, step)
     if len(time) < 2:
         return None
     held = log.command[np.searchsorted(log.command_time, time, side="right") - 1]
     forward, reverse = platform.actuator_limits().T
     force = np.where(held > 0.0, held * forward, held * reverse) @ platform.actuator_wrenches()
-    lift, torque = force[:, HEAVE] - force[:, HEAVE].mean(), force[:, YAW]
+    lift, torque = force[:, UP] - force[:, UP].mean(), force[:, TURN]
     return Expected(
         time,
-        np.asarray((force[:, 0] + 1j * force[:, 1]) / platform.mass),
+        np.asarray((force[:, FORWARD] + 1j * force[:, LEFT]) / platform.mass),
         _free_run(lift / platform.mass + 0j, platform.drag / platform.mass, step).real,
         _free_run(torque / platform.yaw_inertia + 0j, platform.yaw_drag / platform.yaw_inertia, step).real,
         platform.drag / platform.mass,

@@ -6,29 +6,29 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
-from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, affine
+from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of
+from cocorosim_ros.diagnosis.evidence.frames.upright import FeltGravity
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT_X, FELT_Z, TURN_RATE
 
-CERTAIN = float("inf")
-MIRRORED: Turned = (1, 0)
-OPPOSITE: Turned = (0, 2)
+MIRRORED = Turned(mirrored=1, quarters=0)
+OPPOSITE = Turned(mirrored=0, quarters=2)
 UP = 2  # axis
 
 
-def inertial_axes(motion: Motion, gravity: tuple[int, float], gyro_nats: float) -> FrameCorrection | None:
+def inertial_axes(motion: Motion, gravity: FeltGravity | None, gyro_nats: float) -> FrameCorrection | None:
     """The correction of an IMU whose axes are not forward-left-up; None if they are.
 
-    gravity: the axis along which the accelerometer reads gravity, -1 for none, and the reading [m/s^2]. gyro_nats: nats
-    by which the opposite sign of the yaw rate fits better, 0 if it fits worse.
+    gravity: as the accelerometer reads it, None if it reads none. gyro_nats: nats by which the opposite sign of the yaw
+    rate fits better, 0 if it fits worse.
     """
-    axis, reading = gravity
-    if axis >= 0 and axis != UP:
-        because = f"gravity is felt along its {'xyz'[axis]} axis, {reading:.2f} m/s^2"
-        words = ("the IMU is mounted with another axis than z upwards; turn its readings into body axes", because)
-        return FrameCorrection("imu", *words, CERTAIN, None, np.zeros(4))
-    over, backwards = axis == UP and reading < 0.0, gyro_nats > 0.0
+    if gravity is not None and gravity.axis != UP:
+        because = f"gravity is felt along its {'xyz'[gravity.axis]} axis, {gravity.reading:.2f} m/s^2"
+        wrong = "the IMU is mounted with another axis than z upwards; turn its readings into body axes"
+        return FrameCorrection("imu", wrong, because, CERTAIN, None, np.zeros(4))
+    over, backwards = gravity is not None and gravity.reading < 0.0, gyro_nats > 0.0
     turned, nats = _horizontal(motion)
     known = nats >= AXES.margin or turned == SAME
     if not (over or backwards or (known and turned != SAME)):
@@ -36,12 +36,13 @@ def inertial_axes(motion: Motion, gravity: tuple[int, float], gyro_nats: float) 
     if not known:  # without motion that shows them: the IMU as a whole is upside down, or they are right
         turned = MIRRORED if over and backwards else SAME
     matrix = np.eye(4)
-    matrix[0, 0], matrix[3, 3] = (-1.0 if backwards else 1.0), (-1.0 if over else 1.0)
-    matrix[1:3, 1:3] = matrix_of(turned)
-    seen = [f"gravity reads {reading:.2f} m/s^2 along z"] if over else []
+    matrix[TURN_RATE, TURN_RATE], matrix[FELT_Z, FELT_Z] = (-1.0 if backwards else 1.0), (-1.0 if over else 1.0)
+    matrix[FELT_X:FELT_Z, FELT_X:FELT_Z] = matrix_of(turned)
+    seen = [f"gravity reads {gravity.reading:.2f} m/s^2 along z"] if gravity is not None and over else []
     seen += ["its yaw rate has the opposite sign of the others'"] if backwards else []
     seen += ["its accelerations fit the motion only so"] if known and turned != SAME else []
-    return affine("imu", (_words(turned, over, backwards), ", ".join(seen)), _sum(over, gyro_nats, nats), matrix)
+    fault = Fault(_words(turned, over, backwards), ", ".join(seen))
+    return affine("imu", fault, _sum(over, gyro_nats, nats), matrix)
 
 
 def _sum(over: bool, gyro_nats: float, nats: float) -> float:
@@ -66,7 +67,7 @@ def _words(turned: Turned, over: bool, backwards: bool) -> str:
 
 def _horizontal(motion: Motion) -> tuple[Turned, float]:
     """The turn of the horizontal axes that fits best, and its lead [nats] over leaving them as they are."""
-    seen = motion.force[:, 0] + 1j * motion.force[:, 1]
+    seen = motion.pulled
     shown = motion.shove if np.isfinite(motion.shove).any() else _body_acceleration(motion)
     scores = np.array([_score(seen, shown, turned) for turned in ALL_TURNED])
     behind = nats_behind(scores, float(scores.max()), independent(shown, seen, motion.weight))
@@ -74,8 +75,7 @@ def _horizontal(motion: Motion) -> tuple[Turned, float]:
 
 
 def _score(seen: Complex, shown: Complex, turned: Turned) -> float:
-    mirrored, quarters = turned
-    found = correlation(1j**quarters * (np.conj(seen) if mirrored else seen), shown)
+    found = correlation(1j**turned.quarters * (np.conj(seen) if turned.mirrored else seen), shown)
     return float(max(found.real, 0.0) ** 2)
 
 

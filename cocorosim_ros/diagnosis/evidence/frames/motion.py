@@ -8,15 +8,38 @@ from typing import Any
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT
+from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT, BINS
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex, Expected, expected_motion
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
+    AMBIENT,
+    FELT_X,
+    FELT_Y,
+    HEADING,
+    TURN_RATE,
+    YAW,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    Z,
+)
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
-NARROW, NARROWEST, WIDEST = 0.15, 0.1, 2.0  # widths of a bin: coasting times; s; s
-READINGS = 2.0  # in a bin, of the slowest stream
+
+@dataclass(frozen=True)
+class Courses:
+    """Velocities x + iy (n,) [m/s; world] that are expected under the commands, and under their mirror image."""
+
+    commanded: Complex
+    mirrored: Complex  # left and right exchanged
+
+    def under(self, mirrored: int) -> Complex:
+        """The course under the commands, or (1) under their mirror image."""
+        return self.mirrored if mirrored else self.commanded
 
 
 @dataclass(frozen=True)
@@ -24,11 +47,11 @@ class Motion:
     """Motion at n moments `width` [s] apart, each worth `weight` of an independent one; NaN without a reading.
 
     course: velocity x + iy [world]; climb: of z; yaw [rad], turn: of yaw; heading [rad], swing: of the compass; gyro;
-    force (n, 3): accelerometer; through: u + iv of the velocity stream, lift: its w; sinking: rate of the pressure.
+    pulled: x + iy of the accelerometer; through: u + iv of the velocity stream, lift: its w; sinking: rate of the
+    pressure.
 
     Expected under the commands, with the heading that is known best: advance: u + iv, shove: its acceleration [body],
-    dive: w, spin: r; by_yaw and by_compass: course [world] under either heading, as commanded and with left and right
-    exchanged.
+    dive: w, spin: r; by_yaw and by_compass: courses under either heading.
     """
 
     width: float
@@ -40,7 +63,7 @@ class Motion:
     heading: Floats
     swing: Floats
     gyro: Floats
-    force: Floats
+    pulled: Complex
     through: Complex
     lift: Floats
     sinking: Floats
@@ -48,13 +71,13 @@ class Motion:
     shove: Complex
     dive: Floats
     spin: Floats
-    by_yaw: tuple[Complex, Complex]
-    by_compass: tuple[Complex, Complex]
+    by_yaw: Courses
+    by_compass: Courses
 
 
 def motion_of(log: RobotLog, platform: Platform) -> Motion:
     """The motion that each stream of a log shows."""
-    bins = _Bins(log, NARROW * coasting_time(platform))
+    bins = _Bins(log, BINS.narrow * coasting_time(platform))
     pose, pose_rate = bins.stream(log, "pose")
     compass, compass_rate = bins.stream(log, "compass")
     imu, _ = bins.stream(log, "imu")
@@ -66,23 +89,23 @@ def motion_of(log: RobotLog, platform: Platform) -> Motion:
     return Motion(
         width=bins.width,
         weight=bins.width / max(AGREEMENT.least_memory, AGREEMENT.memory * coasting_time(platform)),
-        course=np.asarray(pose_rate[:, 0] + 1j * pose_rate[:, 1]),
-        climb=pose_rate[:, 2],
-        yaw=pose[:, 3],
-        turn=pose_rate[:, 3],
-        heading=compass[:, 0],
-        swing=compass_rate[:, 0],
-        gyro=imu[:, 0],
-        force=imu[:, 1:],
-        through=np.asarray(velocity[:, 0] + 1j * velocity[:, 1]),
-        lift=velocity[:, 2],
-        sinking=pressure_rate[:, 0],
+        course=np.asarray(pose_rate[:, X] + 1j * pose_rate[:, Y]),
+        climb=pose_rate[:, Z],
+        yaw=pose[:, YAW],
+        turn=pose_rate[:, YAW],
+        heading=compass[:, HEADING],
+        swing=compass_rate[:, HEADING],
+        gyro=imu[:, TURN_RATE],
+        pulled=np.asarray(imu[:, FELT_X] + 1j * imu[:, FELT_Y]),
+        through=np.asarray(velocity[:, U] + 1j * velocity[:, V]),
+        lift=velocity[:, W],
+        sinking=pressure_rate[:, AMBIENT],
         advance=advance,
         shove=shove,
         dive=bins.mean(expected.time, expected.dive) if expected else unknown,
         spin=bins.mean(expected.time, expected.spin) if expected else unknown,
-        by_yaw=_by_heading(bins, log, expected, "pose", 3),
-        by_compass=_by_heading(bins, log, expected, "compass", 0),
+        by_yaw=_by_heading(bins, log, expected, "pose", YAW),
+        by_compass=_by_heading(bins, log, expected, "compass", HEADING),
     )
 
 
@@ -101,8 +124,8 @@ def motion_together(logs: Sequence[RobotLog], platform: Platform) -> Motion:
 
 
 def _behind_each_other(parts: Sequence[Any]) -> Any:
-    if isinstance(parts[0], tuple):
-        return tuple(np.concatenate(same) for same in zip(*parts, strict=True))
+    if isinstance(parts[0], Courses):
+        return Courses(*(np.concatenate([part.under(mirrored) for part in parts]) for mirrored in (0, 1)))
     return np.concatenate(parts)
 
 
@@ -112,8 +135,8 @@ class _Bins:
     def __init__(self, log: RobotLog, narrow: float) -> None:
         streams = list(log.streams.values())
         slow = [np.median(np.diff(stream.time)) for stream in streams if len(stream.time) > 2]
-        widest = max([narrow, NARROWEST, *(READINGS * interval for interval in slow)])
-        self.width = float(min(widest, WIDEST))
+        widest = max([narrow, BINS.narrowest, *(BINS.readings * interval for interval in slow)])
+        self.width = float(min(widest, BINS.widest))
         self.start = min((float(stream.time[0]) for stream in streams), default=0.0)
         end = max((float(stream.time[-1]) for stream in streams), default=0.0)
         self.count = max(int((end - self.start) / self.width), 1)
@@ -147,17 +170,15 @@ class _Bins:
         return 0.5 * (mean[1:] + mean[:-1]), np.diff(mean) / np.diff(moment)
 
 
-def _by_heading(
-    bins: _Bins, log: RobotLog, expected: Expected | None, topic: str, column: int
-) -> tuple[Complex, Complex]:
+def _by_heading(bins: _Bins, log: RobotLog, expected: Expected | None, topic: str, column: int) -> Courses:
     angle = _angle(log, expected, topic, column)
     if expected is None or angle is None:
         unknown = np.full(bins.count, np.nan) + 0j
-        return unknown, unknown
-    plain = bins.complex_mean(expected.time, expected.course(angle)[0])
+        return Courses(unknown, unknown)
+    plain = bins.complex_mean(expected.time, expected.course(angle).velocity)
     if not expected.push.imag.any():
-        return plain, plain
-    return plain, bins.complex_mean(expected.time, expected.course(angle, mirrored=True)[0])
+        return Courses(plain, plain)
+    return Courses(plain, bins.complex_mean(expected.time, expected.course(angle, mirrored=True).velocity))
 
 
 def _in_body(bins: _Bins, log: RobotLog, expected: Expected | None) -> tuple[Complex, Complex]:
@@ -166,11 +187,12 @@ def _in_body(bins: _Bins, log: RobotLog, expected: Expected | None) -> tuple[Com
         unknown = np.full(bins.count, np.nan) + 0j
         return unknown, unknown
     angle = np.cumsum(expected.spin) * (expected.time[1] - expected.time[0])
-    for topic, column in (("compass", 0), ("pose", 3)):
+    for topic, column in (("compass", HEADING), ("pose", YAW)):
         known = _angle(log, expected, topic, column)
         angle = angle if known is None else known
     into_body = np.exp(-1j * angle)
-    velocity, acceleration = (part * into_body for part in expected.course(angle))
+    course = expected.course(angle)
+    velocity, acceleration = course.velocity * into_body, course.acceleration * into_body
     return bins.complex_mean(expected.time, velocity), bins.complex_mean(expected.time, acceleration)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames import units
-from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, FrameCorrection, affine, corrected
+from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, Fault, FrameCorrection, affine, corrected
 from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.orientation import Orientation, best_orientation
@@ -29,6 +29,8 @@ from cocorosim_ros.diagnosis.evidence.frames.upright import (
     lift_upside_down,
 )
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, YAW, Z
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 
@@ -52,7 +54,7 @@ def needed_corrections(logs: RobotLog | Sequence[RobotLog], platform: Platform) 
     if len([correction for correction in found if correction.nats < np.inf]) < 2:
         return tuple(found)
     # Several streams that contradict the commands in the same way are right, and the commands are not.
-    for turned in ((1, 0), (0, 2), (1, 2)):
+    for turned in (Turned(1, 0), Turned(0, 2), Turned(1, 2)):
         commands = _commands(Orientation(command=turned, nats=min(correction.nats for correction in found)), platform)
         rest = _corrections(_all_corrected(together, commands), platform)
         if commands[0].matrix is not None and len(rest) + 1 < len(found):
@@ -113,14 +115,15 @@ def _pose(turned: Orientation, down: float) -> Found:
     if turned.position == turned.yaw == SAME and not upside_down:
         return []
     matrix, offset = np.eye(4), np.zeros(4)
-    matrix[:2, :2] = matrix_of(turned.position)
-    matrix[2, 2] = -1.0 if upside_down else 1.0
-    matrix[3, 3], offset[3] = on_angle(turned.yaw)
+    matrix[PLANE, PLANE] = matrix_of(turned.position)
+    matrix[Z, Z] = -1.0 if upside_down else 1.0
+    matrix[YAW, YAW], offset[YAW] = on_angle(turned.yaw)
     nats = (down if upside_down else 0.0) + (turned.nats if (turned.position, turned.yaw) != (SAME, SAME) else 0.0)
     because = "only so the poses agree with " + (
         "pressure and pump" if turned.position == turned.yaw == SAME else "the other streams and the commands"
     )
-    return [affine("pose", (_pose_words(turned.position, turned.yaw, upside_down), because), nats, matrix, offset)]
+    fault = Fault(_pose_words(turned.position, turned.yaw, upside_down), because)
+    return [affine("pose", fault, nats, matrix, offset)]
 
 
 def _pose_words(position: Turned, yaw: Turned, upside_down: bool) -> str:
@@ -136,17 +139,17 @@ def _compass(turned: Orientation) -> Found:
     if turned.compass == SAME:
         return []
     factor, summand = on_angle(turned.compass)
-    words = (f"as to the heading, {angle_words(turned.compass)}", "only so it agrees with the other streams")
-    return [affine("compass", words, turned.nats, np.array([[factor]]), np.array([summand]))]
+    fault = Fault(f"as to the heading, {angle_words(turned.compass)}", "only so it agrees with the other streams")
+    return [affine("compass", fault, turned.nats, np.array([[factor]]), np.array([summand]))]
 
 
 def _commands(turned: Orientation, platform: Platform) -> Found:
-    mirrored, quarters = turned.command
+    mirrored, backwards = bool(turned.command.mirrored), bool(turned.command.quarters)
     if turned.command == SAME:
         return []
-    parts = ["forwards and backwards are exchanged"] if quarters else []
-    parts += ["left and right are exchanged"] if bool(mirrored) != bool(quarters) else []
-    exchange = _exchange(platform, forwards=bool(quarters), turning=bool(mirrored))
+    parts = ["forwards and backwards are exchanged"] if backwards else []
+    parts += ["left and right are exchanged"] if mirrored != backwards else []
+    exchange = _exchange(platform, forwards=backwards, turning=mirrored)
     because = "only so the robot moves as it is commanded"
     words = ", and ".join(parts) if parts else "the yaw moment is reversed"
     return [FrameCorrection(COMMAND, words, because, turned.nats, exchange, np.zeros(len(platform.actuators)))]
@@ -154,7 +157,7 @@ def _commands(turned: Orientation, platform: Platform) -> Found:
 
 def _exchange(platform: Platform, *, forwards: bool, turning: bool) -> Floats | None:
     """Signed exchange of actuators that reverses surge or yaw moment and leaves the rest; None if no exchange does."""
-    wrenches = platform.actuator_wrenches() * platform.actuator_limits()[:, :1]
+    wrenches = platform.actuator_wrenches() * platform.actuator_limits()[:, AHEAD]
     count = len(wrenches)
     matrix = np.zeros((count, count))
     goal = wrenches * np.array([-1.0 if forwards else 1.0, 1.0, 1.0, -1.0 if turning else 1.0])

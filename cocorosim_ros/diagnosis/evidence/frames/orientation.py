@@ -16,15 +16,14 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import ORIENTATION
 from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correlation, independent, nats_behind
-from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
-from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.motion import Courses, Motion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
 from cocorosim_ros.foundation.arrays import Floats
 
 # Changes that conventions and mountings make, the most usual first.
-USUAL_POSITIONS: tuple[Turned, ...] = (SWAPPED, (1, 0), (1, 2))
-USUAL_ANGLES: tuple[Turned, ...] = (SWAPPED, (1, 0), (0, 1), (0, 3), (0, 2))
-USUAL_POSES: tuple[Turned, ...] = (SWAPPED, (1, 0))
+USUAL_POSITIONS: tuple[Turned, ...] = (SWAPPED, Turned(1, 0), Turned(1, 2))
+USUAL_ANGLES: tuple[Turned, ...] = (SWAPPED, Turned(1, 0), Turned(0, 1), Turned(0, 3), Turned(0, 2))
+USUAL_POSES: tuple[Turned, ...] = (SWAPPED, Turned(1, 0))
 
 
 @dataclass(frozen=True)
@@ -67,7 +66,7 @@ def _candidates(relations: _Relations) -> Iterator[Orientation]:
     yaw = ALL_TURNED if relations.has_yaw else (SAME,)
     compass = ALL_TURNED if relations.has_compass else (SAME,)
     gyro = (False, True) if relations.has_gyro else (False,)
-    command = ((0, 0), (1, 0), (0, 2), (1, 2)) if relations.has_command else (SAME,)
+    command = (SAME, Turned(1, 0), Turned(0, 2), Turned(1, 2)) if relations.has_command else (SAME,)
     for chosen in product(position, yaw, compass, gyro, command):
         yield Orientation(*chosen)
 
@@ -115,24 +114,25 @@ class _Relations:
         total = 0.0
         for name, angle in (("yaw", turned.yaw), ("compass", turned.compass)):
             table = self._course[name]
-            total += table[turned.position[0], angle[0], turned.command[0], self._quarter(turned, angle)]
-        quarter = (turned.yaw[1] - turned.compass[1]) % 4
-        total += self._headings[turned.yaw[0], turned.compass[0], quarter]
-        mirrored = {"yaw": turned.yaw[0], "compass": turned.compass[0], "gyro": int(turned.gyro)}
-        mirrored["command"] = turned.command[0]
+            place = (turned.position.mirrored, angle.mirrored, turned.command.mirrored, self._quarter(turned, angle))
+            total += table[place]
+        quarter = (turned.yaw.quarters - turned.compass.quarters) % 4
+        total += self._headings[turned.yaw.mirrored, turned.compass.mirrored, quarter]
+        mirrored = {"yaw": turned.yaw.mirrored, "compass": turned.compass.mirrored, "gyro": int(turned.gyro)}
+        mirrored["command"] = turned.command.mirrored
         for (a, b), table in self._rates.items():
             total += table[(mirrored[a] + mirrored[b]) % 2]
         return float(total)
 
     def _quarter(self, turned: Orientation, angle: Turned) -> int:
-        return (turned.position[1] - angle[1] - turned.command[1]) % 4
+        return (turned.position.quarters - angle.quarters - turned.command.quarters) % 4
 
 
 def _given(values: Floats) -> bool:
     return bool(np.isfinite(values).any())
 
 
-def _course_table(motion: Motion, expected: tuple[Complex, Complex]) -> Floats:
+def _course_table(motion: Motion, expected: Courses) -> Floats:
     """Nats (2, 2, 2, 4) by mirrored course, mirrored angle, mirrored commands, and quarter turns between them.
 
     The quarter turns are those of the course against angle and commands. Under a mirrored angle the expected course is
@@ -141,10 +141,10 @@ def _course_table(motion: Motion, expected: tuple[Complex, Complex]) -> Floats:
     scores = np.zeros((2, 2, 2, 4))
     for course, heading, command in product((0, 1), repeat=3):
         left = np.conj(motion.course) if course else motion.course
-        right = np.conj(expected[1 - command]) if heading else expected[command]
+        right = np.conj(expected.under(1 - command)) if heading else expected.under(command)
         found = correlation(left, right)
         scores[course, heading, command] = [(found * 1j**quarter).real for quarter in range(4)]
-    count = independent(motion.course, expected[0], motion.weight)
+    count = independent(motion.course, expected.commanded, motion.weight)
     return nats_behind(np.square(np.maximum(scores, 0.0)), float(scores.max(initial=0.0)) ** 2, count)
 
 

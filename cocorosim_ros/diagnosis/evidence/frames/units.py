@@ -8,15 +8,15 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import UNITS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, slope
-from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, affine, scaled
+from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine, scaled
 from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 
-CERTAIN = float("inf")
 DEGREE = np.pi / 180.0
 
 
@@ -27,12 +27,12 @@ def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameCorrect
     for rate, name in ((motion.turn, "the poses turn"), (motion.gyro, "the gyroscope says")):
         ratio = _ratio(motion.swing, rate, motion.weight)
         if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
-            return scaled("compass", (words, f"it swings {ratio:.3g} times as fast as {name}"), CERTAIN, [DEGREE])
+            return scaled("compass", Fault(words, f"it swings {ratio:.3g} times as fast as {name}"), CERTAIN, [DEGREE])
         if np.isfinite(ratio):
             return None
     if all(stream.full_turn == FULL_TURN for stream in streams):
         return None
-    return scaled("compass", (words, "its readings go beyond a whole turn of 6.28 rad"), CERTAIN, [DEGREE])
+    return scaled("compass", Fault(words, "its readings go beyond a whole turn of 6.28 rad"), CERTAIN, [DEGREE])
 
 
 def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
@@ -41,8 +41,8 @@ def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
         ratio = _ratio(motion.gyro, rate, motion.weight)
         if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
             because = f"its rate is {ratio:.3g} times that at which {name} turns"
-            words = ("the angular rate is in degrees per second instead of radians", because)
-            return scaled("imu", words, CERTAIN, [DEGREE, 1.0, 1.0, 1.0])
+            fault = Fault("the angular rate is in degrees per second instead of radians", because)
+            return scaled("imu", fault, CERTAIN, [DEGREE, 1.0, 1.0, 1.0])
         if np.isfinite(ratio):
             return None
     return None
@@ -50,7 +50,7 @@ def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
 
 def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameCorrection | None:
     """The correction of a pressure that is not in pascals, or counts from the surface; None if it is absolute."""
-    readings = [log.streams["pressure"].value[:, 0] for log in logs if "pressure" in log.streams]
+    readings = [log.streams["pressure"].value[:, AMBIENT] for log in logs if "pressure" in log.streams]
     if not readings or platform.water_density < UNITS.dense:
         return None
     level = float(np.median(np.concatenate(readings)))
@@ -62,12 +62,13 @@ def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) 
         fits = np.isnan(per_metre) or shallow < per_metre * factor / weight < steep
         if low <= level < high and fits:
             because = f"its median is {level:.4g} where the surface alone makes {SURFACE_PRESSURE:.0f} Pa"
-            return scaled("pressure", (f"the pressure is in {unit} instead of pascals", because), CERTAIN, [factor])
+            fault = Fault(f"the pressure is in {unit} instead of pascals", because)
+            return scaled("pressure", fault, CERTAIN, [factor])
     if not np.isnan(per_metre) and not shallow < per_metre / weight < steep:
         return None
     because = f"its median is {level:.4g} Pa, less than the {SURFACE_PRESSURE:.0f} Pa of the air"
-    words = ("the pressure counts from the surface instead of from vacuum", because)
-    return affine("pressure", words, CERTAIN, np.eye(1), np.array([SURFACE_PRESSURE]))
+    fault = Fault("the pressure counts from the surface instead of from vacuum", because)
+    return affine("pressure", fault, CERTAIN, np.eye(1), np.array([SURFACE_PRESSURE]))
 
 
 def _ratio(left: Floats, right: Floats, weight: float) -> float:
@@ -98,5 +99,5 @@ def _length(topic: str, ratio: float, source: str) -> FrameCorrection | None:
         if low < ratio < high:
             because = f"its speeds are {ratio:.3g} times those that {source} one expect"
             columns = [factor] * 3 + [1.0] * (topic == "pose")
-            return scaled(topic, (f"lengths are in {unit} instead of metres", because), CERTAIN, columns)
+            return scaled(topic, Fault(f"lengths are in {unit} instead of metres", because), CERTAIN, columns)
     return None

@@ -9,7 +9,6 @@ from cocorosim_ros.foundation.arrays import Floats
 
 LOW_ORDER, HIGH_ORDER = 4, 6  # of differences, which vanish for polynomials of lower degree
 WITHIN_ONE_SIGMA = 0.6826894921370859  # share of a normal distribution
-BLOCKS = 24  # of the time, of which the quiet ones are sought
 
 
 def noise_of(time: Floats, value: Floats) -> float:
@@ -100,5 +99,5 @@ def _quiet_scale(residuals: Floats) -> float:
     The residuals are cut into stretches, each gives a scale, and the quantile NOISE.quiet_quantile of these is taken:
     motion, which adds to the noise, shows least there.
     """
-    parts: list[Floats] = np.array_split(residuals, min(BLOCKS, residuals.size // NOISE.fewest))
+    parts: list[Floats] = np.array_split(residuals, min(NOISE.stretches, residuals.size // NOISE.fewest))
     return float(np.quantile([_scale(part) for part in parts], NOISE.quiet_quantile))

@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import TURNING
 from cocorosim_ros.diagnosis.evidence.streams.log import Stream
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import TURN_RATE
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
 FULL_TURN = 2.0 * np.pi
 STEP = 1.0  # s over which turns are compared
+
+
+@dataclass(frozen=True)
+class TurnedAngle:
+    """A continuous angle (m,) of a stream, at times (m,) [s]."""
+
+    time: Floats
+    angle: Floats
 
 
 def period_of(angle: Floats) -> float:
@@ -21,12 +31,10 @@ def period_of(angle: Floats) -> float:
     return 360.0 if beyond else FULL_TURN
 
 
-def unwrapped(
-    time: Floats, angle: Floats, period: float = FULL_TURN, turned: tuple[Floats, Floats] | None = None
-) -> Floats:
+def unwrapped(time: Floats, angle: Floats, period: float = FULL_TURN, turned: TurnedAngle | None = None) -> Floats:
     """Angle (n,) without jumps of a period; NaN where it is not given.
 
-    turned: times (m,) and the continuous angle (m,) of another stream, same unit; over a gap of the readings the
+    turned: the angle of another stream, same unit; over a gap of the readings the
     number of turns that comes closest to this stream is taken. Without it, the shortest way is taken.
     """
     result = np.full(angle.shape, np.nan)
@@ -35,10 +43,10 @@ def unwrapped(
         return result
     moments, wrapped = time[given], angle[given]
     expected = np.zeros(moments.size - 1)
-    if turned is not None and len(turned[0]) > 1:
+    if turned is not None and len(turned.time) > 1:
         long = np.diff(moments) > TURNING.long
-        other = np.interp(moments, *turned)
-        expected = np.where(long & _covered(moments, turned[0]), np.diff(other), 0.0)
+        other = np.interp(moments, turned.time, turned.angle)
+        expected = np.where(long & _covered(moments, turned.time), np.diff(other), 0.0)
     steps = np.diff(wrapped)
     steps = expected + (steps - expected + period / 2) % period - period / 2
     result[given] = wrapped[0] + np.concatenate([[0.0], np.cumsum(steps)])
@@ -56,10 +64,15 @@ def _covered(moments: Floats, other: Floats) -> Flags:
     return np.asarray((inside > 1) & (longest < TURNING.long))
 
 
-def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> tuple[Floats, Floats] | None:
-    """Times (m,) and angle (m,) [unit of `angle`] from the gyroscope, if both agree where the angle has no gaps."""
+def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> TurnedAngle | None:
+    """The angle [unit of `angle`] from the gyroscope, if both agree where the angle has no gaps; else None."""
     given = np.isfinite(angle)
-    if imu is None or len(imu.time) < 3 or np.count_nonzero(given) < 3 or not np.isfinite(imu.value[:, 0]).all():
+    if (
+        imu is None
+        or len(imu.time) < 3
+        or np.count_nonzero(given) < 3
+        or not np.isfinite(imu.value[:, TURN_RATE]).all()
+    ):
         return None
     time, angle = time[given], angle[given]
     turned = _integral(imu)
@@ -73,10 +86,10 @@ def turned_by_gyro(time: Floats, angle: Floats, imu: Stream | None) -> tuple[Flo
         return None
     if abs(np.corrcoef(ours, theirs)[0, 1]) < TURNING.follows:
         return None
-    return imu.time, float((ours * theirs).sum() / (theirs * theirs).sum()) * turned
+    return TurnedAngle(imu.time, float((ours * theirs).sum() / (theirs * theirs).sum()) * turned)
 
 
 def _integral(imu: Stream) -> Floats:
-    steps, rate = np.diff(imu.time), imu.value[:, 0]
+    steps, rate = np.diff(imu.time), imu.value[:, TURN_RATE]
     turns = 0.5 * (rate[1:] + rate[:-1]) * np.where(steps < TURNING.continuous, steps, 0.0)
     return np.concatenate([[0.0], np.cumsum(turns)])

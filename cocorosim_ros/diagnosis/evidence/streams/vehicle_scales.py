@@ -6,10 +6,15 @@ import numpy as np
 
 from cocorosim_ros.scenario.parts.platform import Platform
 
+FORWARD, LEFT, UP, TURN = range(4)
+"""Columns of a platform's wrenches: forces along the axes of the body, and the moment about z."""
+AHEAD = slice(0, 1)
+"""The column of a platform's limits that holds the force at command +1, as a matrix of one column."""
+
 
 def full_speed(platform: Platform) -> float:
     """Speed v [m/s] at which quadratic drag holds all horizontal thrust: v = sqrt(X / k)."""
-    thrust = np.abs(platform.actuator_wrenches()[:, :2]) * platform.actuator_limits().max(axis=1, keepdims=True)
+    thrust = np.abs(platform.actuator_wrenches()[:, FORWARD:UP]) * platform.actuator_limits().max(axis=1, keepdims=True)
     return float(np.sqrt(thrust.sum(axis=0).max(initial=0.0) / max(platform.drag, 1e-9)))
 
 
