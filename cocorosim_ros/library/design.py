@@ -19,6 +19,7 @@ from cocorosim_ros.study.experiments.execution import Going
 from cocorosim_ros.study.experiments.results_folder import group_rows, read_folder
 from cocorosim_ros.study.experiments.rows import Chunk, chunks
 from cocorosim_ros.study.experiments.store import Store
+from cocorosim_ros.world.controllers.plain.plain_controller import rehearse_plain
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -110,13 +111,16 @@ def run_design(
     go on; what is finished by then is kept.
 
     Returns the table, one row a run. Raises CocorosimError for whatever is wrong with the design, if the folder holds
-    something else or rows of another design or version (without `force`), and if workers keep dying.
+    something else or rows of another design or version (without `force`), if a plain Python controller cannot be made,
+    and if workers keep dying.
 
     Example: `run_design("smoke", "results", workers=1).to_frame().groupby("group")["polarisation"].median()`.
     """
     chosen, folder = _design(design, replicates), Path(place_text(out, "out"))
     if workers is not None and not isinstance(workers, str):
         workers = whole_number(workers, "workers")
+    for cell in chosen.cells:
+        rehearse_plain(cell.scenario.robots, cell.scenario.seed)
     with _calculator(workers) as calculate:  # before the folder is made: a scheduler may not answer
         store = Store(folder, chosen, force=force)
         missing = _add_missing(store, chosen, calculate, watch)
