@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cocorosim_ros.library.card import Card, Shown, digits
-from cocorosim_ros.library.frame import data_frame
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.library.recording import Recording, read_recording
 from cocorosim_ros.library.scenario import Place, place_text
 from cocorosim_ros.scenario.reading.config_files import find_config

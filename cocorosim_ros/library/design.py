@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cocorosim_ros.library.card import Card, Shown, digits
-from cocorosim_ros.library.frame import loaded_pandas
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import loaded_pandas
 from cocorosim_ros.library.scenario import Place, place_text, whole_number
 from cocorosim_ros.study.experiments import execution
 from cocorosim_ros.study.experiments.design import Cell, Design, load_design

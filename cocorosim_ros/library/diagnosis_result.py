@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated, Verdict
-from cocorosim_ros.library.card import Card, Shown
-from cocorosim_ros.library.frame import data_frame
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.library.scenario import Place, place_text
 from cocorosim_ros.scenario.parts.platform import Platform
 

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.library.card import Card, Shown
-from cocorosim_ros.library.frame import data_frame
 from cocorosim_ros.library.scenario import Place, Time, nanoseconds, place_text
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.scenario.scenario import Scenario

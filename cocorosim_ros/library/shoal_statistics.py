@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.library.card import Card, Shown, digits
-from cocorosim_ros.library.frame import data_frame
 from cocorosim_ros.scenario.reading.entry import nearest
 from cocorosim_ros.study.metrics import COLUMN, METRICS, PAPER_METRICS
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples

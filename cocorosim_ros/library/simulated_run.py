@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.library.card import Card, Shown
-from cocorosim_ros.library.frame import data_frame, long_columns
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.library.scenario import Time, nanoseconds
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.scenario.scenario import Scenario
@@ -93,7 +94,7 @@ class SimulatedRun(Shown):
         numbers |= {name: self.velocity[..., place] for place, name in enumerate("uvw")}
         numbers |= {"r": self.yaw_rate, **self._commands()}
         columns = {name: values.reshape(-1) for name, values in numbers.items()}
-        return data_frame({**long_columns(self.time, self.robots), **columns})
+        return data_frame({**_long_columns(self.time, self.robots), **columns})
 
     def card(self) -> Card:
         """What was simulated, for how long, and where the robots are in the end."""
@@ -118,3 +119,12 @@ class SimulatedRun(Shown):
                 column = columns.setdefault(f"command_{name}", np.full(self.yaw.shape, np.nan))
                 column[:, robot] = self.command[:, robot, place]
         return columns
+
+
+def _long_columns(time: ArrayLike, robots: tuple[str, ...]) -> dict[str, ArrayLike]:
+    """The columns `time` and `robot` of a long table: all robots of the first moment, then of the next."""
+    moments = np.asarray(time)
+    return {
+        "time": np.repeat(moments, len(robots)),
+        "robot": np.tile(np.array(robots, dtype=object), len(moments)),
+    }
