@@ -12,7 +12,7 @@ import numpy as np
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.library.scenario import Place, place_text
+from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.assembly import Stream
@@ -115,6 +115,7 @@ def convert(
 
     Example: `convert("hovercraft_epfl", "logs", "recordings").recordings[0].read().tracks`.
     """
+    function(progress, "progress")
     mapped = load_map(find_config("maps", place_text(map, "map")))
     made = convert_source(
         mapped, Path(place_text(source, "source")), Path(place_text(out, "out")), force=force, progress=progress

@@ -12,7 +12,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.data_frame import loaded_pandas
-from cocorosim_ros.library.scenario import Place, place_text, whole_number
+from cocorosim_ros.scenario.reading.arguments import Place, function, one_of, place_text, whole_number
 from cocorosim_ros.study.experiments import execution
 from cocorosim_ros.study.experiments.design import Cell, Design, load_design
 from cocorosim_ros.study.experiments.execution import Going
@@ -35,6 +35,11 @@ class Watch:
     """Told at the start and after each part how many runs are done, and of how many."""
     going: Going = lambda: True
     """Asked now and then whether to go on."""
+
+    def __post_init__(self) -> None:
+        """Raise CocorosimError for what cannot be called."""
+        function(self.progress, "progress")
+        function(self.going, "going")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -116,6 +121,7 @@ def run_design(
 
     Example: `run_design("smoke", "results", workers=1).to_frame().groupby("group")["polarisation"].median()`.
     """
+    one_of(watch, "watch", Watch)
     chosen, folder = _design(design, replicates), Path(place_text(out, "out"))
     if workers is not None and not isinstance(workers, str):
         workers = whole_number(workers, "workers")

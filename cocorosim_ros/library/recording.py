@@ -15,8 +15,8 @@ from cocorosim_ros.foundation.card import Card, Shown
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.library.scenario import Place, Time, nanoseconds, place_text
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
+from cocorosim_ros.scenario.reading.arguments import Place, Time, nanoseconds, one_of, place_text, refused
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
@@ -122,6 +122,8 @@ class Recording(Shown):
         from cocorosim_ros.study.pictures.facts import MetricSeries
 
         file = Path(place_text(out, "out"))
+        if statistics is not None:
+            one_of(statistics, "statistics", ShoalStatistics)
         check_file(file, force=force)
         measured = statistics or self.measure()
         draw_picture(file, self.bag, self.tracks, MetricSeries(measured.stamp_ns, measured.series))
@@ -133,8 +135,8 @@ class Recording(Shown):
         topic: 'pose' (x, y, z [m], yaw [rad]; world) or one of `readings`. Rows of a robot that lacks a column have NaN
         there. Raises CocorosimError for a topic that is none of these.
         """
-        if topic != "pose" and topic not in READABLE:
-            raise CocorosimError(f"There is no topic '{topic}' of numbers; choose from pose, {', '.join(READABLE)}.")
+        if topic not in ("pose", *READABLE):
+            raise refused(topic, "topic", f"which is no topic of numbers; choose from pose, {', '.join(READABLE)}")
         parts = [self._columns(robot, topic) for robot in self.robots]
         names = tuple(dict.fromkeys(name for _, columns in parts for name in columns))
         stamps = [stamp_ns for stamp_ns, _ in parts]

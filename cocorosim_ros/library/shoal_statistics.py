@@ -60,8 +60,8 @@ class ShoalStatistics(Shown):
 
     def __getitem__(self, metric: str) -> Floats:
         """(t,) one metric over time. Raises CocorosimError for a name that is none."""
-        if metric not in COLUMN:
-            raise CocorosimError(f"There is no metric '{metric}'{nearest(metric, METRICS)}.")
+        if metric not in self.metrics:
+            raise CocorosimError(f"There is no metric {metric!r}{nearest(str(metric), METRICS)}.")
         return np.asarray(self.series[:, COLUMN[metric]])
 
     def tree(self) -> dict[str, Any]:

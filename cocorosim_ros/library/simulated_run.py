@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.card import Card, Shown
 from cocorosim_ros.foundation.data_frame import data_frame
-from cocorosim_ros.library.scenario import Time, nanoseconds
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
+from cocorosim_ros.scenario.reading.arguments import Time, nanoseconds
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS

@@ -14,6 +14,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors
+from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
@@ -117,7 +118,7 @@ def load_platform(name_or_path: str | Path) -> Platform:
 
     Raises CocorosimError: unknown name, unreadable file, unknown key, wrong unit, number without source.
     """
-    return read_platform_file(find_config("platforms", str(name_or_path)))
+    return read_platform_file(find_config("platforms", place_text(name_or_path, "name_or_path")))
 
 
 def read_platform_file(path: Path) -> Platform:

@@ -10,8 +10,9 @@ from typing import Any
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.python_controller import PythonController
+from cocorosim_ros.scenario.reading.arguments import names, place_text, whole_number
 from cocorosim_ros.scenario.reading.config_files import config_names, find_config, referenced_config
-from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.scenario.reading.entry import Entry, argument_entry, nearest
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
@@ -116,22 +117,29 @@ def load_design(
     controller: of all robots in every group, as a scenario would have it.
     Raises CocorosimError: whatever is wrong with it, or a group or kind of numerics that it does not have.
     """
-    top = load_yaml(find_config("designs", str(name_or_path)))
+    place, groups, numerics = (
+        place_text(name_or_path, "name_or_path"),
+        names(groups, "groups"),
+        names(numerics, "numerics"),
+    )
+    if controller is not None:
+        place_text(controller, "controller")
+    top = load_yaml(find_config("designs", place))
     section = top.section(_REQUIRED, _OPTIONAL)
     if replicates is not None:
-        section["replicates"] = Entry(replicates, "option '--replicates'", 0, "replicates")
+        section["replicates"] = argument_entry(whole_number(replicates, "replicates"), "replicates")
     named = section["groups"].mapping()
     if not named:
         raise section["groups"].problem("has no group, so that there would be no run; add at least one.")
     baseline = section["baseline"].choice(list(named))
     listed = [part.text() for part in section["numerics"].items()]
     kinds = _chosen(numerics, listed, "kind of numerics", top)
-    names = _chosen(groups, list(named), "group", top)
-    count = _replicates(section["replicates"], len(kinds) * len(names))
+    chosen = _chosen(groups, list(named), "group", top)
+    count = _replicates(section["replicates"], len(kinds) * len(chosen))
     base = load_yaml(referenced_config("scenarios", section["scenario"]))
     if controller is not None:
-        section["controller"] = Entry(controller, "option '--controller'", 0, "controller")
-    cells = tuple(_cell(section, base, kind, name) for kind in kinds for name in names)
+        section["controller"] = argument_entry(controller, "controller")
+    cells = tuple(_cell(section, base, kind, name) for kind in kinds for name in chosen)
     words = section["name"].text(), section["description"].text()
     return Design(*words, baseline, count, _metrics(section), cells)
 
