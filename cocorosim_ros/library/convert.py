@@ -39,8 +39,8 @@ class TopicExtent:
     """Longest time between two messages [s]; None for one alone."""
 
 
-@dataclass(frozen=True)
-class ConvertedRecording:
+@dataclass(frozen=True, repr=False)
+class ConvertedRecording(Shown):
     """One recording that was made."""
 
     folder: Path
@@ -57,6 +57,18 @@ class ConvertedRecording:
     def read(self) -> Recording:
         """The recording, opened. Raises CocorosimError if it is no longer there."""
         return read_recording(self.folder)
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a topic: robot, topic, messages, duration [s], rate [Hz], longest_gap [s]."""
+        names = ("robot", "topic", "messages", "duration", "rate", "longest_gap")
+        return data_frame({name: [getattr(extent, name) for extent in self.topics] for name in names})
+
+    def card(self) -> Card:
+        """Its topics, and what was found on the way."""
+        rows = [(each.robot, each.topic, str(each.messages), digits(each.rate)) for each in self.topics]
+        facts = {"messages": str(self.messages), "digest": self.digest, "folder": str(self.folder)}
+        headings = ("robot", "topic", "messages", "rate [Hz]")
+        return Card(f"converted recording {self.folder.name}", facts, headings, rows, self.findings)
 
 
 @dataclass(frozen=True, repr=False)

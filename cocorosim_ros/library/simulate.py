@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import ArgumentError
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.library.scenario import scenario_to_run
 from cocorosim_ros.library.simulated_run import SimulatedRun
 from cocorosim_ros.scenario.reading.arguments import Place, Seed, Time, whole_number
@@ -78,14 +78,14 @@ def _simulated(scenario: Scenario, first: int, count: int) -> Iterator[Simulated
             scenario,
             first + run,
             tuple(platforms),
-            _fixed(np.arange(scenario.ticks, dtype=np.int64) * scenario.tick_ns),
-            _fixed(state[..., X : Z + 1]),
-            _fixed(yaw[run]),
-            _fixed(state[..., SURGE : HEAVE + 1]),
-            _fixed(state[..., YAW_RATE]),
-            _fixed(course.command[run]),
+            read_only(np.arange(scenario.ticks, dtype=np.int64) * scenario.tick_ns),
+            read_only(state[..., X : Z + 1]),
+            read_only(yaw[run]),
+            read_only(state[..., SURGE : HEAVE + 1]),
+            read_only(state[..., YAW_RATE]),
+            read_only(course.command[run]),
             actuators,
-            {name: _fixed(values[run]) for name, values in course.readings.items()},
+            {name: read_only(values[run]) for name, values in course.readings.items()},
             remarks,
         )
 
@@ -124,9 +124,3 @@ class _Course:
     def _room(values: Floats, ticks: int) -> Floats:
         """(runs, ticks, ...) for values (runs, ...)."""
         return np.empty((values.shape[0], ticks, *values.shape[1:]))
-
-
-def _fixed(values: Any) -> Any:
-    """The same array, which can no longer be written to."""
-    values.flags.writeable = False
-    return values

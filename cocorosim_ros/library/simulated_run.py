@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.card import Card, Shown
 from cocorosim_ros.foundation.data_frame import data_frame
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.scenario.reading.arguments import Time, nanoseconds
 from cocorosim_ros.scenario.scenario import Scenario
@@ -61,17 +62,19 @@ class SimulatedRun(Shown):
     @property
     def time(self) -> Floats:
         """(ticks,) [s] since the start."""
-        return np.asarray(self.stamp_ns / NANOSECONDS)
+        return read_only(np.asarray(self.stamp_ns / NANOSECONDS))
 
     @property
     def depth(self) -> Floats:
         """(ticks, robots) [m], positive below the surface."""
-        return np.asarray(-self.position[..., 2])
+        return read_only(np.asarray(-self.position[..., 2]))
 
     def tracks(self) -> dict[str, PoseTrack]:
         """The poses robot by robot, by name: `stamp_ns` (ticks,), `position` (ticks, 3), `yaw` (ticks,)."""
         return {
-            name: PoseTrack(self.stamp_ns.copy(), self.position[:, robot].copy(), self.yaw[:, robot].copy())
+            name: PoseTrack(
+                self.stamp_ns, read_only(self.position[:, robot].copy()), read_only(self.yaw[:, robot].copy())
+            )
             for robot, name in enumerate(self.robots)
         }
 

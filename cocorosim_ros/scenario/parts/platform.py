@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
@@ -45,8 +46,8 @@ def _read_words(entry: Entry) -> dict[str, str]:
     return {name: part.text() for name, part in entry.mapping().items()}
 
 
-@dataclass(frozen=True)
-class Platform:
+@dataclass(frozen=True, repr=False)
+class Platform(Shown):
     """One kind of robot; SI units, body axes forward-left-up, moves in surge, sway, heave and yaw.
 
     mass [kg], yaw_inertia [kg m^2], drag: rho*A*Cd/2 for the total speed [kg/m], yaw_drag [N m s^2],
@@ -104,6 +105,21 @@ class Platform:
     def actuator_limits(self) -> Floats:
         """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range."""
         return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
+
+    def card(self) -> Card:
+        """Mass, inertia and drag, and the effects beyond the basic physics."""
+        facts = {
+            "mass": f"{digits(self.mass)} kg",
+            "yaw inertia": f"{digits(self.yaw_inertia)} kg m^2",
+            "drag": f"{digits(self.drag)} kg/m",
+            "actuators": ", ".join(self.actuator_names),
+        }
+        rows = [
+            (effect, name, digits(part.value), part.unit)
+            for effect, parameters in self.effect_quantities.items()
+            for name, part in parameters.items()
+        ]
+        return Card(f"platform {self.name}", facts, ("effect", "parameter", "value", "unit"), rows, (self.description,))
 
     def _limits(self, actuator: Actuator) -> tuple[float, float]:
         if isinstance(actuator, BuoyancyPump):

@@ -6,8 +6,10 @@ import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.python_controller import PythonController
 from cocorosim_ros.scenario.reading.arguments import names, place_text, whole_number
@@ -19,6 +21,9 @@ from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
 from cocorosim_ros.world.checks.controlled import with_controller
 from cocorosim_ros.world.checks.loading import read_scenario
 from cocorosim_ros.world.seeding.seeding import generator
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 MOST_RUNS = 1_000_000  # whose table of results, about 1 kB a run, is put in order in memory
 CONTROLLER_FILES = "controller_files"  # in the summary of a design that has any
@@ -38,8 +43,8 @@ class Cell:
     """With the seed of the group: run i of it is `cocorosim run` of this scenario with run number i."""
 
 
-@dataclass(frozen=True)
-class Design:
+@dataclass(frozen=True, repr=False)
+class Design(Shown):
     """What is compared with what."""
 
     name: str
@@ -61,6 +66,22 @@ class Design:
     def groups(self) -> tuple[str, ...]:
         """The names of the groups in their order."""
         return tuple(dict.fromkeys(cell.group for cell in self.cells))
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a group in a kind of numerics: numerics, group, description, robots, ticks, runs."""
+        rows = [
+            (cell.numerics, cell.group, cell.description, len(cell.scenario.robots), cell.scenario.ticks)
+            for cell in self.cells
+        ]
+        names = ("numerics", "group", "description", "robots", "ticks")
+        columns = {name: [row[place] for row in rows] for place, name in enumerate(names)}
+        return data_frame({**columns, "runs": [self.replicates] * len(rows)})
+
+    def card(self) -> Card:
+        """What is compared with what."""
+        facts = {"runs": str(self.runs), "baseline": self.baseline, "replicates": str(self.replicates)}
+        rows = [(cell.numerics, cell.group, cell.description) for cell in self.cells]
+        return Card(f"design {self.name}", facts, ("numerics", "group", "description"), rows, (self.description,))
 
     def cell_of_row(self, row: int) -> tuple[Cell, int]:
         """The cell and the replicate of a row of the finished table. Raises CocorosimError if there is none."""
