@@ -166,9 +166,11 @@ def _record_row(design: Design, options: dict[str, Any], console: Console) -> in
     from cocorosim_ros.commands.show_results import show_results
     from cocorosim_ros.graph.runs.in_process import run_in_process
     from cocorosim_ros.library.record import new_record
+    from cocorosim_ros.world.controllers.plain.plain_controller import rehearse_plain
 
     cell, replicate = _run_of_row(design, options, console)
     scenario = cell.scenario
+    rehearse_plain(scenario.robots, scenario.seed, replicate)
     folder = prepare_folder(options["out"], force=options["force"])
     made_by = {"run": str(replicate), "group": cell.group, "numerics": cell.numerics}
     record = new_record(scenario, folder / "bag", made_by=made_by)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import importlib
 import sys
+from typing import Any
 
 import click
 
 from cocorosim_ros import __version__
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
 UNUSABLE_INPUT = 2
 COMMANDS: dict[str, str] = {
@@ -39,9 +40,23 @@ class _Commands(click.Group):
         command: click.Command = module.command
         return command
 
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the sub-command; what is said of an argument of the library is said of its option."""
+        try:
+            return super().invoke(ctx)
+        except ArgumentError as error:
+            chosen = self.get_command(ctx, ctx.invoked_subcommand or "")
+            raise CocorosimError(error.with_options(_options(chosen))) from error
+
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
+
+
+def _options(command: click.Command | None) -> dict[str, str]:
+    """The options of a command, such as `--group`, by the names of the arguments that they stand for."""
+    given = [part for part in command.params if isinstance(part, click.Option)] if command else []
+    return {name: part.opts[0] for part in given for name in (part.opts[0].lstrip("-"), str(part.name))}
 
 
 @click.group(cls=_Commands)

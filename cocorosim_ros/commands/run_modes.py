@@ -19,7 +19,7 @@ from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import describe_body
-from cocorosim_ros.world.controllers.plain.plain_controller import check_plain
+from cocorosim_ros.world.controllers.plain.plain_controller import check_plain, rehearse_plain
 from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 if TYPE_CHECKING:
@@ -87,6 +87,7 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
     selected_topics(run_topics(bodies), scenario.recording.topics)
     domain_of_user()
     plain_path_asked()
+    rehearse_plain(scenario.robots, scenario.seed)
 
 
 def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
 
 def check_file(file: Path | None, *, force: bool) -> None:
@@ -19,6 +19,6 @@ def check_file(file: Path | None, *, force: bool) -> None:
         wrong = "is a folder" if file.is_dir() else "lies in a folder that does not exist"
         raise CocorosimError(f"{file} {wrong}; give the name of a file in a folder that exists.")
     if file.exists() and not force:
-        raise CocorosimError(f"{file} exists already and is not overwritten; choose another name, or --force.")
+        raise ArgumentError(f"{file} exists already and is not overwritten; choose another name, or 'force'.", "force")
     if not os.access(file if file.exists() else file.absolute().parent, os.W_OK):
         raise CocorosimError(f"{file} may not be written by you; give a file in a folder of your own.")

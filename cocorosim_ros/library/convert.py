@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cocorosim_ros.library.card import Card, Shown, digits
-from cocorosim_ros.library.frame import data_frame
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.library.scenario import Place, place_text
+from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.assembly import Stream
@@ -39,8 +39,8 @@ class TopicExtent:
     """Longest time between two messages [s]; None for one alone."""
 
 
-@dataclass(frozen=True)
-class ConvertedRecording:
+@dataclass(frozen=True, repr=False)
+class ConvertedRecording(Shown):
     """One recording that was made."""
 
     folder: Path
@@ -57,6 +57,18 @@ class ConvertedRecording:
     def read(self) -> Recording:
         """The recording, opened. Raises CocorosimError if it is no longer there."""
         return read_recording(self.folder)
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a topic: robot, topic, messages, duration [s], rate [Hz], longest_gap [s]."""
+        names = ("robot", "topic", "messages", "duration", "rate", "longest_gap")
+        return data_frame({name: [getattr(extent, name) for extent in self.topics] for name in names})
+
+    def card(self) -> Card:
+        """Its topics, and what was found on the way."""
+        rows = [(each.robot, each.topic, str(each.messages), digits(each.rate)) for each in self.topics]
+        facts = {"messages": str(self.messages), "digest": self.digest, "folder": str(self.folder)}
+        headings = ("robot", "topic", "messages", "rate [Hz]")
+        return Card(f"converted recording {self.folder.name}", facts, headings, rows, self.findings)
 
 
 @dataclass(frozen=True, repr=False)
@@ -115,6 +127,7 @@ def convert(
 
     Example: `convert("hovercraft_epfl", "logs", "recordings").recordings[0].read().tracks`.
     """
+    function(progress, "progress")
     mapped = load_map(find_config("maps", place_text(map, "map")))
     made = convert_source(
         mapped, Path(place_text(source, "source")), Path(place_text(out, "out")), force=force, progress=progress

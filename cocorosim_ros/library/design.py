@@ -10,15 +10,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cocorosim_ros.library.card import Card, Shown, digits
-from cocorosim_ros.library.frame import loaded_pandas
-from cocorosim_ros.library.scenario import Place, place_text, whole_number
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import loaded_pandas
+from cocorosim_ros.scenario.reading.arguments import Place, function, one_of, place_text, whole_number
 from cocorosim_ros.study.experiments import execution
 from cocorosim_ros.study.experiments.design import Cell, Design, load_design
 from cocorosim_ros.study.experiments.execution import Going
 from cocorosim_ros.study.experiments.results_folder import group_rows, read_folder
 from cocorosim_ros.study.experiments.rows import Chunk, chunks
 from cocorosim_ros.study.experiments.store import Store
+from cocorosim_ros.world.controllers.plain.plain_controller import rehearse_plain
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -34,6 +35,11 @@ class Watch:
     """Told at the start and after each part how many runs are done, and of how many."""
     going: Going = lambda: True
     """Asked now and then whether to go on."""
+
+    def __post_init__(self) -> None:
+        """Raise CocorosimError for what cannot be called."""
+        function(self.progress, "progress")
+        function(self.going, "going")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -110,13 +116,17 @@ def run_design(
     go on; what is finished by then is kept.
 
     Returns the table, one row a run. Raises CocorosimError for whatever is wrong with the design, if the folder holds
-    something else or rows of another design or version (without `force`), and if workers keep dying.
+    something else or rows of another design or version (without `force`), if a plain Python controller cannot be made,
+    and if workers keep dying.
 
     Example: `run_design("smoke", "results", workers=1).to_frame().groupby("group")["polarisation"].median()`.
     """
+    one_of(watch, "watch", Watch)
     chosen, folder = _design(design, replicates), Path(place_text(out, "out"))
     if workers is not None and not isinstance(workers, str):
         workers = whole_number(workers, "workers")
+    for cell in chosen.cells:
+        rehearse_plain(cell.scenario.robots, cell.scenario.seed)
     with _calculator(workers) as calculate:  # before the folder is made: a scheduler may not answer
         store = Store(folder, chosen, force=force)
         missing = _add_missing(store, chosen, calculate, watch)

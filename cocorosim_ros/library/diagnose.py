@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError
 from cocorosim_ros.library.diagnosis_result import DiagnosisResult
 from cocorosim_ros.library.recording import Recording
-from cocorosim_ros.library.scenario import Place, place_text
 from cocorosim_ros.scenario.parts.known_effects import knowing
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
 
 Source = Place | Recording
 Progress = Callable[[str, float], None]
@@ -41,9 +41,11 @@ def diagnose(
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.diagnosis.report.output_folder import check_folder
 
+    function(progress, "progress")
     if out is not None:
         check_folder(Path(place_text(out, "out")), force=force)
-    model = _platform(platform) if known is None else knowing(_platform(platform), _platform(known))
+    model = _platform(platform, "platform")
+    model = model if known is None else knowing(model, _platform(known, "known"))
     progress("reading", 0.0)
     evidence = gather_evidence(_paths(bags), model)
     # Loaded here: recordings that cannot be used are refused before the filter is.
@@ -56,12 +58,12 @@ def diagnose(
     return result
 
 
-def _platform(platform: Place | Platform) -> Platform:
-    return platform if isinstance(platform, Platform) else load_platform(place_text(platform, "platform"))
+def _platform(platform: Place | Platform, name: str) -> Platform:
+    return platform if isinstance(platform, Platform) else load_platform(place_text(platform, name))
 
 
 def _paths(bags: Source | Sequence[Source]) -> list[Path]:
     several = list(bags) if isinstance(bags, Sequence) and not isinstance(bags, str) else [bags]
     if not several:
-        raise CocorosimError("There is no recording to diagnose; give one at least.")
+        raise ArgumentError("The argument 'bags' has no recording; give one at least.", "bags")
     return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, "bags")) for bag in several]

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated, Verdict
-from cocorosim_ros.library.card import Card, Shown
-from cocorosim_ros.library.frame import data_frame
-from cocorosim_ros.library.scenario import Place, place_text
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.reading.arguments import Place, place_text
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -92,8 +92,8 @@ class DiagnosisResult(Shown):
         from cocorosim_ros.diagnosis.report.output_folder import check_folder, write_folder
 
         place = Path(place_text(folder, "folder"))
-        check_folder(place, force=force)
-        write_folder(place, self.files)
+        check_folder(place, force=force, argument="folder")
+        write_folder(place, self.files, argument="folder")
         return place
 
     def to_frame(self) -> pd.DataFrame:

@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError
+from cocorosim_ros.library.given_tracks import checked_tracks
 from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.library.scenario import Place, Time, nanoseconds
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.library.simulated_run import SimulatedRun
+from cocorosim_ros.scenario.reading.arguments import LARGEST, Place, Time, names, nanoseconds, place_text, refused
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, sample_tracks
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.world.state.pose_track import PoseTrack
@@ -71,16 +72,20 @@ def measure(
             samples = sample_tracks(_tracks(samples), nanoseconds(interval, "interval"))
         return statistics_of(samples, "arrays")
     if position is not None or yaw is not None or robots is not None:
-        raise CocorosimError(
-            "Arrays are measured by three arguments, time, position and yaw, and 'robots' names their columns; give "
-            "all three, or one recording, simulation or mapping of tracks alone."
+        raise ArgumentError(
+            "Arrays are measured by three arguments, 'time', 'position' and 'yaw', and 'robots' names their columns; "
+            "give all three, or one recording, simulation or mapping of tracks alone.",
+            "time",
+            "position",
+            "yaw",
+            "robots",
         )
     if isinstance(source, Recording | SimulatedRun):
         return source.measure(interval)
     if isinstance(source, Mapping):
         every = None if interval is None else nanoseconds(interval, "interval")
-        return statistics_of(sample_tracks(source, every), "tracks")
-    return read_recording(source).measure(interval)  # type: ignore[arg-type]  # the overloads leave only a path
+        return statistics_of(sample_tracks(checked_tracks(source), every), "tracks")
+    return read_recording(place_text(source, "source")).measure(interval)
 
 
 def _sampled(time: object, position: object, yaw: object, robots: Sequence[str] | None) -> SampledTracks:
@@ -90,13 +95,11 @@ def _sampled(time: object, position: object, yaw: object, robots: Sequence[str] 
         raise _misfit("position", places.shape, "(t, robots, 3) with a yaw of (t, robots)")
     if moments.shape != headings.shape[:1]:
         raise _misfit("time", moments.shape, f"({len(headings)},), one number for each moment of the positions")
-    if not np.isfinite(moments).all():
-        raise CocorosimError("The argument 'time' has numbers that are not finite; give seconds.")
-    names = _names(robots, headings.shape[1])
-    order = sorted(range(len(names)), key=lambda robot: names[robot])
+    columns = _columns(robots, headings.shape[1])
+    order = sorted(range(len(columns)), key=lambda robot: columns[robot])
     present = np.isfinite(places).all(axis=2) & np.isfinite(headings)
     return SampledTracks(
-        tuple(names[robot] for robot in order),
+        tuple(columns[robot] for robot in order),
         _stamps(moments),
         places[:, order],
         headings[:, order],
@@ -106,29 +109,41 @@ def _sampled(time: object, position: object, yaw: object, robots: Sequence[str] 
 
 
 def _numbers(values: Any, name: str) -> Floats:
+    """A copy as numbers."""
     try:
-        return np.array(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise CocorosimError(f"The argument '{name}' is no array of numbers: {error}.") from error
+        given = np.asarray(values)
+        if given.dtype.kind in "iufO":
+            return np.array(given, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise refused(values, name, "which is no array of numbers; give an array, or a list, of them")
 
 
-def _misfit(name: str, shape: tuple[int, ...], wanted: str) -> CocorosimError:
-    return CocorosimError(f"The argument '{name}' has the shape {shape}; give {wanted}.")
+def _misfit(name: str, shape: tuple[int, ...], wanted: str) -> ArgumentError:
+    return ArgumentError(f"The argument '{name}' has the shape {shape}; give {wanted}.", name)
 
 
-def _names(robots: Sequence[str] | None, count: int) -> list[str]:
-    names = (
-        [f"robot_{number:0{len(str(count))}d}" for number in range(1, count + 1)] if robots is None else list(robots)
-    )
-    if len(set(names)) != count:
-        raise CocorosimError(f"The argument 'robots' names {len(set(names))} robots; give {count} different names.")
-    return names
+def _columns(robots: Sequence[str] | None, count: int) -> list[str]:
+    """The names of the columns."""
+    if robots is None:
+        return [f"robot_{number:0{len(str(count))}d}" for number in range(1, count + 1)]
+    given = names(robots, "robots")
+    if len(set(given)) != count or len(given) != count:
+        told = f"The argument 'robots' names {len(set(given))} robots; give {count} different names."
+        raise ArgumentError(told, "robots")
+    return given
 
 
 def _stamps(time: Floats) -> Integers:
+    if not np.isfinite(time).all():
+        raise ArgumentError("The argument 'time' has numbers that are not finite; give seconds.", "time")
+    if (np.abs(time) >= LARGEST / NANOSECONDS).any():
+        told = f"has {np.abs(time).max():g} s, more than 292 years; count the time from a later zero"
+        raise ArgumentError(f"The argument 'time' {told}.", "time")
     stamps = np.round(time * NANOSECONDS).astype(np.int64)
     if (np.diff(stamps) <= 0).any():
-        raise CocorosimError("The argument 'time' does not grow from moment to moment; sort the poses by time.")
+        told = "The argument 'time' does not grow from moment to moment; sort the poses by time."
+        raise ArgumentError(told, "time")
     return stamps
 
 

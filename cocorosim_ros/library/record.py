@@ -9,9 +9,11 @@ from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection
 from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.library.scenario import Place, Seed, Time, check_runs_here, load_scenario, place_text
+from cocorosim_ros.library.scenario import scenario_to_run
+from cocorosim_ros.scenario.reading.arguments import Place, Seed, Time, place_text, whole_number
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.world.controllers.plain.plain_controller import rehearse_plain
 
 
 def record(
@@ -28,16 +30,17 @@ def record(
     scenario, seed, duration, run: as for `simulate`. out: a new folder; force: replace a recording that is there.
 
     Returns the recording. Raises CocorosimError for whatever is wrong with the scenario, if a controller is left to
-    somebody else, if the folder exists (without `force`) or cannot be written, and if a motion runs away; then what was
-    recorded until then stays.
+    somebody else or cannot be made, if the folder exists (without `force`) or cannot be written, and if a motion runs
+    away; then what was recorded until then stays.
 
     Example: `record("five_lilys", "bag", duration="60 s").tracks["lily_01"].yaw`.
     """
-    loaded, folder = load_scenario(scenario, seed=seed, duration=duration), Path(place_text(out, "out"))
-    check_runs_here(loaded)
+    number, folder = whole_number(run, "run", 0), Path(place_text(out, "out"))
+    loaded = scenario_to_run(scenario, seed, duration)
+    rehearse_plain(loaded.robots, loaded.seed, number)
     kept = new_record(loaded, folder, selection=loaded.recording.topics, force=force)
     with kept.writer:
-        run_in_process(loaded, kept, run=run)
+        run_in_process(loaded, kept, run=number)
     return read_recording(folder)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.library.card import Card, Shown
-from cocorosim_ros.library.frame import data_frame
-from cocorosim_ros.library.scenario import Place, Time, nanoseconds, place_text
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
+from cocorosim_ros.scenario.reading.arguments import Place, Time, nanoseconds, one_of, place_text, refused
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
@@ -72,7 +73,15 @@ class Recording(Shown):
         [rad; world, -pi..pi], and how many poses were left out. Robots are the topics NAMESPACE/pose of type
         geometry_msgs/msg/PoseStamped.
         """
-        return read_poses(self.bag)
+        return {
+            name: replace(
+                track,
+                stamp_ns=read_only(track.stamp_ns),
+                position=read_only(track.position),
+                yaw=read_only(track.yaw),
+            )
+            for name, track in read_poses(self.bag).items()
+        }
 
     @property
     def readings(self) -> Mapping[str, Mapping[str, TopicReadings]]:
@@ -122,6 +131,8 @@ class Recording(Shown):
         from cocorosim_ros.study.pictures.facts import MetricSeries
 
         file = Path(place_text(out, "out"))
+        if statistics is not None:
+            one_of(statistics, "statistics", ShoalStatistics)
         check_file(file, force=force)
         measured = statistics or self.measure()
         draw_picture(file, self.bag, self.tracks, MetricSeries(measured.stamp_ns, measured.series))
@@ -133,8 +144,8 @@ class Recording(Shown):
         topic: 'pose' (x, y, z [m], yaw [rad]; world) or one of `readings`. Rows of a robot that lacks a column have NaN
         there. Raises CocorosimError for a topic that is none of these.
         """
-        if topic != "pose" and topic not in READABLE:
-            raise CocorosimError(f"There is no topic '{topic}' of numbers; choose from pose, {', '.join(READABLE)}.")
+        if topic not in ("pose", *READABLE):
+            raise refused(topic, "topic", f"which is no topic of numbers; choose from pose, {', '.join(READABLE)}")
         parts = [self._columns(robot, topic) for robot in self.robots]
         names = tuple(dict.fromkeys(name for _, columns in parts for name in columns))
         stamps = [stamp_ns for stamp_ns, _ in parts]
@@ -171,7 +182,8 @@ class Recording(Shown):
 
     @cached_property
     def _readings(self) -> tuple[dict[str, dict[str, TopicReadings]], tuple[str, ...]]:
-        readings, findings = read_readings(self.bag)
+        read, findings = read_readings(self.bag)
+        readings = {robot: {name: _fixed(each) for name, each in topics.items()} for robot, topics in read.items()}
         return readings, tuple(findings)
 
     def _columns(self, robot: str, topic: str) -> tuple[Integers, dict[str, Floats]]:
@@ -186,6 +198,11 @@ class Recording(Shown):
         if found is None:
             return np.empty(0, np.int64), {}
         return found.stamp_ns, {name: found.column(name) for name in found.columns}
+
+
+def _fixed(readings: TopicReadings) -> TopicReadings:
+    """The same readings, which cannot be written to."""
+    return replace(readings, stamp_ns=read_only(readings.stamp_ns), values=read_only(readings.values))
 
 
 def read_recording(path: Place) -> Recording:

@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from os import PathLike, fspath
-from typing import Any
-
-import numpy as np
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.reading.entry import Entry, entry_of
-from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
+from cocorosim_ros.scenario.reading.arguments import (
+    LARGEST,
+    Place,
+    Seed,
+    Time,
+    names,
+    place_text,
+    time_text,
+    whole_number,
+)
+from cocorosim_ros.scenario.reading.entry import argument_entry
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks import loading
 from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
-
-Place = str | PathLike[str]
-"""A path, or a name where names are allowed."""
-Time = str | float
-"""A length of time: text with a unit, such as '60 s', or a number [s]."""
-Seed = int | np.integer[Any]
-"""A whole number from 0 to 2**63 - 1."""
 
 
 def load_scenario(
@@ -43,41 +41,31 @@ def load_scenario(
 
     Example: `load_scenario("eleven_lilys", seed=7, duration="60 s").robots[0].name` is 'lily_01'.
     """
-    number = seed.item() if isinstance(seed, np.integer) else seed
-    length = None if duration is None else time_text(duration)
-    external = [external] if isinstance(external, str) else external
+    number = None if seed is None else whole_number(seed, "seed", 0, LARGEST)
+    length = None if duration is None else time_text(duration, "duration")
+    others = None if external is None else names(external, "external")
+    if controller is not None:
+        place_text(controller, "controller")
     if not isinstance(source, Scenario):
-        return loading.load_scenario(place_text(source, "source"), number, length, external, controller)
-    options = {"seed": number, "duration": length, "external": None if external is None else list(external)}
-    given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
+        return loading.load_scenario(place_text(source, "source"), number, length, others, controller)
+    options = {"seed": number, "duration": length, "external": others}
+    given = {name: argument_entry(value, name) for name, value in options.items() if value is not None}
     if not given and controller is None:
         return source
     entry = parse_yaml(source.to_yaml(), source.origin)
     return loading.read_with(entry, given, controller)
 
 
-def place_text(place: object, name: str) -> str:
-    """A path or a name as text. Raises CocorosimError, which calls it the argument `name`, if it is neither."""
-    if isinstance(place, str | PathLike):
-        return fspath(place)
-    raise CocorosimError(f"The argument '{name}' has {place!r}, which is no path; give text or a path.")
+def scenario_to_run(scenario: Place | Scenario, seed: Seed | None, duration: Time | None) -> Scenario:
+    """The scenario of a function whose argument is called so, if one process can run it alone.
 
-
-def whole_number(number: object, name: str, least: int = 1) -> int:
-    """A whole number. Raises CocorosimError, which calls it the argument `name`, if it is none or below `least`."""
-    if isinstance(number, int | np.integer) and not isinstance(number, bool) and number >= least:
-        return int(number)
-    raise CocorosimError(f"The argument '{name}' has {number!r}; give a whole number from {least} on.")
-
-
-def time_text(time: Time) -> str:
-    """A time as text with a unit."""
-    return time if isinstance(time, str) else f"{float(time)!r} s"
-
-
-def nanoseconds(time: Time, name: str) -> int:
-    """A positive time as whole nanoseconds. Raises CocorosimError, which calls it the argument `name`."""
-    return read_nanoseconds(Entry(time_text(time), "argument", 0, name))
+    Raises CocorosimError as `load_scenario` and `check_runs_here` do.
+    """
+    if not isinstance(scenario, Scenario):
+        place_text(scenario, "scenario")
+    loaded = load_scenario(scenario, seed=seed, duration=duration)
+    check_runs_here(loaded)
+    return loaded
 
 
 def check_runs_here(scenario: Scenario) -> None:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.library.card import Card, Shown, digits
-from cocorosim_ros.library.frame import data_frame
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.scenario.reading.entry import nearest
 from cocorosim_ros.study.metrics import COLUMN, METRICS, PAPER_METRICS
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples
@@ -50,7 +51,7 @@ class ShoalStatistics(Shown):
     @property
     def time(self) -> Floats:
         """(t,) [s] since the first moment."""
-        return np.asarray((self.stamp_ns - self.stamp_ns[0]) / NANOSECONDS)
+        return read_only(np.asarray((self.stamp_ns - self.stamp_ns[0]) / NANOSECONDS))
 
     @property
     def values(self) -> dict[str, float]:
@@ -60,8 +61,8 @@ class ShoalStatistics(Shown):
 
     def __getitem__(self, metric: str) -> Floats:
         """(t,) one metric over time. Raises CocorosimError for a name that is none."""
-        if metric not in COLUMN:
-            raise CocorosimError(f"There is no metric '{metric}'{nearest(metric, METRICS)}.")
+        if metric not in self.metrics:
+            raise CocorosimError(f"There is no metric {metric!r}{nearest(str(metric), METRICS)}.")
         return np.asarray(self.series[:, COLUMN[metric]])
 
     def tree(self) -> dict[str, Any]:
@@ -107,8 +108,8 @@ def statistics_of(
         name,
         digest,
         samples.names,
-        monitor.stamps_ns,
-        monitor.series,
+        read_only(monitor.stamps_ns),
+        read_only(monitor.series),
         (*findings, *samples.findings, *summary["notes"]),
         {key: value for key, value in summary.items() if key not in ("robots", "notes")},
     )

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.library.scenario import Place, Seed, Time, check_runs_here, load_scenario
+from cocorosim_ros.foundation.errors import ArgumentError
+from cocorosim_ros.foundation.read_only import read_only
+from cocorosim_ros.library.scenario import scenario_to_run
 from cocorosim_ros.library.simulated_run import SimulatedRun
+from cocorosim_ros.scenario.reading.arguments import Place, Seed, Time, whole_number
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
@@ -19,6 +21,8 @@ from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW, YAW_RATE, X, Z
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
+
+_NUMBERS_KEPT = 60  # for each robot and tick, about
 
 
 def simulate(
@@ -34,7 +38,8 @@ def simulate(
 
     Example: `simulate("five_lilys", seed=7, duration="60 s").position[:, 0]` is the way of the first robot.
     """
-    return next(iter(_simulated(load_scenario(scenario, seed=seed, duration=duration), run, 1)))
+    number = whole_number(run, "run", 0)
+    return next(iter(_simulated(scenario_to_run(scenario, seed, duration), number, 1)))
 
 
 def simulate_runs(
@@ -50,15 +55,12 @@ def simulate_runs(
 
     Example: `[each.measure().values["polarisation"] for each in simulate_runs("five_lilys", 10)]`.
     """
-    if runs < 1:
-        raise CocorosimError(f"The argument 'runs' has {runs}; give 1 or more.")
-    return tuple(_simulated(load_scenario(scenario, seed=seed, duration=duration), first, runs))
+    count, number = whole_number(runs, "runs"), whole_number(first, "first", 0)
+    return tuple(_simulated(scenario_to_run(scenario, seed, duration), number, count))
 
 
 def _simulated(scenario: Scenario, first: int, count: int) -> Iterator[SimulatedRun]:
-    check_runs_here(scenario)
-    if first < 0:
-        raise CocorosimError(f"There is no run {first}; runs are counted from 0.")
+    _check_memory(scenario, count)
     course = _Course(scenario, first, count)
     actuators = tuple(robot.platform.actuator_names for robot in scenario.robots)
     for robot, names in enumerate(actuators):
@@ -76,16 +78,27 @@ def _simulated(scenario: Scenario, first: int, count: int) -> Iterator[Simulated
             scenario,
             first + run,
             tuple(platforms),
-            _fixed(np.arange(scenario.ticks, dtype=np.int64) * scenario.tick_ns),
-            _fixed(state[..., X : Z + 1]),
-            _fixed(yaw[run]),
-            _fixed(state[..., SURGE : HEAVE + 1]),
-            _fixed(state[..., YAW_RATE]),
-            _fixed(course.command[run]),
+            read_only(np.arange(scenario.ticks, dtype=np.int64) * scenario.tick_ns),
+            read_only(state[..., X : Z + 1]),
+            read_only(yaw[run]),
+            read_only(state[..., SURGE : HEAVE + 1]),
+            read_only(state[..., YAW_RATE]),
+            read_only(course.command[run]),
             actuators,
-            {name: _fixed(values[run]) for name, values in course.readings.items()},
+            {name: read_only(values[run]) for name, values in course.readings.items()},
             remarks,
         )
+
+
+def _check_memory(scenario: Scenario, count: int) -> None:
+    """Nothing, if this machine has room for so many runs. Raises CocorosimError otherwise."""
+    size = float(count) * scenario.ticks * len(scenario.robots) * _NUMBERS_KEPT * 8
+    room = float(os.sysconf("SC_PAGE_SIZE")) * os.sysconf("SC_PHYS_PAGES")
+    if size > room:
+        words = (
+            f"{count} runs of {scenario.ticks} ticks take {size / 1e9:.3g} GB, more than the {room / 1e9:.3g} GB here"
+        )
+        raise ArgumentError(f"{words}; give a shorter 'duration' or fewer 'runs'.", "duration", "runs")
 
 
 class _Course:
@@ -111,9 +124,3 @@ class _Course:
     def _room(values: Floats, ticks: int) -> Floats:
         """(runs, ticks, ...) for values (runs, ...)."""
         return np.empty((values.shape[0], ticks, *values.shape[1:]))
-
-
-def _fixed(values: Any) -> Any:
-    """The same array, which can no longer be written to."""
-    values.flags.writeable = False
-    return values

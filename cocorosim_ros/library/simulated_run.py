@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.library.card import Card, Shown
-from cocorosim_ros.library.frame import data_frame, long_columns
-from cocorosim_ros.library.scenario import Time, nanoseconds
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
+from cocorosim_ros.scenario.reading.arguments import Time, nanoseconds
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
@@ -60,17 +62,19 @@ class SimulatedRun(Shown):
     @property
     def time(self) -> Floats:
         """(ticks,) [s] since the start."""
-        return np.asarray(self.stamp_ns / NANOSECONDS)
+        return read_only(np.asarray(self.stamp_ns / NANOSECONDS))
 
     @property
     def depth(self) -> Floats:
         """(ticks, robots) [m], positive below the surface."""
-        return np.asarray(-self.position[..., 2])
+        return read_only(np.asarray(-self.position[..., 2]))
 
     def tracks(self) -> dict[str, PoseTrack]:
         """The poses robot by robot, by name: `stamp_ns` (ticks,), `position` (ticks, 3), `yaw` (ticks,)."""
         return {
-            name: PoseTrack(self.stamp_ns.copy(), self.position[:, robot].copy(), self.yaw[:, robot].copy())
+            name: PoseTrack(
+                self.stamp_ns, read_only(self.position[:, robot].copy()), read_only(self.yaw[:, robot].copy())
+            )
             for robot, name in enumerate(self.robots)
         }
 
@@ -93,7 +97,7 @@ class SimulatedRun(Shown):
         numbers |= {name: self.velocity[..., place] for place, name in enumerate("uvw")}
         numbers |= {"r": self.yaw_rate, **self._commands()}
         columns = {name: values.reshape(-1) for name, values in numbers.items()}
-        return data_frame({**long_columns(self.time, self.robots), **columns})
+        return data_frame({**_long_columns(self.time, self.robots), **columns})
 
     def card(self) -> Card:
         """What was simulated, for how long, and where the robots are in the end."""
@@ -118,3 +122,12 @@ class SimulatedRun(Shown):
                 column = columns.setdefault(f"command_{name}", np.full(self.yaw.shape, np.nan))
                 column[:, robot] = self.command[:, robot, place]
         return columns
+
+
+def _long_columns(time: ArrayLike, robots: tuple[str, ...]) -> dict[str, ArrayLike]:
+    """The columns `time` and `robot` of a long table: all robots of the first moment, then of the next."""
+    moments = np.asarray(time)
+    return {
+        "time": np.repeat(moments, len(robots)),
+        "robot": np.tile(np.array(robots, dtype=object), len(moments)),
+    }

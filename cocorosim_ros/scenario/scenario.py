@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.scenario.parts.controller_choice import AnyController
 from cocorosim_ros.scenario.parts.corruption import Corruption, corruptions_tree, read_corruptions
 from cocorosim_ros.scenario.parts.light import Light
@@ -24,6 +26,9 @@ from cocorosim_ros.scenario.reading.records import (
     stored,
 )
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 __all__ = [
     "Box",
@@ -121,8 +126,8 @@ class RobotDescription:
         return self.platform.sensors.radio_range
 
 
-@dataclass(frozen=True)
-class Scenario:
+@dataclass(frozen=True, repr=False)
+class Scenario(Shown):
     """All that a run needs to be the same run again; times in whole nanoseconds. `origin` is its file."""
 
     name: str = field(metadata=TEXT)
@@ -177,6 +182,24 @@ class Scenario:
     def to_yaml(self) -> str:
         """The scenario as self-contained YAML, the same bytes each time, which `parse_scenario` reads."""
         return yaml_text(record_tree(self))
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a robot: robot, platform, controller, external."""
+        rows = [(each.name, each.platform.name, each.controller.name, each.external) for each in self.robots]
+        names = ("robot", "platform", "controller", "external")
+        return data_frame({name: [row[place] for row in rows] for place, name in enumerate(names)})
+
+    def card(self) -> Card:
+        """What is asked for, and the robots."""
+        facts = {
+            "robots": str(len(self.robots)),
+            "duration": f"{self.duration:g} s",
+            "tick": f"{self.tick:g} s",
+            "seed": str(self.seed),
+            "tank": " x ".join(f"{side:g}" for side in self.tank.size) + " m",
+        }
+        rows = [(each.name, each.platform.name, each.controller.name) for each in self.robots]
+        return Card(f"scenario {self.name}", facts, ("robot", "platform", "controller"), rows, (self.description,))
 
     def _with_radio(self, platform: Platform) -> Platform:
         if self.radio.range is None:

@@ -80,7 +80,7 @@ def test_the_sources_keep_every_contract(copy: Path) -> None:
         ("world/sensors/planted.py", "import cocorosim_ros.world.links", "Rooms of the world"),
         ("world/novelties/planted.py", "", "Rooms of the world"),
         ("library/planted.py", "", "Rooms of the library"),
-        ("wire/bags/planted.py", "import cocorosim_ros.library.card", "Data flows one way"),
+        ("wire/bags/planted.py", "import cocorosim_ros.library.scenario", "Data flows one way"),
         ("wire/cdr/planted.py", "import cocorosim_ros.wire.bags", "Rooms of the wire"),
         ("study/metrics/planted.py", "import cocorosim_ros.study.claims", "Rooms of the studies"),
         ("diagnosis/filter/planted.py", "import cocorosim_ros.diagnosis.naming", "Rooms of the diagnosis"),

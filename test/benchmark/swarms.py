@@ -29,7 +29,7 @@ class Pace:
 
     @property
     def nanoseconds(self) -> float:
-        """Of one processor per AUV-tick: what it costs, whoever else uses the machine."""
+        """Of one processor per AUV-tick: what it costs, whatever else the machine does."""
         return 1e9 * self.processor_seconds / self.auv_ticks
 
     @property

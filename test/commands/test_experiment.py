@@ -1,6 +1,10 @@
-"""`cocorosim experiment`: what its bar tells on the way."""
+"""`cocorosim experiment`: what its bar tells on the way, and what it refuses before it writes anything."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from rich.console import Console
@@ -27,3 +31,25 @@ def test_the_time_left_of_the_first_chunks_is_no_guess_from_two_that_end_togethe
     for now in (50.0, 50.5):  # noqa: B007
         bar.advance(task, 45)
     assert bar.tasks[0].time_remaining == pytest.approx(50.5 * (300 - 90) / 90, rel=0.02)
+
+
+UNMADE = """
+class Mine:
+    def __init__(self):
+        {}['gain']
+    def __call__(self, sensed):
+        return {}
+"""
+
+
+@pytest.mark.parametrize("row", [(), ("--row", "1")], ids=["table", "row"])
+def test_a_constructor_that_fails_is_unusable_input(
+    cocorosim: Callable[..., SimpleNamespace], tmp_path: Path, row: tuple[str, ...]
+) -> None:
+    """Status 2 and the user's own line; neither design.json nor a folder for parts is left."""
+    (tmp_path / "unmade.py").write_text(UNMADE, "utf-8")
+    out = tmp_path / "out"
+    ended = cocorosim("experiment", "smoke", "--controller", f"{tmp_path / 'unmade.py'}:Mine", "--out", out, *row)
+    assert ended.status == 2, ended.err
+    assert "unmade.py:4: KeyError: 'gain'; 'Mine' of lily_01" in ended.err and "could not be made." in ended.err
+    assert not out.exists()

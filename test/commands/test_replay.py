@@ -1,4 +1,4 @@
-"""`cocorosim replay`: the recorded bytes on their topics again, at their time, for whoever listens."""
+"""`cocorosim replay`: the recorded bytes on their topics again, at their time, for all that listen."""
 
 from __future__ import annotations
 

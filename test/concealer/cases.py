@@ -14,7 +14,7 @@ CATALOGUE_KINDS = ("single", "several")
 
 
 def names(effect: dict[str, Any], truth: dict[str, Any]) -> bool:
-    """Whether an accusation names a secret, or what this recording cannot tell from it, on the right stream."""
+    """Whether a reported effect names a secret, or what this recording cannot tell from it, on the right stream."""
     told, hidden = effect.get("topic"), truth["topic"]
     return effect["id"] in {truth["id"], *truth.get("twins", [])} and (not told or not hidden or told == hidden)
 
@@ -44,12 +44,12 @@ class Case:
 
     @property
     def effects(self) -> list[dict[str, Any]]:
-        """Accusations, strongest first."""
+        """Reported effects, strongest first."""
         return list((self.diagnosis or {}).get("effects") or [])
 
     @property
-    def accused(self) -> list[str]:
-        """Identifiers of the accusations, each once."""
+    def named(self) -> list[str]:
+        """Identifiers of the reported effects, each once."""
         return list(dict.fromkeys(str(effect["id"]) for effect in self.effects))
 
     @property
@@ -59,10 +59,10 @@ class Case:
 
     @property
     def first(self) -> str:
-        """The first accusation, "none", or "no diagnosis"."""
+        """The first named effect, "none", or "no diagnosis"."""
         if self.diagnosis is None:
             return "no diagnosis"
-        return self.accused[0] if self.accused else "none"
+        return self.named[0] if self.named else "none"
 
     @property
     def size(self) -> float:
@@ -75,11 +75,11 @@ class Case:
         return "weak" if self.size < 0.25 else "medium" if self.size <= 0.75 else "large"
 
     def unnamed(self) -> list[dict[str, Any]]:
-        """Secrets that no accusation names."""
+        """Secrets that no reported effect names."""
         return [truth for truth in self.truth["effects"] if not any(names(effect, truth) for effect in self.effects)]
 
     def spurious(self) -> list[dict[str, Any]]:
-        """Accusations that name no secret."""
+        """Reported effects that name no secret."""
         return [effect for effect in self.effects if not any(names(effect, t) for t in self.truth["effects"])]
 
     def exact(self) -> bool:
@@ -87,11 +87,11 @@ class Case:
         return self.diagnosis is not None and not self.unnamed() and not self.spurious()
 
     def first_wrong(self) -> bool:
-        """The strongest accusation names nothing that is hidden."""
+        """The strongest reported effect names nothing that is hidden."""
         return bool(self.effects) and not any(names(self.effects[0], truth) for truth in self.truth["effects"])
 
     def right_robots(self) -> bool:
-        """Every secret that is named is charged to the robots that have it and to no others."""
+        """Every secret that is named is found on the robots that have it and on no others."""
         for truth in self.truth["effects"]:
             said = {r for effect in self.effects if names(effect, truth) for r in effect.get("robots") or []}
             if said and said != set(truth["robots"]):
@@ -99,13 +99,13 @@ class Case:
         return True
 
     def false_alarm(self) -> bool:
-        """Something is accused, or a mismatch is claimed, where structure is intact."""
-        return bool(self.accused) or self.verdict == "mismatch"
+        """Something is named, or a mismatch is claimed, where structure is intact."""
+        return bool(self.named) or self.verdict == "mismatch"
 
     def ambiguity_set(self) -> set[str]:
-        """The first accusation and its rivals within 3 nats."""
+        """The first named effect and its rivals within 3 nats."""
         rivals = self.effects[0].get("ambiguous_with") or []
-        return {self.accused[0]} | {str(rival["id"]) for rival in rivals if rival["nats_behind"] <= AMBIGUITY}
+        return {self.named[0]} | {str(rival["id"]) for rival in rivals if rival["nats_behind"] <= AMBIGUITY}
 
     def truth_in_set(self) -> bool:
         """The ambiguity set holds something that is hidden, or a twin of it."""
@@ -113,17 +113,17 @@ class Case:
         return bool(right & self.ambiguity_set())
 
     def unknowns(self) -> list[str]:
-        """Accusations outside the catalogue."""
-        return [name for name in self.accused if name.startswith("unknown:")]
+        """Named effects outside the catalogue."""
+        return [name for name in self.named if name.startswith("unknown:")]
 
     def flagged(self) -> bool:
         """It is said that something outside the catalogue is missing."""
-        return bool(self.unknowns()) or (self.verdict == "mismatch" and not self.accused)
+        return bool(self.unknowns()) or (self.verdict == "mismatch" and not self.named)
 
-    def blamed(self) -> bool:
-        """A catalogue entry is accused that has nothing to do with what was hidden."""
+    def named_wrongly(self) -> bool:
+        """A catalogue entry is named that has nothing to do with what was hidden."""
         tolerated = {n for e in self.truth["effects"] for n in [*e["tolerated"], *e.get("twins", [])]}
-        return any(not name.startswith("unknown:") and name not in tolerated for name in self.accused)
+        return any(not name.startswith("unknown:") and name not in tolerated for name in self.named)
 
     def rightly_unknown(self) -> bool:
         """The law outside the catalogue has a right name."""
@@ -131,10 +131,10 @@ class Case:
         return any(matches(name, pattern) for name in self.unknowns() for pattern in patterns)
 
     def says_so(self) -> bool:
-        """Nothing is accused, and the recording is said not to show what was hidden."""
+        """Nothing is named, and the recording is said not to show what was hidden."""
         unseen = (self.diagnosis or {}).get("not_shown_by_this_recording") or []
         told = self.verdict == "insufficient" or any(name in unseen for name in self.hidden)
-        return self.diagnosis is not None and not self.accused and told
+        return self.diagnosis is not None and not self.named and told
 
 
 def load(trial: Path, diagnoses: Path, block: str = "") -> list[Case]:

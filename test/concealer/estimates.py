@@ -102,7 +102,7 @@ def of_effects(case: Case) -> list[Found]:
 def of_platform(case: Case) -> list[Found]:
     """(parameter, truth, answer) of every parameter of the platform that the diagnosis says it refitted.
 
-    Not where an accusation is wrong or missing: numbers of a wrong model have no true value.
+    Not where an effect is named wrongly or not at all: numbers of a wrong model have no true value.
     """
     found: list[Found] = []
     if case.unnamed() or case.spurious() or case.kind == "outside":

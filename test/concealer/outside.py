@@ -1,7 +1,7 @@
 """Effects that the interface's table does not have, with the names that a right answer may give them.
 
 Patterns are those of fnmatch. `tolerated` are entries of the table that describe the same thing nearly as well, so
-that naming them is neither right nor a false accusation.
+that naming them is neither right nor wrong.
 """
 
 from __future__ import annotations

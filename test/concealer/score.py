@@ -67,7 +67,10 @@ def held_out(cases: list[Case], window: float) -> Scores:
 
 
 def confusion(cases: list[Case]) -> dict[str, dict[str, int]]:
-    """First accusation by what was hidden; several effects count under each of theirs if the first is one of them."""
+    """Counts of the first named effect by what was hidden.
+
+    Several effects count under each of theirs if the first is one of them.
+    """
     out: dict[str, Counter[str]] = {}
     for case in cases:
         truth = case.kind if case.kind == "cannot_tell" or not case.hidden else case.hidden[0]
@@ -90,7 +93,7 @@ def failures(cases: list[Case]) -> list[str]:
         good = {
             "nothing": not case.false_alarm(),
             "recalibration": not case.false_alarm(),
-            "outside": case.flagged() and not case.blamed(),
+            "outside": case.flagged() and not case.named_wrongly(),
             "cannot_tell": not case.effects,
         }.get(case.kind, case.exact())
         if good and case.diagnosis is not None:
@@ -121,7 +124,7 @@ def score(cases: list[Case], window: float = 20.0) -> Scores:
         "table": table(cases),
         "exact_by_effect": grouped(single, lambda case: case.hidden[0]),
         "flagged_by_law": {
-            form: rate(case.flagged() and not case.blamed() for case in outside if case.hidden[0] == form)
+            form: rate(case.flagged() and not case.named_wrongly() for case in outside if case.hidden[0] == form)
             for form in sorted({case.hidden[0] for case in outside})
         },
         "exact_by_size": grouped(single, lambda case: case.band),

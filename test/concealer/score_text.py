@@ -43,7 +43,9 @@ def as_text(figures: dict[str, Any]) -> str:
     lines += [f"Mean size of the ambiguity set: {_number(table['ambiguity_set_size'])}", ""]
     for key in ("effect", "size", "noise", "size_and_noise"):
         lines += _rates(f"Exact naming of one effect, by {key.replace('_', ' ')}", figures[f"exact_by_{key}"])
-    lines += _rates("Outside the catalogue: flagged and nobody blamed, by what was hidden", figures["flagged_by_law"])
+    lines += _rates(
+        "Outside the catalogue: flagged and not named as an entry of it, by what was hidden", figures["flagged_by_law"]
+    )
     lines += ["## Power", "", "Size (fraction of large) at which half and nine tenths are named exactly.", ""]
     lines += ["| | half | nine tenths | smallest right | largest wrong | of |", "|---|---|---|---|---|---|"]
     for name, curve in figures["power"].items():
@@ -53,7 +55,7 @@ def as_text(figures: dict[str, Any]) -> str:
     relative = {"all": intervals["relative_error"]} | intervals["relative_error_by_parameter"]
     lines += _spreads("Relative error of parameters", relative)
     lines += _spreads("Held-out free runs", figures["held_out"])
-    lines += ["## First accusation by what was hidden", "", "| hidden | first accusation: how often |", "|---|---|"]
+    lines += ["## First named effect by what was hidden", "", "| hidden | first named effect: how often |", "|---|---|"]
     for truth, counts in figures["confusion"].items():
         lines.append(f"| `{truth}` | " + ", ".join(f"`{name}`: {n}" for name, n in counts.items()) + " |")
     lines += ["", f"## Failures ({len(figures['failures'])})", "", *[f"- {line}" for line in figures["failures"]], ""]

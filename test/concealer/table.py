@@ -42,13 +42,13 @@ def _naming(cases: list[Case]) -> Scores:
     several = [case for case in hidden if case.effects and len(case.truth.get("robots") or []) > 1]
     return rows | {
         "exact, one effect, all sizes": rate(case.exact() for case in drawn),
-        "truth in ambiguity set, where something is accused": rate(case.truth_in_set() for case in named),
-        "first accusation wrong, one or more effects": rate(case.first_wrong() for case in hidden),
-        "first accusation wrong, one medium effect": rate(case.first_wrong() for case in medium(cases)),
-        "first accusation right but others added, one effect": rate(
+        "truth in ambiguity set, where something is named": rate(case.truth_in_set() for case in named),
+        "first named effect wrong, one or more effects": rate(case.first_wrong() for case in hidden),
+        "first named effect wrong, one medium effect": rate(case.first_wrong() for case in medium(cases)),
+        "first named effect right but others added, one effect": rate(
             bool(case.effects and not case.first_wrong() and case.spurious()) for case in single
         ),
-        "right robots, where several swim and something is accused": rate(case.right_robots() for case in several),
+        "right robots, where several swim and something is named": rate(case.right_robots() for case in several),
     }
 
 
@@ -69,10 +69,10 @@ def _beyond(cases: list[Case]) -> Scores:
     return {
         "exact, two effects": rate(case.exact() for case in several if len(case.hidden) == 2),
         "exact, three effects": rate(case.exact() for case in several if len(case.hidden) > 2),
-        "nothing innocent accused, two or three effects": rate(not case.spurious() for case in several),
+        "nothing else named, two or three effects": rate(not case.spurious() for case in several),
         "outside the catalogue: flagged": rate(case.flagged() for case in outside),
         "outside the catalogue: right law": rate(case.rightly_unknown() for case in outside),
-        "outside the catalogue: blamed on the catalogue": rate(case.blamed() for case in outside),
+        "outside the catalogue: named as an entry of it": rate(case.named_wrongly() for case in outside),
         "cannot tell: abstains": rate(case.diagnosis is not None and not case.effects for case in poor),
         "cannot tell: abstains and says so": rate(case.says_so() for case in poor),
         "diagnosis written": rate(case.diagnosis is not None for case in cases),
@@ -80,7 +80,7 @@ def _beyond(cases: list[Case]) -> Scores:
 
 
 def table(cases: list[Case]) -> Scores:
-    """The rows, and the mean size of the ambiguity set where one effect is hidden and something is accused."""
+    """The rows, and the mean size of the ambiguity set where one effect is hidden and something is named."""
     sets = [len(case.ambiguity_set()) for case in of_kind(cases, "single") if case.effects]
     rows = _naming(cases) | _silence(cases) | _beyond(cases)
     return {"rates": rows, "ambiguity_set_size": sum(sets) / len(sets) if sets else None}

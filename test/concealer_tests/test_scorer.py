@@ -23,8 +23,8 @@ def secret(name: str, size: float = 0.5, **more: Any) -> dict[str, Any]:
     } | more
 
 
-def accuse(name: str, *rivals: tuple[str, float], **parameters: Any) -> dict[str, Any]:
-    """An accusation as a diagnosis has it; parameters are (value, low, high)."""
+def reported(name: str, *rivals: tuple[str, float], **parameters: Any) -> dict[str, Any]:
+    """An effect as a diagnosis reports it; parameters are (value, low, high)."""
     shown = {key: {"value": v, "ci95": [low, high], "unit": ""} for key, (v, low, high) in parameters.items()}
     behind = [{"id": rival, "nats_behind": nats} for rival, nats in rivals]
     return {"id": name, "tier": "confirmed", "parameters": shown, "nats": 9.0, "ambiguous_with": behind}
@@ -48,9 +48,15 @@ def test_intervals_are_wilsons(hits: int, of: int, low: float, high: float) -> N
 
 
 def test_a_single_effect_is_exact_only_without_companions() -> None:
-    """Right and alone; with a second accusation, none, another, or no diagnosis it is not."""
+    """Right and alone; with a second effect, none, another, or no diagnosis it is not."""
     hidden = [secret("tether")]
-    answers = [[accuse("tether")], [accuse("tether"), accuse("torque_bias")], [], [accuse("steady_current")], None]
+    answers = [
+        [reported("tether")],
+        [reported("tether"), reported("torque_bias")],
+        [],
+        [reported("steady_current")],
+        None,
+    ]
     assert [case("single", hidden, answer).exact() for answer in answers] == [True, False, False, False, False]
 
 
@@ -64,18 +70,18 @@ def test_the_table_counts_by_hand() -> None:
     poor = [secret("thruster_deadband")]
     cases = [
         case("nothing", [], [], "consistent"),
-        case("nothing", [], [accuse("torque_bias")]),
+        case("nothing", [], [reported("torque_bias")]),
         case("recalibration", [], [], "recalibrate"),
         case("recalibration", [], [], "mismatch"),
-        case("single", lag, [accuse("thruster_lag", ("sensor_latency", 2.0), ("added_mass", 4.0))]),
-        case("single", lag, [accuse("sensor_latency", ("thruster_lag", 0.5))]),
-        case("single", lag, [accuse("added_mass")]),
+        case("single", lag, [reported("thruster_lag", ("sensor_latency", 2.0), ("added_mass", 4.0))]),
+        case("single", lag, [reported("sensor_latency", ("thruster_lag", 0.5))]),
+        case("single", lag, [reported("added_mass")]),
         case("single", lag, [], "consistent"),
-        case("several", [*lag, secret("tether")], [accuse("tether"), accuse("thruster_lag")]),
-        case("outside", odd, [accuse("unknown:yaw~x")]),
-        case("outside", odd, [accuse("unknown:yaw~y")]),
-        case("outside", odd, [accuse("tether")]),
-        case("outside", odd, [accuse("sheared_current")]),
+        case("several", [*lag, secret("tether")], [reported("tether"), reported("thruster_lag")]),
+        case("outside", odd, [reported("unknown:yaw~x")]),
+        case("outside", odd, [reported("unknown:yaw~y")]),
+        case("outside", odd, [reported("tether")]),
+        case("outside", odd, [reported("sheared_current")]),
         case("cannot_tell", poor, [], "consistent", not_shown_by_this_recording=["thruster_deadband"]),
         case("cannot_tell", poor, [], "consistent"),
         case("cannot_tell", poor, None),
@@ -85,28 +91,28 @@ def test_the_table_counts_by_hand() -> None:
     assert rates == {
         "exact, one medium effect, 1% noise": (1, 4),
         "exact, one effect, all sizes": (1, 4),
-        "truth in ambiguity set, where something is accused": (2, 3),
-        "first accusation wrong, one or more effects": (2, 5),
-        "first accusation wrong, one medium effect": (2, 4),
-        "first accusation right but others added, one effect": (0, 4),
-        "right robots, where several swim and something is accused": (0, 0),
+        "truth in ambiguity set, where something is named": (2, 3),
+        "first named effect wrong, one or more effects": (2, 5),
+        "first named effect wrong, one medium effect": (2, 4),
+        "first named effect right but others added, one effect": (0, 4),
+        "right robots, where several swim and something is named": (0, 0),
         "false alarm, nothing concealed": (1, 2),
         "false alarm, recalibration only": (1, 2),
         "verdict consistent or recalibrate, nothing concealed": (1, 2),
         "verdict recalibrate, recalibration only": (1, 2),
         "exact, two effects": (1, 1),
         "exact, three effects": (0, 0),
-        "nothing innocent accused, two or three effects": (1, 1),
+        "nothing else named, two or three effects": (1, 1),
         "outside the catalogue: flagged": (2, 4),
         "outside the catalogue: right law": (1, 4),
-        "outside the catalogue: blamed on the catalogue": (1, 4),
+        "outside the catalogue: named as an entry of it": (1, 4),
         "cannot tell: abstains": (2, 3),
         "cannot tell: abstains and says so": (1, 3),
         "diagnosis written": (15, 16),
     }
     assert figures["table"]["ambiguity_set_size"] == pytest.approx(5 / 3)
     assert figures["confusion"]["thruster_lag"] == {"thruster_lag": 1, "sensor_latency": 1, "added_mass": 1, "none": 1}
-    # Flagged under a wrong law is no failure of the flag, but blamed or silent is.
+    # Flagged under a wrong law is no failure of the flag, but named wrongly or silent is.
     assert len(figures["failures"]) == 8
     assert figures["flagged_by_law"]["unknown:yaw~x"]["hits"] == 2
     text = as_text(figures)
@@ -122,10 +128,10 @@ def test_intervals_are_held_against_the_truth_of_the_same_stream() -> None:
     tide = secret("tidal_current", parameters={"x": 1.0, "y": 0.0, "period": 100.0, "phase": 0.5})
     turned = {"x": (-1.0, -1.1, -0.9), "y": (0.0, -0.1, 0.1), "period": (99.0, 98.0, 99.5), "phase": (3.6, 3.5, 3.7)}
     cases = [
-        case("single", [latency], [accuse("sensor_latency", latency=(0.11, 0.09, 0.13)) | {"topic": "compass"}]),
-        case("single", [latency], [accuse("sensor_latency", latency=(0.2, 0.15, 0.25)) | {"topic": "compass"}]),
-        case("single", [latency], [accuse("sensor_latency", latency=(0.2, 0.15, 0.25)) | {"topic": "pose"}]),
-        case("single", [tide], [accuse("tidal_current", **turned)]),
+        case("single", [latency], [reported("sensor_latency", latency=(0.11, 0.09, 0.13)) | {"topic": "compass"}]),
+        case("single", [latency], [reported("sensor_latency", latency=(0.2, 0.15, 0.25)) | {"topic": "compass"}]),
+        case("single", [latency], [reported("sensor_latency", latency=(0.2, 0.15, 0.25)) | {"topic": "pose"}]),
+        case("single", [tide], [reported("tidal_current", **turned)]),
     ]
     found = intervals(cases)
     by_name = {name: (r["hits"], r["of"]) for name, r in found["coverage_by_parameter"].items()}
@@ -140,22 +146,22 @@ def test_an_effect_of_another_stream_or_with_a_second_one_is_not_exact() -> None
     """A latency of the camera is not one of the compass; a twin that the recording cannot tell apart is as right."""
     late = [secret("sensor_latency", topic="pose")]
     shear = [secret("sheared_current", twins=["steady_current"])]
-    assert case("single", late, [accuse("sensor_latency") | {"topic": "pose"}]).exact()
-    assert case("single", late, [accuse("sensor_latency")]).exact()
-    wrong = case("single", late, [accuse("sensor_latency") | {"topic": "compass"}])
+    assert case("single", late, [reported("sensor_latency") | {"topic": "pose"}]).exact()
+    assert case("single", late, [reported("sensor_latency")]).exact()
+    wrong = case("single", late, [reported("sensor_latency") | {"topic": "compass"}])
     assert not wrong.exact() and wrong.first_wrong()
-    both = case("single", late, [accuse("sensor_latency") | {"topic": topic} for topic in ("pose", "compass")])
+    both = case("single", late, [reported("sensor_latency") | {"topic": topic} for topic in ("pose", "compass")])
     assert not both.exact() and not both.first_wrong() and len(both.spurious()) == 1
-    twin = case("single", shear, [accuse("steady_current", ("tether", 1.0))])
+    twin = case("single", shear, [reported("steady_current", ("tether", 1.0))])
     assert twin.exact() and twin.truth_in_set() and not twin.first_wrong()
-    assert not case("single", shear, [accuse("tidal_current")]).exact()
+    assert not case("single", shear, [reported("tidal_current")]).exact()
 
 
-def test_robots_are_charged_with_what_is_theirs() -> None:
-    """The robot that has it and no other; what is not accused charges nobody."""
+def test_effects_are_found_on_the_robots_that_have_them() -> None:
+    """The robot that has it and no other; what is not named is found on no robot."""
     lag = [secret("thruster_lag", robots=["a"])]
-    charged = [["a"], ["a", "b"], ["b"]]
-    answers = [case("single", lag, [accuse("thruster_lag") | {"robots": robots}]) for robots in charged]
+    found_on = [["a"], ["a", "b"], ["b"]]
+    answers = [case("single", lag, [reported("thruster_lag") | {"robots": robots}]) for robots in found_on]
     assert [answer.right_robots() for answer in answers] == [True, False, False]
     assert case("single", lag, []).right_robots()
 
@@ -192,7 +198,7 @@ def test_numbers_are_compared_for_the_mass_that_the_diagnosis_assumes() -> None:
         {"parameter": "yaw_torque_gain", "value": 0.9, "ci95": [0.85, 0.95], "robots": ["a"]},  # inside
         {"parameter": "yaw_drag", "value": 1.0, "ci95": [0.9, 1.1], "robots": ["b"]},  # of nobody
     ]
-    said = accuse("buoyancy_trim", force=(1.01e-3, 0.95e-3, 1.05e-3))  # 1.1e-3 / 1.1 = 1.0e-3: inside
+    said = reported("buoyancy_trim", force=(1.01e-3, 0.95e-3, 1.05e-3))  # 1.1e-3 / 1.1 = 1.0e-3: inside
     one = case("single", [trim], [said], recalibrated=found)
     one.truth["vehicles"] = {"a": true}
     figures = intervals([one])
@@ -202,7 +208,7 @@ def test_numbers_are_compared_for_the_mass_that_the_diagnosis_assumes() -> None:
     refitted = case("single", [trim], [said], recalibrated=[*found, {"parameter": "mass", "value": 0.484}])
     refitted.truth["vehicles"] = {"a": true}
     assert intervals([refitted])["coverage_of_effects"]["hits"] == 0  # now the force is 1.1e-3
-    wrong = case("single", [trim], [accuse("payload_shift")], recalibrated=found)
+    wrong = case("single", [trim], [reported("payload_shift")], recalibrated=found)
     wrong.truth["vehicles"] = {"a": true}
     assert intervals([wrong])["coverage_of_platform"]["of"] == 0  # numbers of a wrong model are not asked for
 
@@ -212,7 +218,7 @@ def test_added_mass_ties_inertia_to_mass() -> None:
     from concealer.estimates import of_effects
 
     hidden = secret("added_mass", parameters={"sway_minus_surge": 0.05, "yaw": 1e-4}, robots=["a"])
-    said = accuse("added_mass", sway_minus_surge=(0.044, 0.04, 0.05), yaw=(3.5e-5, 3e-5, 4e-5))
+    said = reported("added_mass", sway_minus_surge=(0.044, 0.04, 0.05), yaw=(3.5e-5, 3e-5, 4e-5))
     one = case("single", [hidden], [said])
     one.truth["vehicles"] = {"a": {"mass": 0.44, "moving_mass": 0.5, "inertia": 4.0e-4}}
     truth = {name: value for name, value, _ in of_effects(one)}
@@ -232,7 +238,7 @@ def test_a_trial_in_parts_is_scored_as_one(tmp_path: Path) -> None:
         publish(tmp_path / part, {"r": {"envelope": seal(truth)}})
         answer = tmp_path / "answers" / part / "r" / "diagnosis.json"
         answer.parent.mkdir(parents=True)
-        answer.write_text(json.dumps({"verdict": "mismatch", "effects": [accuse("tether")] * (part == "main")}))
+        answer.write_text(json.dumps({"verdict": "mismatch", "effects": [reported("tether")] * (part == "main")}))
     text = score_trial(tmp_path, tmp_path / "answers", tmp_path / "scores")
     rates = json.loads((tmp_path / "scores" / "scores.json").read_text())["table"]["rates"]
     assert (rates["exact, one effect, all sizes"]["hits"], rates["exact, one effect, all sizes"]["of"]) == (1, 1)

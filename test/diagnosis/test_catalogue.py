@@ -82,7 +82,7 @@ def test_a_density_layer_is_looked_for_where_it_was_crossed(lowest: float, highe
 
 
 def test_what_a_pump_tells_of_is_weighed_by_how_far_it_was_moved() -> None:
-    """Whoever holds a depth answers the water sooner than it is recorded: an innocent pressure sensor looks late."""
+    """A robot that holds a depth answers the water sooner than it is recorded: a sound pressure sensor looks late."""
     found = {(entry.id, entry.topic) for entry in ENTRIES if entry.of_pump}
     assert found == {("pump_lag", None), ("sensor_latency", "pressure"), ("clock_skew", "pressure")}
 

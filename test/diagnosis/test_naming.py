@@ -67,7 +67,7 @@ def test_nothing_is_accused_where_nothing_is_hidden(swim: Any) -> None:
 
 
 def test_a_pump_that_is_late_by_a_moment_is_not_accused(swim: Any) -> None:
-    """Thirty-five milliseconds are somebody's clock; neither the pump nor a law that says the same is to blame."""
+    """Thirty-five milliseconds are those of a clock; neither the pump nor a law that says the same is named."""
     diagnosis, _ = diagnosed(swim, {"pump_lag": {"time_constant": 0.035}}, seed=3)
     assert diagnosis.effects == ()
 

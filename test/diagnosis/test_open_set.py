@@ -1,4 +1,4 @@
-"""Laws outside the catalogue: those of readings along a known course, and that what nobody listed is not blamed."""
+"""Laws outside the catalogue: those of readings along a known course, and that no law is reported where none is."""
 
 from __future__ import annotations
 

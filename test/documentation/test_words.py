@@ -11,7 +11,10 @@ from pathlib import Path
 
 import pytest
 
-PACKAGE = Path(__file__).parents[2] / "cocorosim_ros"
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "cocorosim_ros"
+TESTS = ROOT / "test"
+PROOF = [TESTS / "concealer", TESTS / "trial", TESTS / "concealer_tests", TESTS / "trial_tests"]
 DIAGNOSIS = PACKAGE / "diagnosis"
 COURTROOM = re.compile(
     r"\b(accus\w+|innocen\w+|guilt\w*|blam\w+|quarrel\w*|merits?|culprits?|suspicion\w*|acquit\w*|alibi\w*|testif\w+"
@@ -56,9 +59,28 @@ def places(paths: list[Path], words: re.Pattern[str]) -> list[str]:
     ]
 
 
+def written(paths: list[Path], words: re.Pattern[str]) -> list[str]:
+    """File, line and word of everything that matches, names and texts among it."""
+    return [
+        f"{path.name}:{line}: {match[0]}"
+        for path in paths
+        for line, text in enumerate(path.read_text("utf-8").splitlines(), start=1)
+        for match in words.finditer(text.replace("_", " "))
+    ]
+
+
 def test_no_courtroom() -> None:
     """A diagnosis weighs evidence; it accuses nothing, and nothing in it is innocent."""
-    assert places(modules(PACKAGE), COURTROOM) == []
+    tests = [path for path in modules(TESTS) if path != Path(__file__)]
+    assert places(modules(PACKAGE) + tests, COURTROOM) == []
+
+
+def test_no_courtroom_in_the_proof() -> None:
+    """Neither in the names and texts of its programs and their tests, nor on the pages that they make."""
+    programs = [path for folder in PROOF for path in modules(folder)]
+    pages = [ROOT / "docs" / name for name in ("trial.md", "trial.json", "tampered.md", "real.md")]
+    found = written([*programs, *pages, TESTS / "trial" / "README.md"], COURTROOM)
+    assert found + written(programs, re.compile(r"\bwho(m|so)?ever\b", re.IGNORECASE)) == []
 
 
 def test_no_persons_for_things() -> None:
@@ -83,4 +105,7 @@ def test_the_words_are_found_where_they_stand(tmp_path: Path) -> None:
         "planted.py:3: Blamed", "planted.py:6: innocent", "planted.py:4: quarrel"
     ]  # fmt: skip
     assert places([planted], PERSONS) == ["planted.py:1: whosever"]
+    assert written([planted], re.compile("merit|guilt")) == ["planted.py:4: merit", "planted.py:4: guilt"]
     assert [text for _, text in docstrings(planted) if NO_HEAD.match(text)] == ["What it is, whosever."]
+    planted.write_text("def is_blamed(): ...\n", "utf-8")
+    assert written([planted], COURTROOM) == ["planted.py:1: blamed"]

@@ -22,7 +22,7 @@ def test_what_is_there_is_replaced_only_by_force(tmp_path: Path) -> None:
     """And asking alone changes nothing."""
     page = tmp_path / "page.html"
     page.write_text("before")
-    with pytest.raises(CocorosimError, match=r"page\.html exists already and is not overwritten.*--force"):
+    with pytest.raises(CocorosimError, match=r"page\.html exists already and is not overwritten.*'force'"):
         check_file(page, force=False)
     check_file(page, force=True)
     assert page.read_text() == "before"

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
+from cocorosim_ros.foundation.card import Card, card_html, card_text, digits
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.library.card import Card, card_html, card_text, digits
-from cocorosim_ros.library.frame import data_frame
 
 
 def test_text_is_no_markup(parse: Callable[[str], Any]) -> None:

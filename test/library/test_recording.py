@@ -126,7 +126,7 @@ def test_frames_are_long(shipped: Path, foreign: Path) -> None:
     assert compass["heading"].tolist()[:240] == recording.readings["lily_01"]["compass"].column("heading").tolist()
     assert recording.to_frame("illuminance").empty
     assert cocorosim.read_recording(foreign).to_frame("thruster_command")["pump"].tolist()[1] == -1.0
-    with pytest.raises(cocorosim.CocorosimError, match="no topic 'sonar' of numbers; choose from pose, compass"):
+    with pytest.raises(cocorosim.CocorosimError, match="'sonar', which is no topic of numbers; choose from pose"):
         recording.to_frame("sonar")
 
 

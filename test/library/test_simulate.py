@@ -140,13 +140,13 @@ def test_it_shows_itself(simulated: cocorosim.SimulatedRun, parse: Callable[[str
     ("call", "words"),
     [
         (lambda: cocorosim.simulate("five_lilis"), "did you mean 'five_lilys'"),
-        (lambda: cocorosim.simulate("five_lilys", seed=-1), "option 'seed': 'seed' has '-1'"),
+        (lambda: cocorosim.simulate("five_lilys", seed=-1), "The argument 'seed' has -1"),
         (lambda: cocorosim.simulate("five_lilys", duration="60"), "which has no unit"),
         (lambda: cocorosim.simulate("five_lilys", duration=float("nan")), "not a finite number"),
         (lambda: cocorosim.simulate("five_lilys", duration=0.75), "not a whole number of ticks"),
-        (lambda: cocorosim.simulate("five_lilys", run=-1), "There is no run -1"),
+        (lambda: cocorosim.simulate("five_lilys", run=-1), "'run' has -1; give a whole number from 0 on"),
         (lambda: cocorosim.simulate_runs("five_lilys", 0), "'runs' has 0"),
-        (lambda: cocorosim.simulate("five_lilys", duration="5 s").measure("5"), "argument: 'interval' has '5'"),
+        (lambda: cocorosim.simulate("five_lilys", duration="5 s").measure("5"), "The argument 'interval' has '5'"),
     ],
 )
 def test_what_cannot_be_meant_is_a_sentence(call: Callable[[], Any], words: str) -> None:
@@ -163,3 +163,20 @@ def test_a_controller_that_is_left_to_others_is_refused(tmp_path: Path) -> None:
         with pytest.raises(cocorosim.CocorosimError, match="The controller of lily_02 is left to somebody else"):
             call()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_controller_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
+    """By a recording and by a design before their folders are made."""
+    source = (
+        "class Mine:\n    def __init__(self):\n        {}['gain']\n    def __call__(self, sensed):\n        return {}\n"
+    )
+    (tmp_path / "unmade.py").write_text(source, "utf-8")
+    own = f"{tmp_path / 'unmade.py'}:Mine"
+    scenario, design = (
+        cocorosim.load_scenario("five_lilys", controller=own),
+        cocorosim.load_design("smoke", controller=own),
+    )
+    for call in (cocorosim.record, cocorosim.run_design):
+        with pytest.raises(cocorosim.CocorosimError, match=r"unmade\.py:3: KeyError: 'gain'; 'Mine' of lily_01"):
+            call(scenario if call is cocorosim.record else design, tmp_path / "out")  # type: ignore[operator]
+    assert [path.name for path in tmp_path.iterdir()] == ["unmade.py"]

@@ -90,7 +90,7 @@ def test_one_controller_for_all_robots(
     assert {robot.controller.name for robot in robots} == {"Mine"}
     assert {robot.controller.values == {} for robot in robots} == {True}
     assert {robot.controller.name for robot in load_scenario(path, controller="idle").robots} == {"idle"}
-    with pytest.raises(CocorosimError, match="option 'controller': 'controller' has 'idel', the name of no controller"):
+    with pytest.raises(CocorosimError, match="The argument 'controller' has 'idel', the name of no controller"):
         load_scenario(path, controller="idel")
 
 
@@ -116,5 +116,5 @@ def test_a_pattern_that_fits_no_robot(scenario_file: ScenarioFile) -> None:
     """The sentence names the robots."""
     with pytest.raises(CocorosimError) as caught:
         load_scenario(scenario_file(), external=["jeff_*"])
-    told = "option 'external': 'external' has 'jeff_*', a pattern that fits the name of no robot"
+    told = "The argument 'external' has 'jeff_*', a pattern that fits the name of no robot"
     assert told in str(caught.value) and "lily_01, lily_02, lily_03" in str(caught.value)

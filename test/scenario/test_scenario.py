@@ -252,13 +252,13 @@ def test_robots_of_two_groups_in_each_other(complaint: Complaint, scenario_file:
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        ({"duration": "10 kg"}, "option 'duration': 'duration' has '10 kg', which is not a time"),
+        ({"duration": "10 kg"}, "The argument 'duration' has '10 kg', which is not a time"),
         (
             {"duration": "0.7 s"},
-            "option 'duration': 'duration' has '0.7 s', which is not a whole number of ticks",
+            "The argument 'duration' has '0.7 s', which is not a whole number of ticks",
         ),
-        ({"seed": -1}, "option 'seed': 'seed' has '-1'"),
-        ({"external": ["lily_9"]}, "option 'external': 'external' has 'lily_9', the name of no robot"),
+        ({"seed": -1}, "The argument 'seed' has '-1'"),
+        ({"external": ["lily_9"]}, "The argument 'external' has 'lily_9', the name of no robot"),
     ],
 )
 def test_wrong_options(scenario_file: ScenarioFile, options: dict[str, object], sentence: str) -> None:

@@ -11,13 +11,13 @@ from trial.examiner import Outcome
 ASKED: tuple[tuple[str, str, float, float], ...] = (
     ("exact naming, one medium effect, random force 1 % of thrust", "exact, one medium effect, 1% noise", 0.95, 0.99),
     ("the same at 3 %", "exact, one medium effect, 3% noise", 0.88, 0.95),
-    ("truth in the ambiguity set", "truth in ambiguity set, where something is accused", 0.98, 0.995),
-    ("first accusation wrong", "first accusation wrong, one or more effects", -0.01, 0.003),
+    ("truth in the ambiguity set", "truth in ambiguity set, where something is named", 0.98, 0.995),
+    ("first named effect wrong", "first named effect wrong, one or more effects", -0.01, 0.003),
     ("false alarm where nothing is concealed", "false alarm, nothing concealed", -0.01, 0.0),
     ("false alarm where only parameters moved", "false alarm, recalibration only", -0.01, 0.0),
     ("two effects, both and nothing else", "exact, two effects", 0.80, 0.92),
     ("outside the catalogue: flagged", "outside the catalogue: flagged", 0.85, 0.95),
-    ("outside the catalogue: blamed on the catalogue", "outside the catalogue: blamed on the catalogue", -0.05, 0.02),
+    ("outside the catalogue: named as an entry of it", "outside the catalogue: named as an entry of it", -0.05, 0.02),
     ("recordings that cannot tell: abstains", "cannot tell: abstains", 0.90, 0.98),
 )
 

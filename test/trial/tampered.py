@@ -1,7 +1,7 @@
 """Arm two: real recordings whose logs are altered in a known way, each beside the unaltered ones as its control.
 
-Water, vehicle and noise are real, and so is whatever else no model has: so the control may accuse too. Right is what
-the altered recordings accuse and the control does not, or what both accuse with the right difference in its number.
+Water, vehicle and noise are real, and so is whatever else no model has: so the control may show effects too. Right is
+what the altered recordings show and the control does not, or what both show with the right difference in its number.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def table(found: list[Group], out: Path) -> tuple[list[dict[str, Any]], list[str
 
 
 def controls(found: list[Group], out: Path) -> list[str]:
-    """What the unaltered recordings are accused of."""
+    """Effects that the unaltered recordings show."""
     lines = []
     for group in found:
         said = answer(out / "diagnoses" / group.name / "control")
@@ -90,21 +90,22 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
     diagnose(plan(found, out), terms)
     rows, lines = table(found, out)
     counts = {outcome: sum(row["outcome"] == outcome for row in rows) for outcome in OUTCOMES}
-    beside = sum(bool(row["blamed"]) for row in rows)
+    beside = sum(bool(row["named_wrongly"]) for row in rows)
     text = [
         "# Real recordings with altered logs", "",
         "Water, vehicle and noise are real; a log was altered in a known way. The unaltered recordings are the",
-        "control: what they are accused of too does not count, unless its number moves by what was put in.", "",
+        "control: what is named of them too does not count, unless its number moves by what was put in.", "",
         f"{len(rows)} diagnoses: {', '.join(f'{count} {outcome}' for outcome, count in counts.items())}.", "",
-        "Right: the effect is named and its number moved by what was put in, within 30 % or the intervals. Blamed:",
-        "not right, and an effect of the catalogue is named that the control does not have. Cannot be seen: neither,",
-        "and the diagnosis says that these recordings could not show the effect. Where the pose is the only stream, a",
-        "pose that is late and thrusters that lag are counted together.", "",
+        "Right: the effect is named and its number moved by what was put in, within 30 % or the intervals. Named",
+        "wrongly: not right, and an effect of the catalogue is named that the control does not have. Cannot be seen:",
+        "neither, and the diagnosis says that these recordings could not show the effect. Where the pose is the only",
+        "stream, a pose that is late and thrusters that lag are counted together.", "",
         f"Whatever the outcome, {beside} of {len(rows)} name an effect of the catalogue that was neither put in nor",
         "found in the control.", "", sentence(source), "", "## Controls", "",
-        "| recordings | how many | verdict | accused |", "|---|---|---|---|", *controls(found, out), "",
+        "| recordings | how many | verdict | effects named |", "|---|---|---|---|", *controls(found, out), "",
         "## Altered", "",
-        "| recordings | altered | to be found | named | in the control too | its number moved by | outcome | accused |",
+        "| recordings | altered | to be found | named | in the control too | its number moved by | outcome"
+        " | effects named |",
         "|---|---|---|---|---|---|---|---|", *lines, "",
         *(f"`{name}`: {reason}." for name, reason in UNTOLD.items()), "",
     ]  # fmt: skip

@@ -53,7 +53,7 @@ WAYS = {
         Way("gyro", 0.05, "imu_bias", "imu", "gyro_z", 0.05),
     ),
 }  # fmt: skip
-OUTCOMES = ("right", "cannot be seen", "missed", "blamed", "no diagnosis")
+OUTCOMES = ("right", "cannot be seen", "missed", "named wrongly", "no diagnosis")
 UNTOLD = {"camera_scale": "thrust, drag and inertia take it up where nothing else measures a length"}
 
 
@@ -64,12 +64,12 @@ def answer(folder: Path) -> dict[str, Any] | None:
 
 
 def effects(diagnosis: dict[str, Any] | None) -> list[dict[str, Any]]:
-    """What a diagnosis accuses."""
+    """Effects that a diagnosis reports."""
     return list((diagnosis or {}).get("effects") or [])
 
 
-def accused(diagnosis: dict[str, Any] | None, way: Way) -> list[tuple[dict[str, Any], str]]:
-    """The accusations of what a way does, each with the number that tells how much."""
+def effects_of_way(diagnosis: dict[str, Any] | None, way: Way) -> list[tuple[dict[str, Any], str]]:
+    """Reported effects of what a way does, each with the number that tells how much."""
     found = []
     for effect in effects(diagnosis):
         topic = effect.get("topic")
@@ -81,7 +81,7 @@ def accused(diagnosis: dict[str, Any] | None, way: Way) -> list[tuple[dict[str, 
 
 
 def number(found: list[tuple[dict[str, Any], str]], way: Way) -> tuple[float, float] | None:
-    """Value and half of its 95 % interval; not accused counts as nothing, not as unknown."""
+    """Value and half of its 95 % interval; not named counts as nothing, not as unknown."""
     total, half = (1.0 if way.effect == "camera_scale" and not found else 0.0), 0.0
     for effect, parameter in found:
         told = (effect.get("parameters") or {}).get(parameter)
@@ -96,11 +96,11 @@ def number(found: list[tuple[dict[str, Any], str]], way: Way) -> tuple[float, fl
 def judged(control: dict[str, Any] | None, tampered: dict[str, Any] | None, way: Way) -> dict[str, Any]:
     """What was found of one way in one group, and the outcome.
 
-    right: it is accused, and its number moved by what was put in, within 30 % or what both intervals allow.
-    blamed: not right, and an effect of the catalogue is accused that the control is not accused of.
+    right: it is named, and its number moved by what was put in, within 30 % or what both intervals allow.
+    named wrongly: not right, and an effect of the catalogue is named that the control does not have.
     cannot be seen: neither, and the diagnosis says that these recordings could not show it.
     """
-    before, after = accused(control, way), accused(tampered, way)
+    before, after = effects_of_way(control, way), effects_of_way(tampered, way)
     one, two = number(before, way), number(after, way)
     named, in_control = (any(effect["id"] == way.effect for effect, _ in found) for found in (after, before))
     right, moved = False, None
@@ -110,10 +110,10 @@ def judged(control: dict[str, Any] | None, tampered: dict[str, Any] | None, way:
         moved = two[0] - one[0]
         right = abs(moved - way.change) <= max(0.3 * abs(way.change), math.hypot(one[1], two[1]))
     known = {way.effect, way.same[0], *(effect["id"] for effect in effects(control))}
-    blamed = [effect["id"] for effect in effects(tampered) if effect["id"] not in known and ":" not in effect["id"]]
+    wrong = [effect["id"] for effect in effects(tampered) if effect["id"] not in known and ":" not in effect["id"]]
     unseen = way.effect in ((tampered or {}).get("not_shown_by_this_recording") or [])
-    outcome = "right" if right else "blamed" if blamed else "cannot be seen" if unseen else "missed"
+    outcome = "right" if right else "named wrongly" if wrong else "cannot be seen" if unseen else "missed"
     return {
-        "named": named, "in_control": in_control, "moved": moved, "right": right, "blamed": blamed,
+        "named": named, "in_control": in_control, "moved": moved, "right": right, "named_wrongly": wrong,
         "outcome": outcome if tampered is not None else "no diagnosis",
     }  # fmt: skip

@@ -91,17 +91,17 @@ def test_the_asked_table_says_where_the_least_does_not_hold() -> None:
     held = {line.split(" | ")[0].strip("| "): line.split(" | ")[-1].strip("| ") for line in asked_table(figures)[2:-1]}
     assert held == {
         "exact naming, one medium effect, random force 1 % of thrust": "no", "the same at 3 %": "yes",
-        "truth in the ambiguity set": "-", "mean size of the ambiguity set": "yes", "first accusation wrong": "-",
+        "truth in the ambiguity set": "-", "mean size of the ambiguity set": "yes", "first named effect wrong": "-",
         "false alarm where nothing is concealed": "no", "false alarm where only parameters moved": "yes",
         "two effects, both and nothing else": "-", "outside the catalogue: flagged": "-",
-        "outside the catalogue: blamed on the catalogue": "-", "recordings that cannot tell: abstains": "-",
+        "outside the catalogue: named as an entry of it": "-", "recordings that cannot tell: abstains": "-",
         "95 % intervals that hold the truth": "yes",
         "held-out free run, position, against a model that knows the truth": "no",
     }  # fmt: skip
 
 
 def said(name: str, key: str = "", value: float = 0.0, half: float = 0.0, topic: str | None = None) -> dict[str, Any]:
-    """A diagnosis with one accusation."""
+    """A diagnosis with one effect."""
     numbers = {key: {"value": value, "ci95": [value - half, value + half], "unit": ""}} if key else {}
     return {"effects": [{"id": name, "topic": topic, "parameters": numbers, "ambiguous_with": []}]}
 
@@ -127,12 +127,12 @@ def test_what_was_altered_is_judged_against_the_control(control: Any, tampered: 
 
 
 def test_what_is_not_right_is_said_to_be_so() -> None:
-    """Innocents that the control does not accuse, what was said to be out of sight, and what was passed over."""
+    """Effects neither put in nor in the control, what was said to be out of sight, and what was passed over."""
     from trial.ways import WAYS, judged
 
     way, none = WAYS["hovercraft_epfl"][0], {"effects": []}
     unseen = none | {"not_shown_by_this_recording": ["thruster_asymmetry"]}
-    assert judged(none, said("steady_current") | unseen | said("steady_current"), way)["outcome"] == "blamed"
+    assert judged(none, said("steady_current") | unseen | said("steady_current"), way)["outcome"] == "named wrongly"
     assert judged(said("steady_current"), said("steady_current"), way)["outcome"] == "missed"
     assert judged(none, unseen, way)["outcome"] == "cannot be seen"
     assert judged(none, None, way)["outcome"] == "no diagnosis"

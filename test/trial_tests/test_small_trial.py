@@ -33,12 +33,12 @@ def cases(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("name", LARGE)
 def test_a_large_effect_is_named(cases: dict[str, Any], name: str) -> None:
-    """It is the first accusation, or within 3 nats of it."""
+    """It is the first named effect, or within 3 nats of it."""
     assert cases[name].verdict == "mismatch"
     assert cases[name].truth_in_set()
 
 
 @pytest.mark.parametrize("kind", ["nothing", "recalibration"])
-def test_nobody_is_accused_where_structure_is_intact(cases: dict[str, Any], kind: str) -> None:
+def test_no_effect_is_named_where_structure_is_intact(cases: dict[str, Any], kind: str) -> None:
     """No effect, no claim of a mismatch."""
     assert not cases[kind].false_alarm(), json.dumps(cases[kind].effects)[:500]

@@ -6,24 +6,26 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError
 
 FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
 
 
-def check_folder(folder: Path, *, force: bool) -> None:
+def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
     """Check that the files of a diagnosis can be written into a folder.
 
-    Raises CocorosimError if the folder is a file or holds a diagnosis already (without `force`).
+    argument: which one named the folder. Raises CocorosimError if that is a file or holds a diagnosis already (without
+    `force`).
     """
     if folder.exists() and not folder.is_dir():
-        raise CocorosimError(f"{folder} is a file; give a folder with --out.")
+        raise ArgumentError(f"{folder} is a file; give a folder with '{argument}'.", argument)
     there = [name for name in FILES if (folder / name).exists()]
     if there and not force:
-        raise CocorosimError(f"{folder / there[0]} exists already; give another folder with --out, or --force.")
+        told = f"{folder / there[0]} exists already; give another folder with '{argument}', or 'force'."
+        raise ArgumentError(told, argument, "force")
 
 
-def write_folder(folder: Path, texts: Mapping[str, str]) -> None:
+def write_folder(folder: Path, texts: Mapping[str, str], *, argument: str = "out") -> None:
     """Write the files, by name, into the folder, which is made if need be; older ones of FILES are taken away.
 
     Raises CocorosimError if that fails; then everything is as it was.
@@ -41,9 +43,8 @@ def write_folder(folder: Path, texts: Mapping[str, str]) -> None:
                 (folder / name).unlink(missing_ok=True)
     except OSError as error:
         _take_away(partial, made)
-        raise CocorosimError(
-            f"The folder {folder} cannot be written: {error.strerror}; give another one with --out."
-        ) from error
+        told = f"The folder {folder} cannot be written: {error.strerror}; give another one with '{argument}'."
+        raise ArgumentError(told, argument) from error
     except BaseException:
         _take_away(partial, made)
         raise

@@ -10,10 +10,12 @@ from typing import Any, Literal
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors
+from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
@@ -55,8 +57,8 @@ def _read_words(entry: Entry) -> dict[str, str]:
     return {name: part.text() for name, part in entry.mapping().items()}
 
 
-@dataclass(frozen=True)
-class Platform:
+@dataclass(frozen=True, repr=False)
+class Platform(Shown):
     """One kind of robot; SI units, body axes forward-left-up, moves in surge, sway, heave and yaw.
 
     mass [kg], yaw_inertia [kg m^2], drag: rho*A*Cd/2 for the total speed [kg/m], yaw_drag [N m s^2],
@@ -118,6 +120,21 @@ class Platform:
         """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range."""
         return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
 
+    def card(self) -> Card:
+        """Mass, inertia and drag, and the effects beyond the basic physics."""
+        facts = {
+            "mass": f"{digits(self.mass)} kg",
+            "yaw inertia": f"{digits(self.yaw_inertia)} kg m^2",
+            "drag": f"{digits(self.drag)} kg/m",
+            "actuators": ", ".join(self.actuator_names),
+        }
+        rows = [
+            (effect, name, digits(part.value), part.unit)
+            for effect, parameters in self.effect_quantities.items()
+            for name, part in parameters.items()
+        ]
+        return Card(f"platform {self.name}", facts, ("effect", "parameter", "value", "unit"), rows, (self.description,))
+
     def _limits(self, actuator: Actuator) -> tuple[float, float]:
         if isinstance(actuator, BuoyancyPump):
             force = self.water_density * self.gravity * actuator.volume_range
@@ -131,7 +148,7 @@ def load_platform(name_or_path: str | Path) -> Platform:
 
     Raises CocorosimError: unknown name, unreadable file, unknown key, wrong unit, number without source.
     """
-    return read_platform_file(find_config("platforms", str(name_or_path)))
+    return read_platform_file(find_config("platforms", place_text(name_or_path, "name_or_path")))
 
 
 def read_platform_file(path: Path) -> Platform:

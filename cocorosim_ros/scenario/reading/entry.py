@@ -7,9 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
 _LONGEST_SHOWN = 60
+_ARGUMENT = "the argument"  # how the origin of a value begins that was given to a function
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,13 @@ class Entry:
     key: str
 
     def problem(self, sentence: str) -> CocorosimError:
-        """The error to raise: file, line and key, then `sentence`, as one line whatever the value is."""
+        """The error to raise: file, line and key, then `sentence`, as one line whatever the value is.
+
+        Of an argument, an ArgumentError that names it.
+        """
+        if self.file.startswith(_ARGUMENT) and not self.line:
+            told = " ".join(f"The argument '{self.key}' {sentence}".split())
+            return ArgumentError(told, self.key.partition("[")[0].partition(".")[0])
         place = f"{self.file} line {self.line}" if self.line else self.file
         told = f"{place}: '{self.key}' {sentence}" if self.key else f"{place}: {sentence}"
         return CocorosimError(" ".join(told.split()))
@@ -105,6 +112,11 @@ def entry_of(tree: Any, origin: str, key: str = "") -> Entry:
     elif isinstance(tree, (list, tuple)):
         value = [entry_of(part, origin, f"{key}[{i}]") for i, part in enumerate(tree)]
     return Entry(value, origin, 0, key)
+
+
+def argument_entry(value: Any, name: str) -> Entry:
+    """Plain values that a function was given as an argument; complaints name that."""
+    return entry_of(value, f"{_ARGUMENT} '{name}'", name)
 
 
 def plain_value(entry: Entry) -> Any:

@@ -20,6 +20,7 @@ Sign = Literal["any", "not negative", "positive"]
 
 UNITS: dict[str, dict[str, str]] = units_in_files()
 """By dimension: factors to SI as decimal text; the first unit is SI."""
+_LONGEST_NS = 2**63 - 1  # stamps are whole nanoseconds in 64 bits
 _DIMENSION_OF = {unit: dimension for dimension, units in UNITS.items() for unit in units}
 _NUMBER = r"[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|\.?(?:inf|nan|Inf|NaN))"
 _TEXT = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
@@ -89,6 +90,8 @@ def read_nanoseconds(entry: Entry) -> int:
     exact = Decimal(repr(float(value))) * Decimal(UNITS["time"][unit]) * 1_000_000_000
     if exact != exact.to_integral_value() or exact < 1:
         raise entry.problem(f"has {entry.found()}, which is not a whole number of nanoseconds; round {seconds!r} s.")
+    if exact > _LONGEST_NS:
+        raise entry.problem(f"has {entry.found()}, which is longer than 292 years; write a time of use.")
     return int(exact)
 
 

@@ -6,18 +6,24 @@ import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.python_controller import PythonController
+from cocorosim_ros.scenario.reading.arguments import names, place_text, whole_number
 from cocorosim_ros.scenario.reading.config_files import config_names, find_config, referenced_config
-from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.scenario.reading.entry import Entry, argument_entry, nearest
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
 from cocorosim_ros.world.checks.controlled import with_controller
 from cocorosim_ros.world.checks.loading import read_scenario
 from cocorosim_ros.world.seeding.seeding import generator
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 MOST_RUNS = 1_000_000  # whose table of results, about 1 kB a run, is put in order in memory
 CONTROLLER_FILES = "controller_files"  # in the summary of a design that has any
@@ -37,8 +43,8 @@ class Cell:
     """With the seed of the group: run i of it is `cocorosim run` of this scenario with run number i."""
 
 
-@dataclass(frozen=True)
-class Design:
+@dataclass(frozen=True, repr=False)
+class Design(Shown):
     """What is compared with what."""
 
     name: str
@@ -60,6 +66,22 @@ class Design:
     def groups(self) -> tuple[str, ...]:
         """The names of the groups in their order."""
         return tuple(dict.fromkeys(cell.group for cell in self.cells))
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a group in a kind of numerics: numerics, group, description, robots, ticks, runs."""
+        rows = [
+            (cell.numerics, cell.group, cell.description, len(cell.scenario.robots), cell.scenario.ticks)
+            for cell in self.cells
+        ]
+        names = ("numerics", "group", "description", "robots", "ticks")
+        columns = {name: [row[place] for row in rows] for place, name in enumerate(names)}
+        return data_frame({**columns, "runs": [self.replicates] * len(rows)})
+
+    def card(self) -> Card:
+        """What is compared with what."""
+        facts = {"runs": str(self.runs), "baseline": self.baseline, "replicates": str(self.replicates)}
+        rows = [(cell.numerics, cell.group, cell.description) for cell in self.cells]
+        return Card(f"design {self.name}", facts, ("numerics", "group", "description"), rows, (self.description,))
 
     def cell_of_row(self, row: int) -> tuple[Cell, int]:
         """The cell and the replicate of a row of the finished table. Raises CocorosimError if there is none."""
@@ -116,22 +138,29 @@ def load_design(
     controller: of all robots in every group, as a scenario would have it.
     Raises CocorosimError: whatever is wrong with it, or a group or kind of numerics that it does not have.
     """
-    top = load_yaml(find_config("designs", str(name_or_path)))
+    place, groups, numerics = (
+        place_text(name_or_path, "name_or_path"),
+        names(groups, "groups"),
+        names(numerics, "numerics"),
+    )
+    if controller is not None:
+        place_text(controller, "controller")
+    top = load_yaml(find_config("designs", place))
     section = top.section(_REQUIRED, _OPTIONAL)
     if replicates is not None:
-        section["replicates"] = Entry(replicates, "option '--replicates'", 0, "replicates")
+        section["replicates"] = argument_entry(whole_number(replicates, "replicates"), "replicates")
     named = section["groups"].mapping()
     if not named:
         raise section["groups"].problem("has no group, so that there would be no run; add at least one.")
     baseline = section["baseline"].choice(list(named))
     listed = [part.text() for part in section["numerics"].items()]
     kinds = _chosen(numerics, listed, "kind of numerics", top)
-    names = _chosen(groups, list(named), "group", top)
-    count = _replicates(section["replicates"], len(kinds) * len(names))
+    chosen = _chosen(groups, list(named), "group", top)
+    count = _replicates(section["replicates"], len(kinds) * len(chosen))
     base = load_yaml(referenced_config("scenarios", section["scenario"]))
     if controller is not None:
-        section["controller"] = Entry(controller, "option '--controller'", 0, "controller")
-    cells = tuple(_cell(section, base, kind, name) for kind in kinds for name in names)
+        section["controller"] = argument_entry(controller, "controller")
+    cells = tuple(_cell(section, base, kind, name) for kind in kinds for name in chosen)
     words = section["name"].text(), section["description"].text()
     return Design(*words, baseline, count, _metrics(section), cells)
 

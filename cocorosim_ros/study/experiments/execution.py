@@ -13,7 +13,7 @@ from concurrent.futures.process import BrokenProcessPool
 
 import pyarrow as pa
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError
 from cocorosim_ros.study.experiments.rows import Chunk, run_chunk
 
 LOST_WORKERS = 5  # after so many deaths of workers in a row something is wrong
@@ -46,9 +46,10 @@ def run_in_processes(chunks: Sequence[Chunk], workers: int, going: Going) -> Gen
             waiting.extendleft(running.values())
             deaths += 1
             if deaths == LOST_WORKERS:
-                raise CocorosimError(
+                raise ArgumentError(
                     f"{deaths} worker processes died one after the other, perhaps for lack of memory; "
-                    "give fewer with --workers. What is finished is kept."
+                    "give fewer with 'workers'. What is finished is kept.",
+                    "workers",
                 ) from error
         finally:
             _end(pool)

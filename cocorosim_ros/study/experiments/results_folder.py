@@ -16,7 +16,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.study.experiments.rows import SCHEMA
 
 DESIGN, PARTS, RESULTS = "design.json", "parts", "results.parquet"
@@ -35,9 +35,10 @@ def read_note(folder: Path) -> dict[str, Any]:
     except (OSError, ValueError) as error:
         reason = " ".join(str(error).split())
     if reason:
-        raise CocorosimError(
+        raise ArgumentError(
             f"{path} does not say which design the rows beside it belong to ({reason}); put it back as it was, or run "
-            "the design again, in another folder or with --force."
+            "the design again, in another folder or with 'force'.",
+            "force",
         )
     return dict(note)
 

@@ -15,7 +15,7 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.study.experiments.code_version import version
 from cocorosim_ros.study.experiments.design import CONTROLLER_FILES, Design
 from cocorosim_ros.study.experiments.results_folder import (
@@ -42,11 +42,11 @@ class Store:
         try:
             self._open(force)
         except (FileExistsError, NotADirectoryError) as error:
-            raise CocorosimError(f"{folder} is a file, or lies below one; give another folder with --out.") from error
+            told = f"{folder} is a file, or lies below one; give another folder with 'out'."
+            raise ArgumentError(told, "out") from error
         except OSError as error:
-            raise CocorosimError(
-                f"The folder {folder} cannot be written: {error.strerror}; give another one with --out."
-            ) from error
+            told = f"The folder {folder} cannot be written: {error.strerror}; give another one with 'out'."
+            raise ArgumentError(told, "out") from error
 
     @property
     def results(self) -> Path:
@@ -103,9 +103,10 @@ class Store:
         known = (DESIGN, PARTS, RESULTS)
         foreign = [name for name in there if name not in known and not name.endswith((_NEW, ".html"))]
         if foreign or (there and DESIGN not in there and not all(name.endswith(_NEW) for name in there)):
-            raise CocorosimError(
+            raise ArgumentError(
                 f"The folder {self._folder} holds '{(foreign or there)[0]}', which is no part of an experiment, so it "
-                "is not touched; give another folder with --out."
+                "is not touched; give another folder with 'out'.",
+                "out",
             )
 
     def _empty(self) -> None:
@@ -118,22 +119,28 @@ class Store:
         for file, sha256 in mine.get(CONTROLLER_FILES, {}).items():
             if before.get(file, sha256) != sha256:
                 words = f"{before[file][:12]}..., now {sha256[:12]}..."
-                raise CocorosimError(
+                raise ArgumentError(
                     f"The folder {self._folder} holds results of another version of {file} (SHA-256 {words}); rows of "
-                    "both would not be comparable: put the file back as it was, give another folder with --out, or "
-                    "--force to start again."
+                    "both would not be comparable: put the file back as it was, give another folder with 'out', or "
+                    "'force' to start again.",
+                    "out",
+                    "force",
                 )
         if there.get("digest") != mine["digest"]:
-            raise CocorosimError(
+            raise ArgumentError(
                 f"The folder {self._folder} holds results of another design, '{there.get('design')}' with digest "
                 f"{there.get('digest')}, not of '{mine['design']}' with {mine['digest']}; give another folder "
-                "with --out, or --force to start again."
+                "with 'out', or 'force' to start again.",
+                "out",
+                "force",
             )
         if there.get("version") != mine["version"]:
-            raise CocorosimError(
+            raise ArgumentError(
                 f"The folder {self._folder} holds results of version {there.get('version')} of the program, this is "
-                f"{mine['version']}; rows of both would not be comparable: give another folder with --out, or --force "
-                "to start again."
+                f"{mine['version']}; rows of both would not be comparable: give another folder with 'out', or 'force' "
+                "to start again.",
+                "out",
+                "force",
             )
 
 

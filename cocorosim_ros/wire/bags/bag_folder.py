@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.wire.bags import bag_metadata
 
 PROVISIONAL_NAME = bag_metadata.FILE_NAME + ".part"  # while metadata.yaml is being written
@@ -22,12 +22,13 @@ def make_room(folder: Path, *, force: bool) -> None:
             raise CocorosimError(f"{folder} is a file; give the name of a folder that does not exist yet.")
         entries = sorted(folder.iterdir())
         if not force:
-            raise CocorosimError(f"{folder} exists already; choose another folder, or replace it with --force.")
+            raise ArgumentError(f"{folder} exists already; choose another folder, or replace it with 'force'.", "force")
         foreign = [entry.name for entry in entries if not _belongs_to_bag(entry)]
         if foreign:
-            raise CocorosimError(
+            raise ArgumentError(
                 f"{folder} holds {foreign[0]!r}, which is no part of a recording, so it is not replaced "
-                "even with --force; choose another folder."
+                "even with 'force'; choose another folder.",
+                "force",
             )
         for entry in entries:
             entry.unlink()

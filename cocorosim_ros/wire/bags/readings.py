@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.card import Card, Shown, digits
+from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
@@ -17,11 +20,14 @@ from cocorosim_ros.wire.cdr.type_store import deserialize
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors import SENSORS
 
+if TYPE_CHECKING:
+    import pandas as pd
+
 Named = dict[str, float]
 
 
-@dataclass(frozen=True)
-class TopicReadings:
+@dataclass(frozen=True, repr=False)
+class TopicReadings(Shown):
     """n messages of one topic of one robot, in recorded order, as they were recorded: nothing is sorted or repaired."""
 
     robot: str
@@ -39,7 +45,7 @@ class TopicReadings:
     @property
     def time(self) -> Floats:
         """(n,) [s] by the header stamps, from the same zero for all topics of a recording."""
-        return np.asarray(self.stamp_ns / NANOSECONDS)
+        return read_only(np.asarray(self.stamp_ns / NANOSECONDS))
 
     def column(self, name: str) -> Floats:
         """(n,) the values of one column, in its unit. Raises CocorosimError if there is none of that name."""
@@ -47,6 +53,24 @@ class TopicReadings:
             known = ", ".join(self.columns) or "none"
             raise CocorosimError(f"{self.robot}/{self.topic} has no column '{name}'; its columns are: {known}.")
         return np.asarray(self.values[:, self.columns.index(name)])
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a message: stamp_ns [ns], time [s], then its columns in their units."""
+        return data_frame(
+            {"stamp_ns": self.stamp_ns, "time": self.time, **{name: self.column(name) for name in self.columns}}
+        )
+
+    def card(self) -> Card:
+        """How many messages there are, and between what each column lies."""
+        rows = [(name, unit, *_reach(self.column(name))) for name, unit in zip(self.columns, self.units, strict=True)]
+        facts = {"messages": str(len(self.stamp_ns)), "unreadable": str(self.unreadable)}
+        return Card(f"{self.topic} of {self.robot}", facts, ("column", "unit", "least", "most"), rows)
+
+
+def _reach(values: Floats) -> tuple[str, str]:
+    """The least and the most of what is known, as text."""
+    known = values[~np.isnan(values)]
+    return (digits(float(known.min())), digits(float(known.max()))) if known.size else (digits(None), digits(None))
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
@@ -20,7 +21,7 @@ POSE = ROBOT_TOPICS["pose"]
 NUMBERS = 7  # x y z of the position, x y z w of the quaternion
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RecordedTrack(PoseTrack):
     """The poses of one robot by their header stamps, each stamp once, and what was left out.
 
@@ -36,7 +37,7 @@ class RecordedTrack(PoseTrack):
     @property
     def time(self) -> Floats:
         """(n,) [s] since the first pose of this robot."""
-        return np.asarray((self.stamp_ns - self.stamp_ns[:1]) * 1e-9, dtype=np.float64)
+        return read_only(np.asarray((self.stamp_ns - self.stamp_ns[:1]) * 1e-9, dtype=np.float64))
 
 
 def read_poses(bag: Bag | Path | str) -> dict[str, RecordedTrack]:

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from cocorosim_ros import __version__
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr import type_store
@@ -62,7 +62,8 @@ def convert(
     map or source, and if `out` exists and not `force`; then nothing is left behind.
     """
     if out.exists() and not force:
-        raise CocorosimError(f"{out} exists already; choose another place with --out, or replace it with --force.")
+        told = f"{out} exists already; choose another place with 'out', or replace it with 'force'."
+        raise ArgumentError(told, "out", "force")
     conversions = []
     for name, read in _runs(mapped, source):
         progress(name)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from cocorosim_ros.scenario.reading.config_files import find_config
-from cocorosim_ros.scenario.reading.entry import Entry, entry_of
+from cocorosim_ros.scenario.reading.entry import Entry, argument_entry
 from cocorosim_ros.scenario.reading.records import read_record
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml
 from cocorosim_ros.scenario.scenario import Scenario
@@ -30,7 +30,7 @@ def load_scenario(
     """
     entry = load_yaml(find_config("scenarios", str(name_or_path)))
     options = {"seed": seed, "duration": duration, "external": None if external is None else list(external)}
-    given = {name: entry_of(value, f"option '{name}'", name) for name, value in options.items() if value is not None}
+    given = {name: argument_entry(value, name) for name, value in options.items() if value is not None}
     return read_with(entry, given, controller)
 
 
@@ -38,7 +38,7 @@ def read_with(entry: Entry, given: Mapping[str, Entry], controller: str | None) 
     """The checked scenario that a mapping describes, with given entries in place of its own; a controller for all."""
     entry = replace(entry, value={**entry.mapping(), **given})
     if controller is not None:
-        entry = with_controller(entry, entry_of(controller, "option 'controller'", "controller"))
+        entry = with_controller(entry, argument_entry(controller, "controller"))
     return read_scenario(entry)
 
 

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.data_frame import data_frame
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
-@dataclass(frozen=True)
-class PoseTrack:
+@dataclass(frozen=True, repr=False)
+class PoseTrack(Shown):
     """Poses of one robot in the order of their stamps."""
 
     stamp_ns: Integers
@@ -17,3 +23,19 @@ class PoseTrack:
     """(t, 3) position [m; world]."""
     yaw: Floats
     """(t,) heading [rad; world, counter-clockwise from +x]."""
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a pose: stamp_ns [ns], x, y, z [m], yaw [rad]; world."""
+        places = {name: self.position[:, place] for place, name in enumerate("xyz")}
+        return data_frame({"stamp_ns": self.stamp_ns, **places, "yaw": self.yaw})
+
+    def card(self) -> Card:
+        """How many poses there are, and the first and the last of them."""
+        count = len(self.stamp_ns)
+        rows = [self._row(name, place) for name, place in (("first", 0), ("last", -1)) if count]
+        length = f"{(self.stamp_ns[-1] - self.stamp_ns[0]) * 1e-9:.3f} s" if count else "-"
+        headings = ("pose", "x [m]", "y [m]", "z [m]", "yaw [rad]")
+        return Card("track", {"poses": str(count), "length": length}, headings, rows)
+
+    def _row(self, name: str, place: int) -> tuple[str, ...]:
+        return name, *(f"{number:.3f}" for number in (*self.position[place], self.yaw[place]))

@@ -21,11 +21,11 @@ def test_files_are_written_into_a_folder_that_is_made(tmp_path: Path) -> None:
 
 
 def test_an_older_diagnosis_needs_force(tmp_path: Path) -> None:
-    """Without it the sentence names the file and --force; other people's files are no hindrance."""
+    """Without it the sentence names the file and 'force'; other people's files are no hindrance."""
     (tmp_path / "notes.txt").write_text("mine")
     check_folder(tmp_path, force=False)
     write_folder(tmp_path, {"model.yaml": "old"})
-    with pytest.raises(CocorosimError, match=r"model\.yaml exists already.*--force"):
+    with pytest.raises(CocorosimError, match=r"model\.yaml exists already.*'force'"):
         check_folder(tmp_path, force=False)
     check_folder(tmp_path, force=True)
     write_folder(tmp_path, TEXTS)

@@ -39,7 +39,7 @@ recording: {{topics: {topics}}}
 
 
 class Running:
-    """One process, its output in a file; whoever waits for something says for what."""
+    """One process, its output in a file; a wait that fails says for what."""
 
     def __init__(self, command: list[str], log: Path, environment: dict[str, str]) -> None:
         self.log = log

@@ -67,6 +67,21 @@ def test_an_exception_ends_the_run(
 
 
 @WAYS
+def test_a_constructor_that_fails_is_unusable_input(
+    run: Callable[..., Any], tmp_path: Path, way: tuple[str, ...]
+) -> None:
+    """Status 2 and the user's own line, before anything is written."""
+    source = (
+        "class Mine:\n    def __init__(self):\n        {}['gain']\n    def __call__(self, sensed):\n        return {}\n"
+    )
+    (tmp_path / "unmade.py").write_text(source, "utf-8")
+    process, folder = run("run", f"{tmp_path / 'unmade.py'}:Mine", *way)
+    assert process.finish() == 2, process.output
+    assert "unmade.py:3: KeyError: 'gain'; 'Mine' of lily_01 could not be made." in process.output
+    assert not folder.exists()
+
+
+@WAYS
 def test_a_file_that_cannot_be_imported_is_unusable_input(
     run: Callable[..., Any], tmp_path: Path, way: tuple[str, ...]
 ) -> None:

@@ -160,7 +160,7 @@ def test_type_that_only_the_caller_knows(tmp_path: Path) -> None:
 def test_existing_folder_is_refused(tmp_path: Path, pose_rows: Rows, record: Record) -> None:
     """Nothing existing is overwritten without force; with force the old recording is replaced."""
     record(tmp_path / "bag", pose_rows(9))
-    with pytest.raises(CocorosimError, match=r"exists already.*--force"):
+    with pytest.raises(CocorosimError, match=r"exists already.*'force'"):
         record(tmp_path / "bag", pose_rows(2))
     assert len(read_back(tmp_path / "bag")) == 18
     record(tmp_path / "bag", pose_rows(2), force=True)

@@ -45,7 +45,7 @@ def test_schema_text_is_complete(type_name: str) -> None:
 
 
 def test_schema_text_keeps_our_comments() -> None:
-    """Units and frames, which stand in comments, reach whoever opens a recording."""
+    """Units and frames, which stand in comments, are there for readers of a recording."""
     text = type_store.schema_text("cocorosim_msgs/msg/BlssScan")
     assert "# m to the nearest robot in the cone, +inf for none" in text
     assert "MSG: cocorosim_msgs/BlssReading\n" in text

@@ -59,7 +59,7 @@ def test_senders_stand_in_ascending_order() -> None:
 
 
 def test_hearing_is_mutual(crowd: Make) -> None:
-    """With one range for all, whom I hear hears me; and it is whoever is within 0.5 m."""
+    """With one range for all, a robot that one hears hears it too; and it is those within 0.5 m."""
     places = crowd(1, 40, seed=2)[0, :, :3] * [2, 2, 1]
     heard = hear(places)
     near = np.linalg.norm(places[:, None] - places, axis=-1) <= 0.5

@@ -65,7 +65,7 @@ def test_corruption_with_zero_strength_changes_nothing() -> None:
 
 
 def test_without_latency_words_are_heard_at_once() -> None:
-    """After `sense()` of tick k the inbox holds the velocities of tick k, of whoever is in range then."""
+    """After `sense()` of tick k the inbox holds the velocities of tick k, of the robots in range then."""
     scenario = changed(load_scenario("eleven_lilys"), ("latency: one_tick", "latency: none"))
     simulation = swim(scenario, range(1), 20)
     simulation.sense()

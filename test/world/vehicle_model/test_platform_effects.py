@@ -148,7 +148,7 @@ def test_effects_of_a_single_robot_are_checked_too(tmp_path: Path) -> None:
 
 
 def test_what_belongs_to_the_recording_is_said(tmp_path: Path) -> None:
-    """Camera, clocks, late poses and mixed-up frames have one sentence each, whoever has them."""
+    """Camera, clocks, late poses and mixed-up frames have one sentence each, on whatever robot."""
     lines = (
         f"sensor_latency: {{pose: {number(0.1, 's')}, compass: {number(0.2, 's')}}}, "
         f"clock_skew: {{imu: {number(1e-4, 's/s')}}}, camera_scale: {{scale: {number(1.02, '1')}}}"

@@ -12,7 +12,7 @@ from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers.plain.answer_check import AnswerCheck
 from cocorosim_ros.world.controllers.plain.faults import ControllerError, raised_in
 from cocorosim_ros.world.controllers.plain.sensed import Senses
-from cocorosim_ros.world.controllers.plain.user_class import RANDOM, load_class
+from cocorosim_ros.world.controllers.plain.user_class import RANDOM, forget, load_class
 from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
 from cocorosim_ros.world.seeding.seeding import generator
 from cocorosim_ros.world.state.observation import Observation
@@ -40,6 +40,23 @@ def check_plain(robots: Iterable[RobotDescription]) -> None:
                 f"{user_class.place}: the platform '{robot.platform.name}' has {len(robot.platform.actuators)} "
                 f"actuators; a controller can command {DIRECT_LIMIT} at most."
             )
+
+
+def rehearse_plain(robots: Iterable[RobotDescription], seed: int, run: int = 0) -> None:
+    """Make the plain Python controllers of these robots as a run would, and throw them away again.
+
+    Constructors that fail are so found before anything is written. The users' files are executed anew afterwards, so
+    that nothing which a constructor leaves in its class or file reaches the run. Raises CocorosimError.
+    """
+    made = [(robot, named) for robot in robots if not robot.external and (named := plain_of(robot)) is not None]
+    try:
+        for robot, named in made:
+            PlainController(robot, named, seed, run)
+    except ControllerError as error:  # no run has begun, so that this is unusable input
+        raise CocorosimError(str(error)) from error
+    finally:
+        for _, named in made:
+            forget(named)
 
 
 class PlainController:

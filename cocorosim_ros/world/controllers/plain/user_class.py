@@ -123,6 +123,12 @@ def load_class(named: PythonController) -> UserClass:
     return UserClass(named, found)
 
 
+def forget(named: PythonController) -> None:
+    """Have the file executed anew when its class is loaded next."""
+    if (module := _modules.pop((named.file, named.sha256), None)) is not None:
+        sys.modules.pop(module.__name__, None)
+
+
 def _call_of(kind: type[Any]) -> Any:
     """The `__call__` that objects of a class have, None without; every class can be called itself."""
     return next((vars(part)["__call__"] for part in kind.__mro__ if "__call__" in vars(part)), None)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -210,3 +212,33 @@ def test_what_a_class_asks_for(robot_with: Make) -> None:
     body = describe_body(robot_with(source))
     assert body.topics[-1] == "illuminance"
     assert body.answers == ("thruster_command", "blue_light_tx")
+
+
+def test_a_rehearsal_leaves_nothing_behind(robot_with: Make) -> None:
+    """Objects are made as a run makes them; what they leave in their class is gone when the run makes its own."""
+    from cocorosim_ros.world.controllers.plain.plain_controller import rehearse_plain
+    from cocorosim_ros.world.controllers.plain.user_class import load_class
+
+    source = "class Mine:\n    made = []\n    def __init__(self, random):\n        self.made.append(random.random())\n"
+    source += "        with open('made.txt', 'a') as file:\n            file.write(f'{self.made}\\n')\n"
+    source += "    def __call__(self, sensed):\n        return {}\n"
+    robot = robot_with(source)
+    rehearse_plain([robot, robot], seed=3, run=2)
+    rehearse_plain([robot], seed=3, run=2)
+    before, both, after = Path("made.txt").read_text("utf-8").splitlines()
+    assert before == after != both
+    assert load_class(robot.controller).kind.made == []
+
+
+def test_a_rehearsal_leaves_the_controllers_of_others_alone(robot_with: Make) -> None:
+    """The constructor of a robot that is left to others is not called; that of one that fails is unusable input."""
+    from cocorosim_ros.world.controllers.plain.plain_controller import rehearse_plain
+
+    failing = "class Mine:\n    def __init__(self):\n        raise OSError('no port')\n"
+    robot = robot_with(failing + "    def __call__(self, sensed):\n        return {}\n")
+    rehearse_plain([replace(robot, external=True)], seed=1)
+    with pytest.raises(
+        CocorosimError, match=r"^mine\.py:3: OSError: no port; 'Mine' of lily_01 could not be made\.$"
+    ) as end:
+        rehearse_plain([robot], seed=1)
+    assert not isinstance(end.value, ControllerError)

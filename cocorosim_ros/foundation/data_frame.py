@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -29,12 +28,3 @@ def loaded_pandas() -> Any:
             "of the record itself."
         ) from error
     return pandas
-
-
-def long_columns(time: ArrayLike, robots: tuple[str, ...]) -> dict[str, ArrayLike]:
-    """The columns `time` and `robot` of a long table: all robots of the first moment, then of the next."""
-    moments = np.asarray(time)
-    return {
-        "time": np.repeat(moments, len(robots)),
-        "robot": np.tile(np.array(robots, dtype=object), len(moments)),
-    }
