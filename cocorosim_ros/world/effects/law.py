@@ -19,6 +19,7 @@ from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.equations import EQUATION_CODE
+from cocorosim_ros.world.terms.law_factors import LAW_FACTORS
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.regressors import REGRESSOR_COUNT, fill_regressors
 
@@ -74,12 +75,7 @@ LAW = Effect(
     parameters=(
         Parameter("coefficient", "*", "in N or N m over the units of the regressors"),
         Parameter("equation", "1", "code of the equation, in the order of terms.equations.EQUATIONS"),
-        Parameter("regressor_1", "1", "code of the first regressor, in the order of terms.regressors.REGRESSORS"),
-        Parameter("power_1", "1", "power of its amount", 1.0),
-        Parameter("signed_1", "1", "1 if the power keeps its sign, else 0", 1.0),
-        Parameter("regressor_2", "1", "code of the second regressor"),
-        Parameter("power_2", "1", "power of its amount", 1.0),
-        Parameter("signed_2", "1", "1 if the power keeps its sign, else 0", 1.0),
+        *LAW_FACTORS,
         Parameter("omega", "rad/s", "of sin_t and cos_t"),
         Parameter("phase", "rad", "of sin_t and cos_t"),
         Parameter("round_1", "1", "amount of the first regressor, SI units, below which a power under one is rounded"),
