@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,17 +35,24 @@ def command(bag: Path | None, platform_name: str, robot: str | None, out: Path |
             raise CocorosimError("--out and --robot belong to a recording; give the BAG of a calibration run too.")
         _show_section_four(console)
         return
-    _fit(console, bag, platform_name, robot, (out, force))
+    _fit(console, bag, platform_name, robot, _Target(out, force))
 
 
-def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: tuple[Path | None, bool]) -> None:
+@dataclass(frozen=True)
+class _Target:
+    """Where the fitted platform goes: None for nowhere; and whether a file that is there is replaced."""
+
+    out: Path | None
+    force: bool
+
+
+def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: _Target) -> None:
     from cocorosim_ros.scenario.parts.platform import load_platform
     from cocorosim_ros.study.calibration.calibration_run import read_calibration_run
     from cocorosim_ros.study.calibration.fit import fit_platform
     from cocorosim_ros.study.calibration.platform_file import write_platform
 
-    out, force = target
-    check_file(out, force=force)
+    check_file(target.out, force=target.force)
     platform = load_platform(platform_name)
     fit = fit_platform(platform, read_calibration_run(bag, platform, robot))
     console.print(fit_table(fit, platform_name))
@@ -52,9 +60,9 @@ def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, tar
         console.print(f"[yellow]The recording does not show {name}; it stays as it was.[/yellow]")
     x, y, z, yaw = fit.scatter
     console.print(f"left over (rms): {x:.2g} m, {y:.2g} m, depth {z:.2g} m, heading {yaw:.2g} rad")
-    if out is not None:
-        write_platform(out, platform, fit, str(bag), force=force)
-        console.print(f"{out}: the fitted platform")
+    if target.out is not None:
+        write_platform(target.out, platform, fit, str(bag), force=target.force)
+        console.print(f"{target.out}: the fitted platform")
 
 
 def _show_section_four(console: Console) -> None:

@@ -8,6 +8,7 @@ from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from cocorosim_ros.world.motion.actuation import actuate
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.state.state import MEMORY_SIZE, RATE
 from cocorosim_ros.world.vehicle_model.vehicles import Body
 
@@ -32,7 +33,7 @@ def mean_forces(command_time: Floats, command: Floats, body: Body, grid: Grid) -
             if now + 1 < command_time.shape[0] and command_time[now + 1] < end:
                 right = max(command_time[now + 1], left)
             if right > left:
-                actuate(off if now < 0 else command[now], memory, body, (left, right - left), mean)
+                actuate(off if now < 0 else command[now], memory, body, Interval(left, right - left), mean)
                 for actuator in range(actuators):
                     force[point, actuator] += mean[actuator] * (right - left) / step
             if right < end:

@@ -77,4 +77,4 @@ def followed_by(located: Located, residual: ResidualForce) -> Along | None:
     if not product.factors:
         return Along(residual.time, "s")
     with np.errstate(divide="ignore", invalid="ignore"):
-        return Along(product.along(values_along(residual.course, located.swing)), product.unit)
+        return Along(product.along(values_along(residual.course, *located.swing)), product.unit)

@@ -3,12 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import TypeVar
+from dataclasses import dataclass, replace
+from typing import Generic, TypeVar
 
 from cocorosim_ros.scenario.parts.platform import Platform
 
 Part = TypeVar("Part")
+
+
+@dataclass(frozen=True)
+class _Said(Generic[Part]):
+    """What one platform file says."""
+
+    of_all: Mapping[str, Part]
+    of_one: Mapping[str, Part]
+    """What holds for one robot: what is said of all, where nothing else is said of this one."""
+
+    def of_one_alone(self) -> dict[str, Part]:
+        """What is not said of all in the same words."""
+        return {key: part for key, part in self.of_one.items() if self.of_all.get(key) != part}
 
 
 def knowing(platform: Platform, known: Platform) -> Platform:
@@ -23,10 +36,12 @@ def knowing(platform: Platform, known: Platform) -> Platform:
         return replace(
             own,
             effect_quantities=_of_robot(
-                (platform.effect_quantities, own.effect_quantities), (known.effect_quantities, other.effect_quantities)
+                _Said(platform.effect_quantities, own.effect_quantities),
+                _Said(known.effect_quantities, other.effect_quantities),
             ),
             frame_corrections=_of_robot(
-                (platform.frame_corrections, own.frame_corrections), (known.frame_corrections, other.frame_corrections)
+                _Said(platform.frame_corrections, own.frame_corrections),
+                _Said(known.frame_corrections, other.frame_corrections),
             ),
         )
 
@@ -38,9 +53,6 @@ def knowing(platform: Platform, known: Platform) -> Platform:
     )
 
 
-def _of_robot(
-    mine: tuple[Mapping[str, Part], Mapping[str, Part]], known: tuple[Mapping[str, Part], Mapping[str, Part]]
-) -> dict[str, Part]:
-    """What holds for one robot; of each side what it says of all, and what of this one."""
-    alone = [{key: part for key, part in own.items() if of_all.get(key) != part} for of_all, own in (mine, known)]
-    return {**mine[0], **known[0], **alone[0], **alone[1]}
+def _of_robot(mine: _Said[Part], known: _Said[Part]) -> dict[str, Part]:
+    """What holds for one robot."""
+    return {**mine.of_all, **known.of_all, **mine.of_one_alone(), **known.of_one_alone()}

@@ -8,6 +8,7 @@ Source: Read et al. 2013, sections 5 and 5.1.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,6 +34,14 @@ WORSE = {"polarisation": LOWER, "shoal_speed": LOWER, "lost": HIGHER, "shoals": 
 TOLERABLE = 2  # large effects of six, at most: "only 2 of the 6 metrics"
 
 
+class _Case(NamedTuple):
+    """One effect: what of, and what the paper says about it."""
+
+    name: str
+    paper: str
+    effect: Effect
+
+
 def overall_answers(experiments: Mapping[str, Results]) -> Iterator[Answer]:
     """S19, S20, T4 and T5 in every kind of numerics of the designs that are there."""
     if "boids" in experiments:
@@ -52,18 +61,18 @@ def _effect(results: Results, numerics: str, group: str, metric: str) -> Effect:
 def _no_detriment(results: Results, numerics: str) -> Answer:
     """S19: no effect of the eight is large in the direction that is worse."""
     found = [
-        (f"{group} {metric}", bad, _effect(results, numerics, group, metric))
+        _Case(f"{group} {metric}", bad, _effect(results, numerics, group, metric))
         for group in ("BLT", "BLC")
         for metric, bad in WORSE.items()
     ]
-    verdicts = [spared(bad, effect_) for _, bad, effect_ in found]
+    verdicts = [spared(case.paper, case.effect) for case in found]
     sorts = {"detriment": NOT_REPRODUCED, "open": NOT_DECIDABLE}
     ours = _listed({words: _named(found, verdicts, verdict) for words, verdict in sorts.items()})
     if NO_RUNS in verdicts:
         ours = DASH
     elif not ours:
-        name, _, nearest = max(found, key=lambda part: _reach(*part[1:]))
-        ours = f"no large detriment; nearest to one is {_in_words(name, nearest)}"
+        nearest = max(found, key=lambda case: _reach(case.paper, case.effect))
+        ours = f"no large detriment; nearest to one is {_in_words(nearest.name, nearest.effect)}"
     return Answer("S19", "BLT and BLC against Van", "no significant detriment", numerics, ours, all_of(verdicts))
 
 
@@ -119,8 +128,8 @@ def _known(results: Results, numerics: str, group: str, metric: str) -> Floats:
 
 def _tolerated(results: Results, numerics: str) -> Answer:
     """T5: at most two of the six metrics show a large effect of weak turbulence, whatever the intervals leave open."""
-    found = [(metric, NOT_LARGE, _effect(results, numerics, "T5e-4", metric)) for metric in PAPER_METRICS]
-    verdicts = [verdict_of(paper, effect_) for _, paper, effect_ in found]
+    found = [_Case(metric, NOT_LARGE, _effect(results, numerics, "T5e-4", metric)) for metric in PAPER_METRICS]
+    verdicts = [verdict_of(case.paper, case.effect) for case in found]
     large, open_ = (_named(found, verdicts, verdict) for verdict in (NOT_REPRODUCED, NOT_DECIDABLE))
     least, most = len(large), len(large) + len(open_)
     verdict = REPRODUCED if most <= TOLERABLE else NOT_REPRODUCED if least > TOLERABLE else NOT_DECIDABLE
@@ -131,10 +140,10 @@ def _tolerated(results: Results, numerics: str) -> Answer:
     return Answer("T5", "T5e-4 against T0", "the shoal tolerates weak turbulence", numerics, ours, verdict)
 
 
-def _named(found: Sequence[tuple[str, str, Effect]], verdicts: Sequence[str], wanted: str) -> list[str]:
+def _named(found: Sequence[_Case], verdicts: Sequence[str], wanted: str) -> list[str]:
     """In words, the effects on which the verdict is the wanted one."""
     pairs = zip(found, verdicts, strict=True)
-    return [_in_words(name, effect_) for (name, _, effect_), verdict in pairs if verdict == wanted]
+    return [_in_words(case.name, case.effect) for case, verdict in pairs if verdict == wanted]
 
 
 def _listed(parts: Mapping[str, Sequence[str]]) -> str:

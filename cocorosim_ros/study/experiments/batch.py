@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -26,6 +26,16 @@ _MOST_PER_CHUNK = 50
 _BYTES_OF_WATER = 4e6
 
 
+@dataclass(frozen=True)
+class RunsMade:
+    """What has come of some runs of one cell."""
+
+    summary: Summary
+    """NaN for a run whose motion ran away."""
+    ticks: Integers
+    """(runs,) how many each has made: fewer than the scenario has if its motion ran away."""
+
+
 def runs_that_fit(scenario: Scenario) -> int:
     """How many runs of a scenario are worth calculating at once.
 
@@ -38,25 +48,23 @@ def runs_that_fit(scenario: Scenario) -> int:
     return max(1, int(most))
 
 
-def run_each(scenario: Scenario, first: int, count: int) -> tuple[Summary, Integers]:
-    """Summaries of the runs `first` to `first + count - 1`, and how many ticks (runs,) each has made.
-
-    One whose motion runs away has NaN for every number and makes fewer ticks than the scenario has; the others are
-    what they would be without it.
-    """
+def run_each(scenario: Scenario, first: int, count: int) -> RunsMade:
+    """The runs `first` to `first + count - 1`; if the motion of one runs away, the others are what they are without."""
     try:
-        return run_batch(scenario, first, count), np.full(count, scenario.ticks)
+        return RunsMade(run_batch(scenario, first, count), np.full(count, scenario.ticks))
     except RanAwayError as error:
         if count == 1:
             nothing = np.full((1, len(METRICS)), np.nan)
-            return Summary(nothing, nothing, nothing, np.zeros((1, len(METRICS)), np.int64)), np.array([error.ticks])
+            summary = Summary(nothing, nothing, nothing, np.zeros((1, len(METRICS)), np.int64))
+            return RunsMade(summary, np.array([error.ticks]))
     half = count // 2
     return _joined(run_each(scenario, first, half), run_each(scenario, first + half, count - half))
 
 
-def _joined(before: tuple[Summary, Integers], after: tuple[Summary, Integers]) -> tuple[Summary, Integers]:
-    parts = (np.concatenate([getattr(before[0], part.name), getattr(after[0], part.name)]) for part in fields(Summary))
-    return Summary(*parts), np.concatenate([before[1], after[1]])
+def _joined(before: RunsMade, after: RunsMade) -> RunsMade:
+    names = [part.name for part in fields(Summary)]
+    parts = (np.concatenate([getattr(made.summary, name) for made in (before, after)]) for name in names)
+    return RunsMade(Summary(*parts), np.concatenate([before.ticks, after.ticks]))
 
 
 def run_batch(scenario: Scenario, first: int, count: int) -> Summary:

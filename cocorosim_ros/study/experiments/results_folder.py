@@ -17,7 +17,7 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
-from cocorosim_ros.study.experiments.rows import SCHEMA
+from cocorosim_ros.study.experiments.rows import SCHEMA, RowKey
 
 DESIGN, PARTS, RESULTS = "design.json", "parts", "results.parquet"
 KEYS = ("numerics", "group", "replicate")
@@ -68,14 +68,14 @@ def read_folder(folder: Path, columns: Sequence[str] = tuple(SCHEMA.names)) -> p
     wanted = [*dict.fromkeys([*KEYS, *columns])]
     schema = pa.schema([SCHEMA.field(name) for name in wanted])
     table = pa.concat_tables([schema.empty_table(), *(read_rows(path, wanted) for path in files)])
-    seen: set[tuple[str, str, int]] = set()
+    seen: set[RowKey] = set()
     fresh = [not (key in seen or seen.add(key)) for key in row_keys(table)]  # type: ignore[func-returns-value]
     return table.filter(pa.array(fresh, pa.bool_())).select(columns)
 
 
-def row_keys(table: pa.Table) -> list[tuple[str, str, int]]:
-    """Numerics, group and replicate of each row."""
-    return list(zip(*(table[key].to_pylist() for key in KEYS), strict=True))
+def row_keys(table: pa.Table) -> list[RowKey]:
+    """Which run of which cell each row is of."""
+    return [RowKey(*row) for row in zip(*(table[key].to_pylist() for key in KEYS), strict=True)]
 
 
 def read_rows(path: Path, columns: Sequence[str]) -> pa.Table:

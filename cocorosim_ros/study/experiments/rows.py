@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import pyarrow as pa
@@ -32,6 +33,14 @@ SCHEMA = pa.schema(
 )
 
 
+class RowKey(NamedTuple):
+    """Which run of which cell a row is of."""
+
+    numerics: str
+    group: str
+    replicate: int
+
+
 @dataclass(frozen=True)
 class Chunk:
     """Some runs of one cell, with everything that a worker elsewhere needs."""
@@ -43,11 +52,11 @@ class Chunk:
     scenario: str  # YAML
 
 
-def chunks(design: Design, done: set[tuple[str, str, int]], size: int | None = None) -> Iterator[Chunk]:
+def chunks(design: Design, done: Collection[RowKey], size: int | None = None) -> Iterator[Chunk]:
     """What is left to do, cut into chunks of at most `size` runs, or as many as are worth calculating at once."""
     for cell in design.cells:
         text, most = cell.scenario.to_yaml(), size or runs_that_fit(cell.scenario)
-        left = [run for run in range(design.replicates) if (cell.numerics, cell.group, run) not in done]
+        left = [run for run in range(design.replicates) if RowKey(cell.numerics, cell.group, run) not in done]
         for first, count in stretches(left, most):
             yield Chunk(cell.numerics, cell.group, first, count, text)
 
@@ -69,7 +78,8 @@ def run_chunk(chunk: Chunk) -> pa.Table:
     """
     began = time.perf_counter()
     scenario = parse_scenario(chunk.scenario, f"group '{chunk.group}' in numerics '{chunk.numerics}'")
-    summary, ticks = run_each(scenario, chunk.first, chunk.count)
+    made = run_each(scenario, chunk.first, chunk.count)
+    summary, ticks = made.summary, made.ticks
     parts = dict(zip(STATISTICS, (summary.value, summary.mean, summary.median), strict=True))
     columns = {
         "numerics": [chunk.numerics] * chunk.count,

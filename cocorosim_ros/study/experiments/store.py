@@ -28,6 +28,7 @@ from cocorosim_ros.study.experiments.results_folder import (
     read_note,
     row_keys,
 )
+from cocorosim_ros.study.experiments.rows import RowKey
 
 _NEW = ".new"
 
@@ -53,8 +54,8 @@ class Store:
         """The finished table."""
         return self._folder / RESULTS
 
-    def done(self) -> set[tuple[str, str, int]]:
-        """Numerics, group and replicate of every row that is there."""
+    def done(self) -> set[RowKey]:
+        """Which rows are there."""
         return set(row_keys(read_folder(self._folder, KEYS)))
 
     def add(self, rows: pa.Table) -> None:

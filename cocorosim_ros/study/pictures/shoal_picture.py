@@ -81,7 +81,7 @@ def _figure(tracks: Mapping[str, PoseTrack], series: MetricSeries, facts: Scenar
 
 def _axes(figure: Figure, view: Extent) -> tuple[Axes, Axes, list[Axes]]:
     """Axes from above, from the side, and of the six panels in two columns."""
-    _, depth, height = (view[1] - view[0]).tolist()
+    _, depth, height = (view.high - view.low).tolist()
     # A flat or a tall tank must leave room for the other view.
     share = min(max(height / (height + depth), 0.2), 0.5)
     left = figure.add_gridspec(

@@ -7,7 +7,7 @@ marks where a robot started, a disc where it ended; from above an arrow shows it
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib
 import numpy as np
@@ -18,6 +18,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.study.pictures.decimation import every_nth, with_breaks
 from cocorosim_ros.study.pictures.facts import ScenarioFacts
 from cocorosim_ros.world.state.pose_track import PoseTrack
+from cocorosim_ros.world.state.state import X, Y, Z
 
 MOST_POSES = 4000
 """Poses per robot beyond which only every n-th is drawn."""
@@ -27,7 +28,22 @@ _TEN_COLOURS = 10
 _ARROW_SHARE = 0.055
 _MARGIN_SHARE = 0.025
 
-Extent = tuple[Floats, Floats]
+
+class Extent(NamedTuple):
+    """Lowest and highest corner (3,) of what is to be seen [m; world]."""
+
+    low: Floats
+    high: Floats
+
+
+class _Plane(NamedTuple):
+    """Axes of the world that are drawn across and up."""
+
+    across: int
+    up: int
+
+
+_FROM_ABOVE, _FROM_THE_SIDE = _Plane(X, Y), _Plane(X, Z)
 
 
 def robot_colours(names: list[str]) -> dict[str, tuple[float, float, float, float]]:
@@ -40,25 +56,25 @@ def robot_colours(names: list[str]) -> dict[str, tuple[float, float, float, floa
 
 
 def extent(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts) -> Extent:
-    """Lowest and highest corner (3,) of what is to be seen [m; world]: all poses, and the tank if known."""
+    """What is to be seen: all poses, and the tank if known."""
     points = [track.position[np.isfinite(track.position).all(axis=1)] for track in tracks.values()]
     corners = [np.array([c]) for c in (facts.low_corner, facts.high_corner) if c is not None]
     everything = np.concatenate([*points, *corners])
     low, high = everything.min(axis=0), everything.max(axis=0)
     # A swarm that does not move in some direction still needs an axis to be drawn on.
     margin = np.full(3, _MARGIN_SHARE * np.max(high - low) + 1e-3)
-    return low - margin, high + margin
+    return Extent(low - margin, high + margin)
 
 
 def draw_from_above(
     axes: Axes, tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, view: Extent, strong_from_ns: int
 ) -> None:
     """The x-y plane: walls, tracks, starts, ends and final headings."""
-    _prepare(axes, (0, 1), facts, view)
+    _prepare(axes, _FROM_ABOVE, facts, view)
     colours = robot_colours(list(tracks))
-    arrow = _ARROW_SHARE * float(view[1][0] - view[0][0])
+    arrow = _ARROW_SHARE * float(view.high[X] - view.low[X])
     for name, track in tracks.items():
-        _draw_track(axes, track, (0, 1), colours[name], strong_from_ns)
+        _draw_track(axes, track, _FROM_ABOVE, colours[name], strong_from_ns)
         x, y = track.position[-1, 0], track.position[-1, 1]
         tip = (x + arrow * np.cos(track.yaw[-1]), y + arrow * np.sin(track.yaw[-1]))
         style = {
@@ -75,10 +91,10 @@ def draw_from_the_side(
     axes: Axes, tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, view: Extent, strong_from_ns: int
 ) -> None:
     """The x-z plane: surface, floor, tracks, starts and ends."""
-    _prepare(axes, (0, 2), facts, view)
+    _prepare(axes, _FROM_THE_SIDE, facts, view)
     colours = robot_colours(list(tracks))
     for name, track in tracks.items():
-        _draw_track(axes, track, (0, 2), colours[name], strong_from_ns)
+        _draw_track(axes, track, _FROM_THE_SIDE, colours[name], strong_from_ns)
     if facts.low_corner is not None and facts.high_corner is not None:
         label: Any = {"textcoords": "offset points", "color": _WALL, "fontsize": 9, "zorder": 7}
         corner = (facts.low_corner[0], facts.high_corner[2])
@@ -89,13 +105,13 @@ def draw_from_the_side(
     axes.set_title("From the side", loc="left", fontweight="bold")
 
 
-def _prepare(axes: Axes, plane: tuple[int, int], facts: ScenarioFacts, view: Extent) -> None:
+def _prepare(axes: Axes, plane: _Plane, facts: ScenarioFacts, view: Extent) -> None:
     across, up = plane
     axes.set_aspect("equal", adjustable="box", anchor="W")
     for spine in axes.spines.values():
         spine.set_visible(facts.low_corner is None)
-    axes.set_xlim(view[0][across], view[1][across])
-    axes.set_ylim(view[0][up], view[1][up])
+    axes.set_xlim(view.low[across], view.high[across])
+    axes.set_ylim(view.low[up], view.high[up])
     axes.grid(color="white", linewidth=0.8)
     axes.set_axisbelow(True)
     if facts.low_corner is None or facts.high_corner is None:
@@ -110,7 +126,7 @@ def _prepare(axes: Axes, plane: tuple[int, int], facts: ScenarioFacts, view: Ext
 def _draw_track(
     axes: Axes,
     track: PoseTrack,
-    plane: tuple[int, int],
+    plane: _Plane,
     colour: tuple[float, float, float, float],
     strong_from_ns: int,
 ) -> None:

@@ -89,6 +89,18 @@ class _Elements:
     unit: str
 
 
+@dataclass(frozen=True)
+class _Rows:
+    """One row for each of n messages, those that could not be read included."""
+
+    stamp_ns: Integers
+    """(n,) [ns] by the header."""
+    values: Floats
+    """(n, columns)."""
+    readable: Flags
+    """(n,) which could be read."""
+
+
 def _with_variance(name: str, unit: str) -> _Numbers:
     squared = f"({unit})^2" if "/" in unit else f"{unit}^2"
     return _Numbers(2, {name: (0, unit), "variance": (1, squared)})
@@ -150,11 +162,12 @@ def topic_readings(robot: str, topic: str, messages: Sequence[bytes]) -> TopicRe
         read = read_stamped_numbers(messages, layout.count)
         places = [place for place, _ in layout.shown.values()]
         units = tuple(unit for _, unit in layout.shown.values())
-        return _kept(robot, topic, (read.stamp_ns, read.numbers[:, places], read.readable), tuple(layout.shown), units)
-    stamps, rows, readable = _named_rows(topic, messages, layout)
-    columns = tuple(dict.fromkeys(name for row in rows for name in row))
-    values = np.array([[row.get(name, np.nan) for name in columns] for row in rows]).reshape(len(rows), len(columns))
-    return _kept(robot, topic, (stamps, values, readable), columns, (layout.unit,) * len(columns))
+        rows = _Rows(read.stamp_ns, read.numbers[:, places], read.readable)
+        return _kept(robot, topic, rows, tuple(layout.shown), units)
+    stamps, named, readable = _named_rows(topic, messages, layout)
+    columns = tuple(dict.fromkeys(name for row in named for name in row))
+    values = np.array([[row.get(name, np.nan) for name in columns] for row in named]).reshape(len(named), len(columns))
+    return _kept(robot, topic, _Rows(stamps, values, readable), columns, (layout.unit,) * len(columns))
 
 
 def readable_topics(bag: Bag) -> tuple[list[str], list[str]]:
@@ -189,14 +202,8 @@ def _named_rows(topic: str, messages: Sequence[bytes], layout: _Elements) -> tup
     return stamps, rows, readable
 
 
-def _kept(
-    robot: str,
-    topic: str,
-    read: tuple[Integers, Floats, Flags],
-    columns: tuple[str, ...],
-    units: tuple[str, ...],
-) -> TopicReadings:
+def _kept(robot: str, topic: str, rows: _Rows, columns: tuple[str, ...], units: tuple[str, ...]) -> TopicReadings:
     """The readings of the messages that could be read."""
-    stamps, values, readable = read
-    unreadable = int(np.count_nonzero(~readable))
-    return TopicReadings(robot, topic, stamps[readable], columns, units, values[readable], unreadable)
+    kept = rows.readable
+    unreadable = int(np.count_nonzero(~kept))
+    return TopicReadings(robot, topic, rows.stamp_ns[kept], columns, units, rows.values[kept], unreadable)

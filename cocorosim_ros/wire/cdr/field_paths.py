@@ -9,19 +9,24 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Any
+from typing import Any, NamedTuple
 
 _STEP = re.compile(r"(\w+)(?:\[([^\]]*)\])?(?:\.|$)")
 
-Step = tuple[str, str | None]
+
+class Step(NamedTuple):
+    """A field, and which element of it where it is a list."""
+
+    field: str
+    element: str | None
 
 
 def steps(path: str) -> list[Step]:
-    """The path as (field, element or None) pairs. Raises ValueError if it is not a path."""
+    """The path, field by field. Raises ValueError if it is not a path."""
     matches = list(_STEP.finditer(path))
     if not matches or "".join(match[0] for match in matches) != path or path.endswith("."):
         raise ValueError(f"{path!r} is not a path of fields")
-    return [(match[1], match[2]) for match in matches]
+    return [Step(match[1], match[2]) for match in matches]
 
 
 def element_names(owner: Any, field: str) -> list[str] | None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.search import Search, Strength
@@ -20,18 +21,19 @@ from cocorosim_ros.world.terms.search import Search, Strength
 @kernel
 def added_mass_wrench(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the Coriolis terms of the added mass."""
-    mass = parameters[0]
-    total[0] += mass * relative[1] * relative[3]
-    total[1] += mass * relative[0] * relative[3]
-    total[3] -= mass * relative[0] * relative[1]
+    sway_minus_surge, _, _ = unpack(parameters, 3)
+    total[0] += sway_minus_surge * relative[1] * relative[3]
+    total[1] += sway_minus_surge * relative[0] * relative[3]
+    total[3] -= sway_minus_surge * relative[0] * relative[1]
 
 
 @kernel
 def added_inertia(parameters: Floats, inertia: Floats) -> None:
     """Add the inertia of the water to (4,) that of surge, sway, heave [kg] and yaw [kg m^2]."""
-    inertia[1] += parameters[0]
-    inertia[2] += parameters[2]
-    inertia[3] += parameters[1]
+    sway_minus_surge, yaw, heave_minus_surge = unpack(parameters, 3)
+    inertia[1] += sway_minus_surge
+    inertia[2] += heave_minus_surge
+    inertia[3] += yaw
 
 
 ADDED_MASS = Effect(

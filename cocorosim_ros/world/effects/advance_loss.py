@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
@@ -17,13 +18,14 @@ from cocorosim_ros.world.terms.search import Search, Strength
 @kernel
 def advance_loss(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Take away what each thruster loses at the speed through the water along its push."""
+    (slope,) = unpack(parameters, 1)
     for actuator in range(moment.actuator_wrench.shape[0]):
         if moment.is_pump[actuator]:
             continue
         wrench, advance = moment.actuator_wrench[actuator], 0.0
         for axis in range(3):
             advance += wrench[axis] * relative[axis]
-        lost = parameters[0] * abs(moment.force[actuator]) * advance
+        lost = slope * abs(moment.force[actuator]) * advance
         for axis in range(4):
             total[axis] -= wrench[axis] * lost
 

@@ -20,6 +20,7 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
@@ -62,7 +63,8 @@ def _replace_drag(relative: Floats, drag: float, total: Floats) -> None:
 @kernel
 def anisotropic_drag(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add what the ratios add to the drag that is the same in all directions."""
-    sway, heave, form, length = parameters[0] - 1.0, parameters[1] - 1.0, parameters[2], parameters[3]
+    sway_ratio, heave_ratio, form, length = unpack(parameters, 4)
+    sway, heave = sway_ratio - 1.0, heave_ratio - 1.0
     u, v, w, r = relative[0], relative[1], relative[2], relative[3]
     if form >= EACH_AXIS:
         _replace_drag(relative, moment.drag, total)

@@ -9,6 +9,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.search import Given, Search, Strength
 
@@ -16,10 +17,11 @@ from cocorosim_ros.world.terms.search import Given, Search, Strength
 @kernel
 def battery_sag(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Weaken the thrusters by what is lost by `time` [s]."""
-    used = min(max(time / parameters[1], 0.0), 1.0)
+    fraction_lost, duration = unpack(parameters, 2)
+    used = min(max(time / duration, 0.0), 1.0)
     for actuator in range(fraction.shape[0]):
         if not fitting.is_pump[actuator]:
-            fraction[actuator] *= 1.0 - parameters[0] * used
+            fraction[actuator] *= 1.0 - fraction_lost * used
 
 
 BATTERY_SAG = Effect(

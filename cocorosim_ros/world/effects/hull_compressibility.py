@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import Z
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import WEIGHT
@@ -20,8 +21,9 @@ ATMOSPHERE = 10.33  # m of water that weigh as much as the air above
 @kernel
 def hull_compressibility(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the buoyancy that is lost."""
+    gradient, gas = unpack(parameters, 2)
     depth = max(-row[Z], 0.0)
-    total[2] -= parameters[0] * depth / (1.0 + parameters[1] * depth / ATMOSPHERE)
+    total[2] -= gradient * depth / (1.0 + gas * depth / ATMOSPHERE)
 
 
 HULL_COMPRESSIBILITY = Effect(

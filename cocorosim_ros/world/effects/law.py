@@ -15,9 +15,11 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.effect import Effect, Parameter
 from cocorosim_ros.world.terms.equations import EQUATION_CODE
+from cocorosim_ros.world.terms.law_factors import LAW_FACTORS
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.regressors import REGRESSOR_COUNT, fill_regressors
 
@@ -37,21 +39,34 @@ def _power(value: float, power: float, signed: float, rounding: float) -> float:
 @kernel
 def law(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add coefficient phi_1 phi_2 to its equation."""
+    (
+        coefficient,
+        equation,
+        regressor_1,
+        power_1,
+        signed_1,
+        regressor_2,
+        power_2,
+        signed_2,
+        omega,
+        phase,
+        round_1,
+    ) = unpack(parameters, 11)
     values = stack_array(REGRESSOR_COUNT)
-    fill_regressors(row, relative, moment, parameters[8] * moment.time + parameters[9], values)
-    first = _power(values[int(parameters[2])], parameters[3], parameters[4], parameters[10])
-    second = _power(values[int(parameters[5])], parameters[6], parameters[7], 0.0)
-    force, equation = parameters[0] * first * second, int(parameters[1])
+    fill_regressors(row, relative, moment, omega * moment.time + phase, values)
+    first = _power(values[int(regressor_1)], power_1, signed_1, round_1)
+    second = _power(values[int(regressor_2)], power_2, signed_2, 0.0)
+    force, code = coefficient * first * second, int(equation)
     if not math.isfinite(force):
         return
-    if equation < WORLD_X:
-        total[equation] += force
-    elif equation == WORLD_Z:
+    if code < WORLD_X:
+        total[code] += force
+    elif code == WORLD_Z:
         total[HEAVE] += force
     else:
         sine, cosine = sine_cosine(row[YAW])
-        total[0] += force * (cosine if equation == WORLD_X else sine)
-        total[1] += force * (-sine if equation == WORLD_X else cosine)
+        total[0] += force * (cosine if code == WORLD_X else sine)
+        total[1] += force * (-sine if code == WORLD_X else cosine)
 
 
 LAW = Effect(
@@ -60,12 +75,7 @@ LAW = Effect(
     parameters=(
         Parameter("coefficient", "*", "in N or N m over the units of the regressors"),
         Parameter("equation", "1", "code of the equation, in the order of terms.equations.EQUATIONS"),
-        Parameter("regressor_1", "1", "code of the first regressor, in the order of terms.regressors.REGRESSORS"),
-        Parameter("power_1", "1", "power of its amount", 1.0),
-        Parameter("signed_1", "1", "1 if the power keeps its sign, else 0", 1.0),
-        Parameter("regressor_2", "1", "code of the second regressor"),
-        Parameter("power_2", "1", "power of its amount", 1.0),
-        Parameter("signed_2", "1", "1 if the power keeps its sign, else 0", 1.0),
+        *LAW_FACTORS,
         Parameter("omega", "rad/s", "of sin_t and cos_t"),
         Parameter("phase", "rad", "of sin_t and cos_t"),
         Parameter("round_1", "1", "amount of the first regressor, SI units, below which a power under one is rounded"),

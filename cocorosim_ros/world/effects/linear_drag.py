@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
@@ -17,8 +18,11 @@ from cocorosim_ros.world.terms.search import Search, Strength
 @kernel
 def linear_drag(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the drag at the speed through the water."""
-    for axis in range(4):
-        total[axis] -= parameters[axis] * relative[axis]
+    surge, sway, heave, yaw = unpack(parameters, 4)
+    total[0] -= surge * relative[0]
+    total[1] -= sway * relative[1]
+    total[2] -= heave * relative[2]
+    total[3] -= yaw * relative[3]
 
 
 LINEAR_DRAG = Effect(

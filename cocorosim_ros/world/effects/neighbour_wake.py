@@ -15,6 +15,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, Moment
@@ -47,13 +48,14 @@ def _push(row: Floats, neighbour: Floats, push: Floats) -> None:
 @kernel
 def neighbour_wake(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the push of all neighbours, turned into the body."""
+    (gain,) = unpack(parameters, 1)
     push = stack_array(2)
     for other in range(moment.neighbours.shape[0]):
         if other != moment.own:
             _push(row, moment.neighbours[other], push)
     sine, cosine = sine_cosine(row[YAW])
-    total[0] += parameters[0] * (push[0] * cosine + push[1] * sine)
-    total[1] += parameters[0] * (push[1] * cosine - push[0] * sine)
+    total[0] += gain * (push[0] * cosine + push[1] * sine)
+    total[1] += gain * (push[1] * cosine - push[0] * sine)
 
 
 NEIGHBOUR_WAKE = Effect(

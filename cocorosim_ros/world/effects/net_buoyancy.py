@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Number
 
 
 @kernel
 def net_buoyancy(row: Floats, relative: Floats, parameters: Floats, total: Floats) -> None:
     """Add the constant net buoyancy force, up positive."""
-    total[2] += parameters[0]
+    (net_buoyancy,) = unpack(parameters, 1)
+    total[2] += net_buoyancy
 
 
 NET_BUOYANCY = Effect(

@@ -9,6 +9,7 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.effect import Effect, Number
 
@@ -16,11 +17,12 @@ from cocorosim_ros.world.terms.effect import Effect, Number
 @kernel
 def patch_force(row: Floats, relative: Floats, parameters: Floats, total: Floats) -> None:
     """Add the force (3,) [N; world], turned into the body, and the moment [N m]."""
+    patch_force_x, patch_force_y, patch_force_z, patch_moment = unpack(parameters, 4)
     sine, cosine = sine_cosine(row[YAW])
-    total[0] += parameters[0] * cosine + parameters[1] * sine
-    total[1] += parameters[1] * cosine - parameters[0] * sine
-    total[2] += parameters[2]
-    total[3] += parameters[3]
+    total[0] += patch_force_x * cosine + patch_force_y * sine
+    total[1] += patch_force_y * cosine - patch_force_x * sine
+    total[2] += patch_force_z
+    total[3] += patch_moment
 
 
 PATCH_FORCE = Effect(

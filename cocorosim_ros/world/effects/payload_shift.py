@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import WEIGHT
 from cocorosim_ros.world.terms.moment import Moment
@@ -13,8 +14,9 @@ from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength, spre
 @kernel
 def payload_shift(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the force from its time on."""
-    if moment.time >= parameters[0]:
-        total[2] += parameters[1]
+    time, force = unpack(parameters, 2)
+    if moment.time >= time:
+        total[2] += force
 
 
 def _times(scene: Scene) -> list[float]:

@@ -10,6 +10,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import LAGGED, MEMORY_SIZE, PLAY
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.response import delayed, relaxed
@@ -22,15 +23,16 @@ NO_PLAY = 0.002  # of a full command: below, a linkage has no play
 @kernel
 def pump_lag(force: Floats, memory: Floats, fitting: Any, duration: float, parameters: Floats) -> None:
     """Turn the forces of the pumps into their means behind play and lag."""
+    time_constant, backlash = unpack(parameters, 2)
     for actuator in range(force.shape[0]):
         if fitting.is_pump[actuator]:
             at = MEMORY_SIZE * actuator
-            half = 0.5 * parameters[1] * fitting.limit[actuator, 0]
+            half = 0.5 * backlash * fitting.limit[actuator, 0]
             target = min(max(memory[at + PLAY], force[actuator] - half), force[actuator] + half)
             begin = memory[at + LAGGED]
-            force[actuator] = delayed(target, begin, duration, parameters[0])
+            force[actuator] = delayed(target, begin, duration, time_constant)
             memory[at + PLAY] = target
-            memory[at + LAGGED] = relaxed(target, begin, duration, parameters[0])
+            memory[at + LAGGED] = relaxed(target, begin, duration, time_constant)
 
 
 PUMP_LAG = Effect(

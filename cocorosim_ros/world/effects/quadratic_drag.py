@@ -11,13 +11,14 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Number
 
 
 @kernel
 def quadratic_drag(row: Floats, relative: Floats, parameters: Floats, total: Floats) -> None:
     """Add the drag on a body that moves through the water at `relative` (4,) [m/s, rad/s; body]."""
-    drag, yaw_drag = parameters[0], parameters[1]
+    drag, yaw_drag = unpack(parameters, 2)
     speed = math.sqrt(relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2])
     for axis in range(3):
         total[axis] -= drag * speed * relative[axis]

@@ -6,6 +6,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.search import Search, Strength
 
@@ -13,9 +14,10 @@ from cocorosim_ros.world.terms.search import Search, Strength
 @kernel
 def reverse_loss(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Weaken the thrusters that run backwards."""
+    (loss,) = unpack(parameters, 1)
     for actuator in range(fraction.shape[0]):
         if not fitting.is_pump[actuator] and fraction[actuator] < 0.0:
-            fraction[actuator] *= 1.0 - parameters[0]
+            fraction[actuator] *= 1.0 - loss
 
 
 REVERSE_LOSS = Effect(

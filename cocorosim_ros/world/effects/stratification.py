@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import Z
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import WEIGHT
@@ -20,9 +21,10 @@ CROSSED = 0.1  # m above and below a layer that have to be visited
 @kernel
 def stratification(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the force of the water below the layer."""
-    share = (-row[Z] - parameters[0] + HALF_WIDTH) / (2.0 * HALF_WIDTH)
+    depth, force = unpack(parameters, 2)
+    share = (-row[Z] - depth + HALF_WIDTH) / (2.0 * HALF_WIDTH)
     share = min(max(share, 0.0), 1.0)
-    total[2] += parameters[1] * share * share * (3.0 - 2.0 * share)
+    total[2] += force * share * share * (3.0 - 2.0 * share)
 
 
 def _depths(scene: Scene) -> list[float]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import YAW, X, Y
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import MOVING_WATER
@@ -17,8 +18,9 @@ from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength, spre
 @kernel
 def tether(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the pull, turned into the body."""
-    pull_x = parameters[0] * (parameters[1] - row[X])
-    pull_y = parameters[0] * (parameters[2] - row[Y])
+    stiffness, x, y = unpack(parameters, 3)
+    pull_x = stiffness * (x - row[X])
+    pull_y = stiffness * (y - row[Y])
     sine, cosine = sine_cosine(row[YAW])
     total[0] += pull_x * cosine + pull_y * sine
     total[1] += pull_y * cosine - pull_x * sine

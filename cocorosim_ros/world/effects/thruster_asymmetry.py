@@ -10,6 +10,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import TURN
 from cocorosim_ros.world.terms.search import Search, Strength
@@ -18,10 +19,11 @@ from cocorosim_ros.world.terms.search import Search, Strength
 @kernel
 def thruster_asymmetry(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Make one side stronger and the other weaker."""
+    (difference,) = unpack(parameters, 1)
     for actuator in range(fraction.shape[0]):
         lever = fitting.lever[actuator]
         if not fitting.is_pump[actuator] and lever != 0.0:
-            fraction[actuator] *= 1.0 + math.copysign(0.5 * parameters[0], lever * parameters[0])
+            fraction[actuator] *= 1.0 + math.copysign(0.5 * difference, lever * difference)
 
 
 THRUSTER_ASYMMETRY = Effect(

@@ -10,6 +10,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
@@ -17,13 +18,14 @@ from cocorosim_ros.world.terms.search import Grid, Search, Strength
 @kernel
 def thruster_deadband(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Switch off the thrusters whose command is too small to move them."""
+    width, ramp = unpack(parameters, 2)
     for actuator in range(fraction.shape[0]):
         if fitting.is_pump[actuator]:
             continue
-        if abs(fraction[actuator]) < parameters[0]:
+        if abs(fraction[actuator]) < width:
             fraction[actuator] = 0.0
-        elif parameters[1] != 0.0:
-            fraction[actuator] -= parameters[0] if fraction[actuator] > 0.0 else -parameters[0]
+        elif ramp != 0.0:
+            fraction[actuator] -= width if fraction[actuator] > 0.0 else -width
 
 
 THRUSTER_DEADBAND = Effect(

@@ -9,6 +9,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import LAGGED, MEMORY_SIZE
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import LATE
@@ -21,12 +22,13 @@ AT_ONCE = 0.02  # s: below, thrust is there at once, and what is late is a clock
 @kernel
 def thruster_lag(force: Floats, memory: Floats, fitting: Any, duration: float, parameters: Floats) -> None:
     """Turn the forces of the thrusters into their means behind the lag."""
+    (time_constant,) = unpack(parameters, 1)
     for actuator in range(force.shape[0]):
         if not fitting.is_pump[actuator]:
             at = MEMORY_SIZE * actuator + LAGGED
             target, begin = force[actuator], memory[at]
-            force[actuator] = delayed(target, begin, duration, parameters[0])
-            memory[at] = relaxed(target, begin, duration, parameters[0])
+            force[actuator] = delayed(target, begin, duration, time_constant)
+            memory[at] = relaxed(target, begin, duration, time_constant)
 
 
 THRUSTER_LAG = Effect(

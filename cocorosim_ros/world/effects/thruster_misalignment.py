@@ -9,6 +9,7 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import COURSE
 from cocorosim_ros.world.terms.moment import Moment
@@ -18,12 +19,13 @@ from cocorosim_ros.world.terms.search import Grid, Search, Strength
 @kernel
 def thruster_misalignment(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the turned force of the thrusters less the straight one."""
-    sine, cosine = sine_cosine(parameters[0])
+    angle, arm = unpack(parameters, 2)
+    sine, cosine = sine_cosine(angle)
     surge, sway = moment.thrust[0], moment.thrust[1]
     aside = surge * sine + sway * (cosine - 1.0)
     total[0] += surge * (cosine - 1.0) - sway * sine
     total[1] += aside
-    total[3] += parameters[1] * aside
+    total[3] += arm * aside
 
 
 THRUSTER_MISALIGNMENT = Effect(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import TURN
 from cocorosim_ros.world.terms.moment import Moment
@@ -13,7 +14,8 @@ from cocorosim_ros.world.terms.search import Search, Strength
 @kernel
 def torque_bias(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the torque."""
-    total[3] += parameters[0]
+    (torque,) = unpack(parameters, 1)
+    total[3] += torque
 
 
 TORQUE_BIAS = Effect(

@@ -12,6 +12,7 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
@@ -21,7 +22,8 @@ from cocorosim_ros.world.terms.search import Grid, Search, Strength
 @kernel
 def wall_effect(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the additional drag."""
-    more = parameters[0] * math.exp(-moment.clearance / parameters[1])
+    gain, range_ = unpack(parameters, 2)
+    more = gain * math.exp(-moment.clearance / range_)
     speed = math.sqrt(relative[0] ** 2 + relative[1] ** 2 + relative[2] ** 2)
     for axis in range(3):
         total[axis] -= more * moment.drag * speed * relative[axis]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.corruption import Corruption
-from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, corruptions_at_work
+from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, Swarms, corruptions_at_work
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT, Inbox
 
 LONG_AGO = -(2**40)  # ticks
@@ -41,10 +41,10 @@ def keep_messages(inbox: Inbox, chance: Floats, probability: float, robots: Inte
 class ImperfectLink(CorruptionAtWork):
     """One corruption at work on one link."""
 
-    def __init__(self, corruption: Corruption, purpose: str, seed: int, robots: Sequence[str], runs: range) -> None:
-        super().__init__(corruption, purpose, seed, robots, runs)
+    def __init__(self, corruption: Corruption, purpose: str, swarms: Swarms) -> None:
+        super().__init__(corruption, purpose, swarms)
         self._past: list[list[NDArray[Any]] | None] = []
-        self._last_sent = np.full((len(runs), len(robots)), LONG_AGO)
+        self._last_sent = np.full((len(swarms.runs), len(swarms.robots)), LONG_AGO)
 
     def restrict(self, tick: int, said: Floats) -> None:
         """Silence in `said` (runs, robots, MESSAGE_SIZE) who has sent too recently."""
@@ -87,8 +87,6 @@ class ImperfectLink(CorruptionAtWork):
         inbox.age[:, self._chosen] += ticks
 
 
-def imperfect_links(
-    channel: str, corruptions: Sequence[Corruption], seed: int, robots: Sequence[str], runs: range
-) -> list[ImperfectLink]:
+def imperfect_links(channel: str, corruptions: Sequence[Corruption], swarms: Swarms) -> list[ImperfectLink]:
     """The corruptions of one link at work, in their order."""
-    return corruptions_at_work(ImperfectLink, (channel,), corruptions, (seed, robots, runs))
+    return corruptions_at_work(ImperfectLink, (channel,), corruptions, swarms)

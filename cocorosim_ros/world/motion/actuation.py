@@ -12,6 +12,7 @@ from typing import NamedTuple
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.tables import compile_lines
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.state.state import FOLLOWED, MEMORY_SIZE, RATE
 from cocorosim_ros.world.terms.response import delayed, relaxed
 from cocorosim_ros.world.vehicle_model.hooks import bits, calls, hooks
@@ -73,15 +74,14 @@ def _scale_turning(body: Body, force: Floats) -> None:
 
 
 @outlined_kernel
-def _with_effects(command: Floats, memory: Floats, body: Body, interval: tuple[float, float], force: Floats) -> None:
-    time, duration = interval
+def _with_effects(command: Floats, memory: Floats, body: Body, interval: Interval, force: Floats) -> None:
     fitting = Fitting(body.is_pump, body.actuator_wrench[:, 3], body.actuator_limit)
     for actuator in range(force.shape[0]):
         force[actuator] = admitted(command[actuator])
-    _change_commands(force, fitting, time + 0.5 * duration, body.parameters, body.active)
+    _change_commands(force, fitting, interval.begin + 0.5 * interval.length, body.parameters, body.active)
     for actuator in range(force.shape[0]):
         force[actuator] *= body.actuator_limit[actuator, 0 if force[actuator] >= 0.0 else 1]
-    _respond(force, memory, fitting, duration, body.parameters, body.active)
+    _respond(force, memory, fitting, interval.length, body.parameters, body.active)
     for actuator in range(force.shape[0]):
         force[actuator] *= _gain(body, actuator)
 
@@ -97,8 +97,8 @@ def _follow(memory: Floats, duration: float, force: Floats) -> None:
 
 
 @kernel
-def actuate(command: Floats, memory: Floats, body: Body, interval: tuple[float, float], force: Floats) -> None:
-    """Write the mean force (actuators,) [N] of each actuator over an interval: its beginning and length [s].
+def actuate(command: Floats, memory: Floats, body: Body, interval: Interval, force: Floats) -> None:
+    """Write the mean force (actuators,) [N] of each actuator over an interval.
 
     `command` (actuators,), fractions, holds for all of it; NaN is zero, what lies beyond -1..1 the limit. `memory`
     (MEMORY_SIZE * actuators,) is brought to the end of the interval. With length zero the force is that of the moment.
@@ -113,4 +113,4 @@ def actuate(command: Floats, memory: Floats, body: Body, interval: tuple[float, 
     if body.parameters[YAW_TORQUE_GAIN] != body.parameters[THRUST_GAIN] and body.parameters[THRUST_GAIN] != 0.0:
         _scale_turning(body, force)
     if body.active & LAW_BITS != 0:
-        _follow(memory, interval[1], force)
+        _follow(memory, interval.length, force)

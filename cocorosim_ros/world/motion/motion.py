@@ -25,10 +25,18 @@ from cocorosim_ros.world.motion.packing import (
     rows_to_lanes,
 )
 from cocorosim_ros.world.motion.surroundings import look_around
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_COLUMNS, Surroundings, Vehicles, as_runs, body_of
+
+
+class Bounds(NamedTuple):
+    """The tank, and what is around robots in it."""
+
+    tank: Tank
+    surroundings: Surroundings
 
 
 class Stepping(NamedTuple):
@@ -61,7 +69,7 @@ def _apply_all(state: Floats, command: Floats, vehicles: Vehicles, nowhere: Surr
                 kept[actuator] = admitted(command[run, robot, actuator])
             body = body_of(vehicles, nowhere, run, robot)
             if body.active & ACTUATION_BITS == 0:
-                actuate(kept, memory, body, (0.0, 0.0), force)
+                actuate(kept, memory, body, Interval(0.0, 0.0), force)
 
 
 @allocating_kernel
@@ -78,7 +86,7 @@ def move(state: Floats, vehicles: Vehicles, tank: Tank, stepping: Stepping, flow
         np.empty((FOURS, BASIC_COLUMNS, LANES)),
         np.empty((FOURS, actuators, 4, LANES)),
     )
-    _move_all(state, vehicles, (tank, surroundings), stepping, time, space)
+    _move_all(state, vehicles, Bounds(tank, surroundings), stepping, time, space)
 
 
 @kernel
@@ -89,15 +97,8 @@ def actuator_columns(row: Floats, actuators: int) -> tuple[Floats, Floats, Float
 
 
 @kernel
-def _move_all(
-    state: Floats,
-    vehicles: Vehicles,
-    place: tuple[Tank, Surroundings],
-    stepping: Stepping,
-    time: float,
-    space: Space,
-) -> None:
-    tank, surroundings = place
+def _move_all(state: Floats, vehicles: Vehicles, bounds: Bounds, stepping: Stepping, time: float, space: Space) -> None:
+    tank, surroundings = bounds
     runs, robots = state.shape[0], state.shape[1]
     if surroundings.neighbours.shape[1] == 0:
         # Nobody looks at others, so that robots of different runs can fill a group as if they were of one run.
@@ -133,10 +134,10 @@ def _move_group(rows: Floats, group: Group, tank: Tank, stepping: Stepping, time
     """A tick of a group. Forces that change within it are taken anew every step, and at its end for who measures."""
     for step in range(stepping.steps):
         now = time + step * stepping.step
-        _actuate_all(rows, group, (now, stepping.step))
+        _actuate_all(rows, group, Interval(now, stepping.step))
         take_step(stepping.integrator, rows, now, stepping.step, group, scratch)
         _keep_in_water(rows, tank, stepping.contact)
-    _actuate_all(rows, group, (time + stepping.steps * stepping.step, 0.0))
+    _actuate_all(rows, group, Interval(time + stepping.steps * stepping.step, 0.0))
 
 
 @kernel
@@ -147,8 +148,8 @@ def _keep_in_water(rows: Floats, tank: Tank, contact: int) -> None:
 
 
 @kernel
-def _actuate_all(rows: Floats, group: Group, interval: tuple[float, float]) -> None:
-    """Bring the forces that change within a tick to an interval: its beginning and length [s]."""
+def _actuate_all(rows: Floats, group: Group, interval: Interval) -> None:
+    """Bring the forces that change within a tick to an interval."""
     for robot in range(rows.shape[0]):
         body = member(group, robot)
         if body.active & ACTUATION_BITS != 0:

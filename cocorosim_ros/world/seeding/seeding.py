@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -46,17 +47,24 @@ def start_poses(scenario: Scenario, run: int = 0) -> Floats:
     for index, box in boxes:
         random = generator(scenario.seed, "start", scenario.robots[index].name, run)
         heading = random.uniform(-np.pi, np.pi)
-        poses[index] = (*_free_place(scenario, box, index, (poses, lengths), random), heading)
+        poses[index] = (*_free_place(scenario, box, index, _Robots(poses, lengths), random), heading)
     return poses
 
 
-def _free_place(
-    scenario: Scenario, box: StartBox, index: int, others: tuple[Floats, Floats], random: np.random.Generator
-) -> Floats:
-    """(3,) a place in the box that is far enough from those who have one, whose poses are not NaN."""
-    poses, lengths = others
-    placed = ~np.isnan(poses[:, 0])
-    positions, spacing = poses[placed, :3], (lengths[placed] + lengths[index]) / 2
+@dataclass(frozen=True)
+class _Robots:
+    """All robots of a run while they are placed."""
+
+    poses: Floats
+    """(robots, 4) x, y, z [m; world] and heading [rad], NaN for those that have no place yet."""
+    lengths: Floats
+    """(robots,) of their hulls [m]."""
+
+
+def _free_place(scenario: Scenario, box: StartBox, index: int, robots: _Robots, random: np.random.Generator) -> Floats:
+    """(3,) a place in the box that is far enough from those that have one."""
+    placed, lengths = ~np.isnan(robots.poses[:, 0]), robots.lengths
+    positions, spacing = robots.poses[placed, :3], (lengths[placed] + lengths[index]) / 2
     low, high = np.array(box.lower_corner()), np.array(box.upper_corner())
     for _ in range(_MOST_TRIES):
         place: Floats = random.uniform(low, high)

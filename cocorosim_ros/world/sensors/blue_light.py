@@ -17,7 +17,7 @@ Source: Read et al. 2013, section 2.1.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,27 +39,44 @@ Robots = NDArray[np.int32]
 NOWHERE, NOBODY = math.inf, -1.0
 
 
+class Other(NamedTuple):
+    """Another robot as seen from one: its place [m; body], its distance [m] and its number."""
+
+    forward: float
+    left: float
+    up: float
+    distance: float
+    number: float
+
+
+class Nearest(NamedTuple):
+    """Ranges [m] and numbers of the nearest robots in four cones, as fours (compiling.four)."""
+
+    ranges: Any
+    numbers: Any
+
+
 @kernel
-def _look(cones: Floats, place: tuple[float, float, float, float, float], found: tuple[Any, Any]) -> tuple[Any, Any]:
+def _look(cones: Floats, other: Other, found: Nearest) -> Nearest:
     """Look for one robot through four cones: what was `found` in them until now, or that robot where it is nearer.
 
-    `cones` (CONE_SIZE,) of fours; `place` of the robot: forward, left, up, its distance [m; body], its number; `found`:
-    ranges and numbers. No branch on what is measured: in a shoal a processor would guess every other one wrong.
+    `cones` (CONE_SIZE,) of fours. No branch on what is measured: in a shoal a processor would guess every other one
+    wrong.
     """
-    forward, left, up, distance, number = place
-    yet, who = found
+    distance, number = other.distance, other.number
     range_here = four(distance, distance, distance, distance)
-    along = forward * cones[AXIS] + left * cones[AXIS + 1] + up * cones[AXIS + 2]
+    along = other.forward * cones[AXIS] + other.left * cones[AXIS + 1] + other.up * cones[AXIS + 2]
     shown = chosen(along >= range_here * cones[COSINE], range_here, NOWHERE)
     shown = chosen(range_here <= cones[REACH], shown, NOWHERE)
-    nearer = shown < yet
-    return chosen(nearer, shown, yet), chosen(nearer, four(number, number, number, number), who)
+    nearer = shown < found.ranges
+    numbers = chosen(nearer, four(number, number, number, number), found.numbers)
+    return Nearest(chosen(nearer, shown, found.ranges), numbers)
 
 
 @kernel
-def _write_down(found: tuple[Any, Any], first: int, reading: Floats, nearest: Integers) -> None:
+def _write_down(found: Nearest, first: int, reading: Floats, nearest: Integers) -> None:
     """Write what was found in four cones, the first of which is that of sensor `first`."""
-    ranges, numbers = lanes(found[0]), lanes(found[1])
+    ranges, numbers = lanes(found.ranges), lanes(found.numbers)
     for lane in range(min(LANES, reading.shape[0] - first)):
         reading[first + lane] = ranges[lane]
         nearest[first + lane] = int(numbers[lane])
@@ -78,16 +95,17 @@ def neighbour_ranges(
     row = states[robot]
     x, y, z = row[X], row[Y], row[Z]
     sine, cosine = sine_cosine(row[YAW])
-    nothing = four(NOWHERE, NOWHERE, NOWHERE, NOWHERE), four(NOBODY, NOBODY, NOBODY, NOBODY)
+    nothing = Nearest(four(NOWHERE, NOWHERE, NOWHERE, NOWHERE), four(NOBODY, NOBODY, NOBODY, NOBODY))
     fours = in_fours(cones)
     for eight in range(cones.shape[1]):
         left_half, right_half = nothing, nothing
-        for other in nearby:
-            east, north, up = states[other, X] - x, states[other, Y] - y, states[other, Z] - z
+        for number in nearby:
+            east, north, up = states[number, X] - x, states[number, Y] - y, states[number, Z] - z
             distance = math.sqrt(east * east + north * north + up * up)
-            place = (east * cosine + north * sine, north * cosine - east * sine, up, distance, float(other))
-            left_half = _look(fours[robot, eight, 0], place, left_half)
-            right_half = _look(fours[robot, eight, 1], place, right_half)
+            forward, left = east * cosine + north * sine, north * cosine - east * sine
+            other = Other(forward, left, up, distance, float(number))
+            left_half = _look(fours[robot, eight, 0], other, left_half)
+            right_half = _look(fours[robot, eight, 1], other, right_half)
         _write_down(left_half, HALVES * LANES * eight, reading, nearest)
         _write_down(right_half, HALVES * LANES * eight + LANES, reading, nearest)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.corruption import RANGES, SENSOR_CHANNELS, Corruption
-from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, corruptions_at_work
+from cocorosim_ros.world.seeding.corruption_at_work import CorruptionAtWork, Swarms, corruptions_at_work
 from cocorosim_ros.world.sensors.readings import FIELDS, Readings
 from cocorosim_ros.world.sensors.sensor import Field
 
@@ -35,8 +35,8 @@ def channel_values(readings: Readings, channel: str) -> Floats:
 class CorruptedChannel(CorruptionAtWork):
     """One corruption at work on one channel of some robots."""
 
-    def __init__(self, corruption: Corruption, purpose: str, seed: int, robots: Sequence[str], runs: range) -> None:
-        super().__init__(corruption, purpose, seed, robots, runs)
+    def __init__(self, corruption: Corruption, purpose: str, swarms: Swarms) -> None:
+        super().__init__(corruption, purpose, swarms)
         self._missing = np.inf if corruption.channel in RANGES else np.nan
         self._past: Floats | None = None
 
@@ -80,11 +80,9 @@ class CorruptedChannel(CorruptionAtWork):
         return shown
 
 
-def corrupted_channels(
-    corruptions: Sequence[Corruption], seed: int, robots: Sequence[str], runs: range
-) -> list[CorruptedChannel]:
+def corrupted_channels(corruptions: Sequence[Corruption], swarms: Swarms) -> list[CorruptedChannel]:
     """The corruptions of sensors at work, in their order; those of links are left to links.imperfect_links."""
-    return corruptions_at_work(CorruptedChannel, SENSOR_CHANNELS, corruptions, (seed, robots, runs))
+    return corruptions_at_work(CorruptedChannel, SENSOR_CHANNELS, corruptions, swarms)
 
 
 def _wrapped(angle: Floats) -> Floats:

@@ -8,17 +8,13 @@ thrusters deliver, each by its own amount: what their motors draw. A diagnosis k
 from __future__ import annotations
 
 from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.world.terms.law_factors import LAW_FACTORS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 NO_REGRESSORS_OF_READINGS = tuple(regressor.name for regressor in REGRESSORS if not regressor.from_own_course)
 LAW_OF_READING = (
     Parameter("coefficient", "*", "in the unit of the reading over the units of the regressors"),
     Parameter("reading", "1", "code of the reading, in the order of laws.readings.READINGS"),
-    Parameter("regressor_1", "1", "code of the first regressor, in the order of terms.regressors.REGRESSORS"),
-    Parameter("power_1", "1", "power of its amount", 1.0),
-    Parameter("signed_1", "1", "1 if the power keeps its sign, else 0", 1.0),
-    Parameter("regressor_2", "1", "code of the second regressor"),
-    Parameter("power_2", "1", "power of its amount", 1.0),
-    Parameter("signed_2", "1", "1 if the power keeps its sign, else 0", 1.0),
+    *LAW_FACTORS,
 )
 SENSOR_LAWS: dict[str, tuple[Parameter, ...]] = {"sensor_law_1": LAW_OF_READING, "sensor_law_2": LAW_OF_READING}

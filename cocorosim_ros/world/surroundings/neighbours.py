@@ -22,8 +22,6 @@ from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.world.state.state import X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank
 
-Sorting = tuple[Integers, Integers, Integers, Floats]  # cell of each robot, first of each cell, robots, places
-
 GRID_FROM = 48  # robots; below, sorting costs more than it saves
 MOST_CELLS_PER_ROBOT = 8  # cells beyond that are made wider
 FIRST_CAPACITY = 24  # neighbours that a robot of a large swarm has room for at first
@@ -43,6 +41,15 @@ class Grid(NamedTuple):
     lower: Floats  # (3,) corner of the first cell [m; world]
     per_metre: Floats  # (3,) cells per metre along each axis
     size: Integers  # (3,) cells along each axis
+
+
+class Sorting(NamedTuple):
+    """The robots of one run in the order of their cells."""
+
+    cell: Integers  # (robots,) of each robot
+    start: Integers  # (cells + 1,) where each cell begins in the order
+    order: Integers  # (robots,) cell by cell, ascending in each
+    place: Floats  # (robots, 3) in that order [m; world]
 
 
 def cover(tank: Tank, reach: float, robots: int) -> Grid:
@@ -114,7 +121,7 @@ def sort_and_pair_up(state: Floats, squared_reach: float, grid: Grid, lists: Nei
     """
     robots, cells = state.shape[1], grid.size[0] * grid.size[1] * grid.size[2]
     cell, start, order = np.empty(robots, np.int64), np.empty(cells + 1, np.int64), np.empty(robots, np.int64)
-    sorting = (cell, start, order, np.empty((robots, 3)))
+    sorting = Sorting(cell, start, order, np.empty((robots, 3)))
     most = 0
     for run in range(state.shape[0]):
         _sort_into_cells(state, run, grid, sorting)

@@ -58,8 +58,9 @@ class Description:
 
 @dataclass(frozen=True, kw_only=True)
 class Effect(Description):
-    """One piece of physics: what it adds, and where. `parameters` are this effect's numbers, in the order below.
+    """One piece of physics: what it adds, and where.
 
+    `parameters` are its numbers in the order below; `unpack` (compiling.unpacking) gives them their names.
     wrench(row, relative, moment, parameters, total) adds its share to `total` (4,): X, Y, Z [N] and N [N m] in the
     body frame. `row` is one robot's state (state.state), `relative` (4,) its velocity through the water [m/s,
     rad/s; body], `moment` what else there is to know (terms.moment).

@@ -222,8 +222,7 @@ fill_regressors = compile_lines(
 )
 
 
-def values_along(course: Course, swing: tuple[float, float] = (0.0, 0.0)) -> dict[str, Floats]:
-    """(points,) values of all REGRESSORS and the HEADING [their units]; swing: rate [rad/s] and phase [rad]."""
-    rate, phase = swing
+def values_along(course: Course, rate: float = 0.0, phase: float = 0.0) -> dict[str, Floats]:
+    """(points,) values of all REGRESSORS and the HEADING [their units]; rate [rad/s] and phase [rad] of the swing."""
     angle = rate * course.time + phase
     return {name: np.asarray(regressor.along(course, angle)) for name, regressor in REGRESSOR.items()}

@@ -45,13 +45,12 @@ observe_plainly = observe.py_func  # type: ignore[attr-defined]
 
 
 @kernel
-def decide(time: float, perception: Perception, crew: Crew, memory: Floats, answer: tuple[Floats, Floats]) -> None:
+def decide(time: float, perception: Perception, crew: Crew, memory: Floats, command: Floats, said: Floats) -> None:
     """Let every controller run once at `time` [s].
 
-    `answer` receives the commands (runs, robots, actuators) and the messages (runs, robots, MESSAGE_SIZE);
+    `command` (runs, robots, actuators) receives the commands, `said` (runs, robots, MESSAGE_SIZE) the messages;
     `memory` (runs, robots, MEMORY_SIZE) persists between ticks.
     """
-    command, said = answer
     angular_rate = stack_array(3)
     for run in range(command.shape[0]):
         for robot in range(command.shape[1]):

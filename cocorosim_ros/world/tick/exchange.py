@@ -6,6 +6,7 @@ from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.links.blue_light import deliver_light
 from cocorosim_ros.world.links.imperfect_links import ImperfectLink, imperfect_links
 from cocorosim_ros.world.links.radio import deliver
+from cocorosim_ros.world.seeding.corruption_at_work import Swarms
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_LENGTH, Inbox, empty_inbox
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 from cocorosim_ros.world.tick.wants import nothing
@@ -22,9 +23,9 @@ class Exchange:
         capacity = max(1, min(world.robots - 1, HEARING_LIMIT))
         self.radio: Inbox = empty_inbox(len(runs), world.robots, capacity)
         self.light: Inbox = empty_inbox(len(runs), world.robots, capacity if self.uses_light else 1)
-        source = (world.corruption, world.seed, world.names, runs)
-        self._radio_links = imperfect_links("radio", *source)
-        self._light_links = imperfect_links("blue_light", *source)
+        swarms = Swarms(world.seed, world.names, runs)
+        self._radio_links = imperfect_links("radio", world.corruption, swarms)
+        self._light_links = imperfect_links("blue_light", world.corruption, swarms)
 
     @property
     def uses_light(self) -> bool:

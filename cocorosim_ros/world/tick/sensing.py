@@ -33,6 +33,20 @@ class Afloat(NamedTuple):
     concentration: Floats  # (runs, robots) of the plume [kg/m^3]
 
 
+class Around(NamedTuple):
+    """What measurements depend on, and what of it the motion feels."""
+
+    afloat: Afloat
+    surroundings: Surroundings
+
+
+class Shown(NamedTuple):
+    """What is measured of all robots: the readings, and (runs, robots, sensors) the nearest in each cone."""
+
+    readings: Readings
+    nearest: Integers
+
+
 def _measuring_lines() -> list[str]:
     """The body of a function by which all sensors measure one robot."""
     lines = []
@@ -62,19 +76,13 @@ def sense(
     """
     tank = afloat.tank
     surroundings = Surroundings(afloat.flow, tank.lower, tank.upper, look_around(state, afloat.vehicles))
-    _sense_all(state, time, (afloat, surroundings), instruments, (readings, nearest))
+    _sense_all(state, time, Around(afloat, surroundings), instruments, Shown(readings, nearest))
 
 
 @kernel
-def _sense_all(
-    state: Floats,
-    time: float,
-    place: tuple[Afloat, Surroundings],
-    instruments: Instruments,
-    result: tuple[Readings, Integers],
-) -> None:
-    afloat, surroundings = place
-    readings, nearest = result
+def _sense_all(state: Floats, time: float, around: Around, instruments: Instruments, shown: Shown) -> None:
+    afloat, surroundings = around
+    readings, nearest = shown
     relative, rate, neighbours = stack_array(4), stack_array(STATE_SIZE), afloat.neighbours
     runs, robots = state.shape[0], state.shape[1]
     for run in range(runs):

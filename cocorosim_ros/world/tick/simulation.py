@@ -7,6 +7,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.controllers.conduct import blank_memory
 from cocorosim_ros.world.motion.motion import apply_commands, move
+from cocorosim_ros.world.seeding.corruption_at_work import Swarms
 from cocorosim_ros.world.sensors.cones import cones_of
 from cocorosim_ros.world.sensors.corruption import corrupted_channels
 from cocorosim_ros.world.sensors.exact_neighbours import EXACT_RANGE, exact_neighbours
@@ -54,7 +55,7 @@ class Simulation:
         capacity = max(1, min(robots - 1, HEARING_LIMIT)) if self._wants.neighbours.any() else 1
         self.neighbourhood: Neighbourhood = empty_neighbourhood(runs, robots, capacity)
         self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.neighbourhood)
-        self._corruption = corrupted_channels(world.corruption, world.seed, world.names, numbers)
+        self._corruption = corrupted_channels(world.corruption, Swarms(world.seed, world.names, numbers))
         self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
         self.memory = blank_memory(runs, robots)
         self._plain = PlainCrew(world.plain, world.seed, numbers) if world.plain else None
@@ -109,8 +110,7 @@ class Simulation:
         """
         if self._plain is not None:
             self._plain.ask(self.time_ns * 1e-9, self.perception, self.memory, self.said)
-        answer = (self.command, self.said)
-        decide(self.time_ns * 1e-9, self.perception, self.world.crew, self.memory, answer)
+        decide(self.time_ns * 1e-9, self.perception, self.world.crew, self.memory, self.command, self.said)
 
     def advance(self) -> None:
         """Deliver what was said, move everybody under `command`, then the water, count the tick.

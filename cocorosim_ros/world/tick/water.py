@@ -10,6 +10,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 from cocorosim_ros.scenario.parts.plume import Plume
 from cocorosim_ros.world.seeding.seeding import generator
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Vehicles
 from cocorosim_ros.world.water.flow import make_flow
@@ -80,4 +81,4 @@ class MovingWater:
         if (tick * tick_ns) % plume.interval_ns == 0:
             mass = plume.rate * plume.interval_ns * 1e-9
             self.puffs = release(self.puffs, np.array(plume.source), plume.initial_size, mass)
-        carry(self.puffs, self.water.flow, tank, (tick * tick_ns * 1e-9, tick_ns * 1e-9), plume.diffusivity)
+        carry(self.puffs, self.water.flow, tank, Interval(tick * tick_ns * 1e-9, tick_ns * 1e-9), plume.diffusivity)

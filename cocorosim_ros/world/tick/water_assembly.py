@@ -14,7 +14,7 @@ from cocorosim_ros.scenario.parts.water import patch_counts
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.tick.water import Water
 from cocorosim_ros.world.water.current_numbers import current_numbers
-from cocorosim_ros.world.water.flow import make_flow
+from cocorosim_ros.world.water.flow import CurrentAtWork, make_flow
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
 from cocorosim_ros.world.water.patches import Patches
 
@@ -27,7 +27,7 @@ def build_water(scenario: Scenario, first_run: int = 0) -> Water:
     if scenario.water is None:
         return Water()
     forces = scenario.water.force_currents
-    flow = make_flow([(current.kind, current_numbers(current)) for current in scenario.water.currents])
+    flow = make_flow([CurrentAtWork(each.kind, current_numbers(each)) for each in scenario.water.currents])
     if forces is None:
         return Water(flow=flow, plume=scenario.water.plume)
     return Water(

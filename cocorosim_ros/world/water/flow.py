@@ -7,6 +7,7 @@ there are; for each its code and where its own numbers begin and end; then those
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,8 +19,15 @@ CURRENT_CODE = {name: code for code, name in enumerate(CURRENTS)}
 _HEAD = 3
 
 
-def make_flow(currents: Sequence[tuple[str, Floats]]) -> Floats:
-    """The flow of currents given as (name in CURRENTS, numbers in that current's order)."""
+class CurrentAtWork(NamedTuple):
+    """A current by its name in CURRENTS, with its numbers in that current's order."""
+
+    name: str
+    numbers: Floats
+
+
+def make_flow(currents: Sequence[CurrentAtWork]) -> Floats:
+    """The flow of currents."""
     if not currents:
         return np.zeros(0)
     begins = 1 + _HEAD * len(currents)

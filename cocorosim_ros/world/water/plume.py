@@ -17,6 +17,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.water.flow import add_water_velocity
 
@@ -46,12 +47,12 @@ def release(puffs: Puffs, source: Floats, size: float, mass: float) -> Puffs:
 
 
 @kernel
-def carry(puffs: Puffs, flow: Floats, tank: Tank, clock: tuple[float, float], diffusivity: float) -> None:
+def carry(puffs: Puffs, flow: Floats, tank: Tank, clock: Interval, diffusivity: float) -> None:
     """Move the puffs along with the water (fourth-order Runge-Kutta) and let them diffuse [m^2/s].
 
-    clock: time and step [s]. What the flow would carry out of the tank stays at its wall.
+    clock: when the step begins, and its length. What the flow would carry out of the tank stays at its wall.
     """
-    time, step = clock
+    time, step = clock.begin, clock.length
     place, velocity, total = stack_array(3), stack_array(3), stack_array(3)
     for puff in range(puffs.mass.shape[0]):
         for axis in range(3):

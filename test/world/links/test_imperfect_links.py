@@ -10,6 +10,7 @@ from scipy import stats
 
 from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.world.links.imperfect_links import imperfect_links
+from cocorosim_ros.world.seeding.corruption_at_work import Swarms
 from cocorosim_ros.world.state.radio import MESSAGE_SIZE, Inbox, empty_inbox
 
 NAMES = ("a", "b", "c", "d")
@@ -30,7 +31,7 @@ def full_inbox(tick: int = 0, runs: int = 1) -> Inbox:
 
 def spoiled(ticks: int, *corruptions: Corruption, runs: range = range(1)) -> list[Any]:
     """What each tick's inbox is after the link."""
-    links = imperfect_links("radio", corruptions, 3, NAMES, runs)
+    links = imperfect_links("radio", corruptions, Swarms(3, NAMES, runs))
     inboxes = []
     for tick in range(ticks):
         inbox = full_inbox(tick, len(runs))
@@ -71,7 +72,7 @@ def test_noise_blurs_the_payload_alone() -> None:
 
 def test_rate_limit_counts_what_was_sent() -> None:
     """Once in three ticks: who always speaks is heard at 0, 3, 6; who spoke at 1 first, at 1 and 4."""
-    link = imperfect_links("radio", [Corruption("radio", "rate_limit", {"ticks": 3.0})], 3, NAMES, range(1))[0]
+    link = imperfect_links("radio", [Corruption("radio", "rate_limit", {"ticks": 3.0})], Swarms(3, NAMES, range(1)))[0]
     heard = []
     for tick in range(7):
         said = np.zeros((1, 4, MESSAGE_SIZE))

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, STATE_SIZE, SURGE, YAW_RATE, Z
 
 Make = Callable[..., Any]
@@ -29,7 +30,7 @@ def actuated(robots: Make) -> Make:
         memory, force, forces = np.zeros(3 * MEMORY_SIZE), np.zeros(3), []
         for number, command in enumerate(commands):
             told = np.array(command, dtype=float)
-            actuate(told, memory, body, (start + number * duration, duration), force)
+            actuate(told, memory, body, Interval(start + number * duration, duration), force)
             forces.append(force.copy())
         return np.array(forces)
 

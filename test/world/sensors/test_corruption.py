@@ -10,6 +10,7 @@ import pytest
 from scipy import stats
 
 from cocorosim_ros.scenario.parts.corruption import Corruption
+from cocorosim_ros.world.seeding.corruption_at_work import Swarms
 from cocorosim_ros.world.sensors.corruption import channel_values, corrupted_channels
 from cocorosim_ros.world.sensors.readings import Readings, blank_readings
 
@@ -20,7 +21,7 @@ SIGNIFICANT = 1e-4  # the draws are fixed by the seed, so a test passes always o
 
 def spoiled(corruptions: Sequence[Corruption], values: Any, ticks: int = TICKS, runs: range = range(1)) -> Any:
     """(ticks, runs, robots, width) what the first corruption's channel shows when `values` are measured always."""
-    chain = corrupted_channels(corruptions, 7, NAMES, runs)
+    chain = corrupted_channels(corruptions, Swarms(7, NAMES, runs))
     shown = []
     for tick in range(ticks):
         readings = blank_readings(len(runs), len(NAMES), 5)
@@ -96,7 +97,7 @@ def test_what_is_not_listed_is_not_touched() -> None:
     draw = np.random.default_rng(1)
     readings = Readings(*(draw.normal(size=part.shape) for part in blank_readings(1, 3, 5)))
     before = [part.copy() for part in readings]
-    corrupted_channels([Corruption("compass", "noise", {"sd": 1.0})], 7, NAMES, range(1))[0].apply(0, readings)
+    corrupted_channels([Corruption("compass", "noise", {"sd": 1.0})], Swarms(7, NAMES, range(1)))[0].apply(0, readings)
     changed = [not np.array_equal(part, old) for part, old in zip(readings, before, strict=True)]
     assert [name for name, is_changed in zip(Readings._fields, changed, strict=True) if is_changed] == ["compass"]
 

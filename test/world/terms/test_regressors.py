@@ -51,7 +51,7 @@ def at(seen: Course, point: int) -> np.ndarray:
 def test_both_ways_give_the_same() -> None:
     """Every regressor at every moment, up to the rounding of sines and roots."""
     seen = course()
-    values = values_along(seen, (RATE, PHASE))
+    values = values_along(seen, RATE, PHASE)
     assert list(values) == list(REGRESSOR)
     compiled = np.array([at(seen, point) for point in range(POINTS)])
     for code, regressor in enumerate(REGRESSORS):

@@ -70,5 +70,6 @@ def test_a_batch_has_no_row_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Simulation, "decide", lambda self: self.state.__setitem__((0, 0, X), math.nan))
     with pytest.raises(CocorosimError, match=r"'lily_01' ran away at 0\.5 s"):
         batch.run_batch(scenario(), 0, 1)
-    summary, ticks = batch.run_each(scenario(), 0, 1)
-    assert np.isnan([summary.value, summary.mean, summary.median]).all() and list(ticks) == [0]
+    made = batch.run_each(scenario(), 0, 1)
+    summary = made.summary
+    assert np.isnan([summary.value, summary.mean, summary.median]).all() and list(made.ticks) == [0]

@@ -11,6 +11,7 @@ import pytest
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.world.checks.loading import read_scenario
 from cocorosim_ros.world.seeding.seeding import start_poses
+from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
@@ -30,7 +31,7 @@ def one_puff(place: Any, size: float = 0.1, mass: float = 2.0) -> Puffs:
 def drift(puffs: Puffs, flow: Any, tank: Tank, steps: int, diffusivity: float) -> Puffs:
     """The cloud after some steps of 0.5 s."""
     for step in range(steps):
-        carry(puffs, flow, tank, (0.5 * step, 0.5), diffusivity)
+        carry(puffs, flow, tank, Interval(0.5 * step, 0.5), diffusivity)
     return puffs
 
 
@@ -73,7 +74,7 @@ def test_an_eddy_carries_it_round() -> None:
     flow = make_flow([("vortex", np.array([0.0, 0.0, 0.2, 0.2]))])
     puffs = one_puff([0.5, 0.0, -5.0])
     for step in range(100):
-        carry(puffs, flow, OCEAN, (step * turns / 100, turns / 100), 0.0)
+        carry(puffs, flow, OCEAN, Interval(step * turns / 100, turns / 100), 0.0)
     np.testing.assert_allclose(puffs.centre[0], [0.5, 0.0, -5.0], rtol=0, atol=1e-5)
 
 

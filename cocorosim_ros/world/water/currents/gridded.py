@@ -12,7 +12,17 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.water.current import Current
+
+AXES = 4  # numbers before those of the first axis
+
+
+@kernel
+def _sizes(numbers: Floats) -> tuple[int, int, int, int]:
+    """How many values the axes t, z, y, x have."""
+    nt, nz, ny, nx = unpack(numbers, AXES)
+    return int(nt), int(nz), int(ny), int(nx)
 
 
 @kernel
@@ -36,12 +46,12 @@ def _bracket(numbers: Floats, first: int, size: int, value: float) -> tuple[int,
 @kernel
 def gridded(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
     """Add the interpolated velocity."""
-    nt, nz, ny, nx = int(parameters[0]), int(parameters[1]), int(parameters[2]), int(parameters[3])
-    t, at = _bracket(parameters, 4, nt, time)
-    z, az = _bracket(parameters, 4 + nt, nz, place[2])
-    y, ay = _bracket(parameters, 4 + nt + nz, ny, place[1])
-    x, ax = _bracket(parameters, 4 + nt + nz + ny, nx, place[0])
-    table = 4 + nt + nz + ny + nx
+    nt, nz, ny, nx = _sizes(parameters)
+    t, at = _bracket(parameters, AXES, nt, time)
+    z, az = _bracket(parameters, AXES + nt, nz, place[2])
+    y, ay = _bracket(parameters, AXES + nt + nz, ny, place[1])
+    x, ax = _bracket(parameters, AXES + nt + nz + ny, nx, place[0])
+    table = AXES + nt + nz + ny + nx
     for corner in range(16):
         dt, dz, dy, dx = corner >> 3, (corner >> 2) & 1, (corner >> 1) & 1, corner & 1
         weight = (
@@ -56,8 +66,8 @@ def gridded(place: Floats, time: float, parameters: Floats, total: Floats) -> No
 
 def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
     """The largest speed [m/s] in the table: interpolation stays between its values."""
-    counts = parameters[:4].astype(int)
-    velocities = parameters[4 + counts.sum() :].reshape(-1, 3)
+    counts = parameters[:AXES].astype(int)
+    velocities = parameters[AXES + counts.sum() :].reshape(-1, 3)
     return float(np.sqrt((velocities**2).sum(axis=1)).max())
 
 

@@ -10,14 +10,16 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.water.current import Current
 
 
 @kernel
 def sheared(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
     """Add the velocity at the origin [m/s; world] and what the four gradients [1/s] add at `place`."""
-    total[0] += parameters[0] + parameters[2] * place[1] + parameters[3] * place[2]
-    total[1] += parameters[1] + parameters[4] * place[0] + parameters[5] * place[2]
+    x, y, dx_dy, dx_dz, dy_dx, dy_dz = unpack(parameters, 6)
+    total[0] += x + dx_dy * place[1] + dx_dz * place[2]
+    total[1] += y + dy_dx * place[0] + dy_dz * place[2]
 
 
 def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:

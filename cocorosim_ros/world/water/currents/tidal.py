@@ -7,20 +7,23 @@ import math
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.water.current import Current
 
 
 @kernel
 def tidal(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
     """Add the amplitude x, y [m/s; world] times the sine of the tide; period [s], phase [rad]."""
-    swing, _ = sine_cosine(2.0 * math.pi * time / parameters[2] + parameters[3])
-    total[0] += parameters[0] * swing
-    total[1] += parameters[1] * swing
+    x, y, period, phase = unpack(parameters, 4)
+    swing, _ = sine_cosine(2.0 * math.pi * time / period + phase)
+    total[0] += x * swing
+    total[1] += y * swing
 
 
 def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
     """The amplitude [m/s]."""
-    return math.hypot(parameters[0], parameters[1])
+    x, y, _, _ = parameters
+    return math.hypot(x, y)
 
 
 TIDAL = Current(

@@ -6,19 +6,22 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.water.current import Current
 
 
 @kernel
 def uniform(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
     """Add the constant velocity x, y [m/s; world]."""
-    total[0] += parameters[0]
-    total[1] += parameters[1]
+    x, y = unpack(parameters, 2)
+    total[0] += x
+    total[1] += y
 
 
 def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
     """The speed [m/s] itself."""
-    return math.hypot(parameters[0], parameters[1])
+    x, y = parameters
+    return math.hypot(x, y)
 
 
 UNIFORM = Current(

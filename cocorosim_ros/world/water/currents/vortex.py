@@ -12,6 +12,7 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.water.current import Current
 
 FASTEST = 0.6382  # of circulation / (2 pi core): maximum of (1 - exp(-s^2)) / s
@@ -20,18 +21,20 @@ FASTEST = 0.6382  # of circulation / (2 pi core): maximum of (1 - exp(-s^2)) / s
 @kernel
 def vortex(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
     """Add the velocity of an eddy around x, y [m; world] with circulation [m^2/s] and core radius [m]."""
-    east, north = place[0] - parameters[0], place[1] - parameters[1]
-    squared, core = east * east + north * north, parameters[3] * parameters[3]
-    turn = parameters[2] / (2.0 * math.pi)
+    x, y, circulation, core = unpack(parameters, 4)
+    east, north = place[0] - x, place[1] - y
+    squared, core_squared = east * east + north * north, core * core
+    turn = circulation / (2.0 * math.pi)
     # expm1 keeps the digits near the centre, where the quotient tends to 1 / core^2.
-    rate = turn * (-math.expm1(-squared / core) / squared) if squared > 0.0 else turn / core
+    rate = turn * (-math.expm1(-squared / core_squared) / squared) if squared > 0.0 else turn / core_squared
     total[0] -= rate * north
     total[1] += rate * east
 
 
 def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
     """The speed [m/s] a little outside of the core, wherever the eddy is."""
-    return FASTEST * float(abs(parameters[2])) / (2.0 * math.pi * float(parameters[3]))
+    _, _, circulation, core = parameters
+    return FASTEST * float(abs(circulation)) / (2.0 * math.pi * float(core))
 
 
 VORTEX = Current(

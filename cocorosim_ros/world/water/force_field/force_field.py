@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,23 +22,41 @@ from cocorosim_ros.world.water.force_field.spreading import (
     spreading_scratch,
     spreading_weights,
 )
-from cocorosim_ros.world.water.force_field.wakes import blow_wakes
+from cocorosim_ros.world.water.force_field.wakes import Wake, blow_wakes
 from cocorosim_ros.world.water.force_field.walls import redirect_at_walls, wall_scratch
 from cocorosim_ros.world.water.patches import Patches
 
 PATCHES_FOR_THREADS = 1_000_000  # below, threads cost more than they save and many runs keep all processors busy
 
 
-Spreading = tuple[Floats, Floats, Floats]  # weights, planes of sums, ends of rows
-Pulling = tuple[Spots, int, Stretches]  # with the step
-Components = tuple[int, int]  # from the first to before the last
+class Spreading(NamedTuple):
+    """What force spreads with; only the weights hold anything between two steps."""
+
+    weights: Floats  # (2, 28), see spreading_weights
+    planes: Floats  # (4, ny * nx) of sums
+    ends: Floats  # (2, ny) of every row
+
+
+class Pulling(NamedTuple):
+    """What cold spots do at a step."""
+
+    spots: Spots
+    step: int
+    stretches: Stretches
+
+
+class Components(NamedTuple):
+    """Components x, y, z of a field, from the first to before the last."""
+
+    first: int
+    last: int
 
 
 @kernel
 def _spread(field: Floats, components: Components, spreading: Spreading) -> None:
     """Diffusion and decay."""
     weights, planes, ends = spreading
-    for component in range(components[0], components[1]):
+    for component in range(components.first, components.last):
         spread(field[component], weights, planes, ends)
 
 
@@ -47,7 +66,7 @@ def _spread_and_pull(field: Floats, components: Components, spreading: Spreading
     weights, planes, ends = spreading
     spots, step, stretches = pulling
     nz, ny, nx = field.shape[1:]
-    for component in range(components[0], components[1]):
+    for component in range(components.first, components.last):
         water = field[component].reshape(nz, ny * nx)
         begin_spreading(water, nx, planes)
         for z in range(nz):
@@ -69,7 +88,9 @@ class ForceField:
         self.field: Floats = np.zeros((3, *patches.shape))
         self._random = random
         weights, threads = spreading_weights(settings), 3 if patches.total >= PATCHES_FOR_THREADS else 1
-        self._spreading: list[Spreading] = [(weights, *spreading_scratch(patches.shape)) for _ in range(threads)]
+        self._spreading: list[Spreading] = [
+            Spreading(weights, *spreading_scratch(patches.shape)) for _ in range(threads)
+        ]
         self._taken = wall_scratch(patches.shape)
         self._spots: Spots | None = None
         self._stretches: Stretches | None = None
@@ -91,7 +112,7 @@ class ForceField:
             self._spread_and_chill(self._spots, self._stretches)
         wakes = self.settings.wakes
         if wakes is not None and wakes.strength > 0.0:
-            blow_wakes(self.field, self.patches, state, jets, (wakes.strength, math.tan(wakes.outer_angle)))
+            blow_wakes(self.field, self.patches, state, jets, Wake(wakes.strength, math.tan(wakes.outer_angle)))
         self.step += 1
 
     def spread(self) -> None:
@@ -103,10 +124,10 @@ class ForceField:
     def _for_components(self, work: Callable[[Components, Spreading], None]) -> None:
         """Do the work for all components. They do not know of each other, so that large ones go side by side."""
         if len(self._spreading) == 1:
-            work((0, 3), self._spreading[0])
+            work(Components(0, 3), self._spreading[0])
             return
         with ThreadPoolExecutor(3) as threads:
-            list(threads.map(work, [(0, 1), (1, 2), (2, 3)], self._spreading))
+            list(threads.map(work, [Components(each, each + 1) for each in range(3)], self._spreading))
 
     def spawn(self) -> None:
         """New cold spots in place of the oldest; the number of draws does not depend on their force."""
@@ -119,7 +140,7 @@ class ForceField:
             self.spread()
             pull_water(self.field, spots, self.step, stretches)
             return
-        pulling = (spots, self.step, stretches)
+        pulling = Pulling(spots, self.step, stretches)
         self._for_components(lambda components, own: _spread_and_pull(self.field, components, own, pulling))
 
     def push(self, state: Floats, push: Floats) -> None:

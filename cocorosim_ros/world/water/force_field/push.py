@@ -16,8 +16,7 @@ from cocorosim_ros.world.water.patches import Patches, is_water, nearest_patch
 
 
 @kernel
-def _force_at(field: Floats, patches: Patches, axis: int, place: tuple[int, int, int]) -> float:
-    k, j, i = place
+def _force_at(field: Floats, patches: Patches, axis: int, k: int, j: int, i: int) -> float:
     force: float = field[axis, k, j, i] if is_water(patches, k, j, i) else 0.0
     return force
 
@@ -29,6 +28,6 @@ def push_robots(field: Floats, patches: Patches, lever: float, state: Floats, pu
         k, j, i = nearest_patch(patches, state[robot, X], state[robot, Y], state[robot, Z])
         for axis in range(3):
             push[robot, axis] = field[axis, k, j, i]
-        east = _force_at(field, patches, 1, (k, j, i + 1)) - _force_at(field, patches, 1, (k, j, i - 1))
-        north = _force_at(field, patches, 0, (k, j + 1, i)) - _force_at(field, patches, 0, (k, j - 1, i))
+        east = _force_at(field, patches, 1, k, j, i + 1) - _force_at(field, patches, 1, k, j, i - 1)
+        north = _force_at(field, patches, 0, k, j + 1, i) - _force_at(field, patches, 0, k, j - 1, i)
         push[robot, 3] = lever * (east - north)

@@ -9,6 +9,8 @@ Source: Read et al. 2013, section 3.1 and figure 2a.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
@@ -22,6 +24,13 @@ JET_ACTUATOR, JET_PART, JET_PUSH, JET_OUT = 0, 1, 2, 4
 JET_SIZE = 6
 
 
+class Wake(NamedTuple):
+    """How all jets blow."""
+
+    strength: float  # force in the water over that of the thruster
+    spread: float  # tangent of the angle under which the outer jet leaves
+
+
 @kernel
 def _blow(field: Floats, patches: Patches, place: Floats, toward: Floats, force: float) -> None:
     """Add a horizontal force [N] along the unit vector `toward` (2,) to the patch around `place` (3,) [m; world]."""
@@ -32,9 +41,8 @@ def _blow(field: Floats, patches: Patches, place: Floats, toward: Floats, force:
 
 
 @kernel
-def _one_jet(field: Floats, patches: Patches, row: Floats, jet: Floats, wake: tuple[float, float]) -> None:
-    strength, spread = wake
-    force = row[STATE_SIZE + int(jet[JET_ACTUATOR])] * jet[JET_PART] * strength
+def _one_jet(field: Floats, patches: Patches, row: Floats, jet: Floats, wake: Wake) -> None:
+    force = row[STATE_SIZE + int(jet[JET_ACTUATOR])] * jet[JET_PART] * wake.strength
     if force == 0.0:
         return
     sine, cosine = sine_cosine(row[YAW])
@@ -49,7 +57,7 @@ def _one_jet(field: Floats, patches: Patches, row: Floats, jet: Floats, wake: tu
     place[0], place[1], place[2] = row[X] + side * out[0], row[Y] + side * out[1], row[Z]
     _blow(field, patches, place, inward, force)
     for part in range(4):
-        aside = spread if part == 3 else 0.0
+        aside = wake.spread if part == 3 else 0.0
         place[0] = row[X] + side * (back[0] + aside * out[0])
         place[1] = row[Y] + side * (back[1] + aside * out[1])
         place[2] = row[Z] + (side if part == 1 else -side if part == 2 else 0.0)
@@ -57,10 +65,10 @@ def _one_jet(field: Floats, patches: Patches, row: Floats, jet: Floats, wake: tu
 
 
 @kernel
-def blow_wakes(field: Floats, patches: Patches, state: Floats, jets: Floats, wake: tuple[float, float]) -> None:
+def blow_wakes(field: Floats, patches: Patches, state: Floats, jets: Floats, wake: Wake) -> None:
     """Add the wakes of all robots of one run to `field` (3, nz, ny, nx) [N].
 
-    state (robots, columns); jets (robots, jets, JET_SIZE); wake: strength, and tangent of the outer angle.
+    state (robots, columns); jets (robots, jets, JET_SIZE).
     """
     for robot in range(state.shape[0]):
         for index in range(jets.shape[1]):

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.world.water.force_field.wakes import blow_wakes
+from cocorosim_ros.world.water.force_field.wakes import Wake, blow_wakes
 from cocorosim_ros.world.water.patches import Patches
 
 PATCHES = Patches(np.array([-0.55, -0.55, -1.1]), 0.1, 11, 11, 11)
 LEFT, RIGHT = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 1.0, 0.0, 0.0, -1.0]
-PAPER = (1.0, 1.0)
+PAPER = Wake(1.0, 1.0)
 
 
 def wake(left: float, right: float, yaw: float = 0.0, place: Any = (0.0, 0.0, -0.55), how: Any = PAPER) -> Any:
@@ -70,7 +70,7 @@ def test_a_quarter_turn() -> None:
 
 def test_strength_and_thrusters_add() -> None:
     """Fifty times the force, and both thrusters together are the sum of each."""
-    both = wake(4.0, -2.0, yaw=0.7, how=(50.0, 1.0))
+    both = wake(4.0, -2.0, yaw=0.7, how=Wake(50.0, 1.0))
     np.testing.assert_allclose(both, 50.0 * (wake(4.0, 0.0, yaw=0.7) + wake(0.0, -2.0, yaw=0.7)), atol=1e-13)
     assert not wake(0.0, 0.0).any()
 
