@@ -11,7 +11,7 @@ _BY_MAP = "write a map with 'format: {format}' and use `cocorosim convert MAP.ya
 
 @dataclass(frozen=True)
 class FileKind:
-    """What files that begin so are."""
+    """A kind of file that begins with certain bytes."""
 
     key: str  # as formats of maps name it
     name: str  # in sentences, with its article
@@ -52,18 +52,18 @@ KINDS: tuple[FileKind, ...] = (
 
 
 def kind_of(path: Path) -> FileKind | None:
-    """What a file is by its first bytes; None for text, and for what is not known. Raises OSError if unreadable."""
+    """The kind of a file by its first bytes; None for text, and for what is not known. Raises OSError if unreadable."""
     with path.open("rb") as file:
         return kind_in(file.read(HEAD))
 
 
 def kind_in(head: bytes) -> FileKind | None:
-    """What a file is that begins with these bytes, at least `HEAD` of them if it has so many."""
+    """The kind of a file that begins with these bytes, at least `HEAD` of them if it has so many."""
     return next(
         (kind for kind in KINDS if head.startswith(kind.magic, kind.at) and head.startswith(kind.eighth, 8)), None
     )
 
 
 def told(kind: FileKind, file: Path) -> str:
-    """What a file of this kind is and what to do with it, as the rest of a sentence."""
+    """The rest of a sentence: the kind of a file, and what to do with it."""
     return f"is {kind.name}; {kind.way_out.replace('{file}', file.name)}"

@@ -20,7 +20,7 @@ AXES: Mapping[str, tuple[str, str]] = {
     **dict.fromkeys(("force_x", "force_y", "force_z"), ("force", "pure number")),
     **dict.fromkeys(("torque_x", "torque_y", "torque_z"), ("torque", "length")),
 }
-"""By axis: the dimension of its command, and of what one newton of a thruster gives of it."""
+"""Dimensions by axis: of its command, and of what one newton of a thruster gives of it."""
 _LIMITS = ("forward", "reverse")
 
 
@@ -43,7 +43,7 @@ def allocated(entry: Entry, reader: ValueReader) -> dict[str, CommandValue]:
 
 
 def _effect(thruster: Mapping[str, Entry], axis: str) -> float:
-    """What one newton of a thruster gives of an axis: 1, or m."""
+    """The share of an axis that one newton of a thruster gives: 1, or m."""
     return read_quantity(thruster[axis], AXES[axis][1]) if axis in thruster else 0.0
 
 

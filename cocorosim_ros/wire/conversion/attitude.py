@@ -12,7 +12,7 @@ from cocorosim_ros.wire.conversion.rows import Rows
 
 QUATERNION = ("qx", "qy", "qz", "qw")
 FURTHEST_FROM_ONE = 0.01
-"""Of the norm of a quaternion; chosen: two decimals of a log err by less, degrees or another column by far more."""
+"""Distance of a quaternion's norm from 1; chosen: two decimals err by less, degrees or another column by far more."""
 
 
 def unset(columns: Mapping[str, Floats]) -> Flags:

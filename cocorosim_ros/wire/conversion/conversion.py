@@ -137,9 +137,8 @@ def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Sour
 def _with_others(table: TableMap, rows: Rows, log: Log) -> BesideRows:
     """The rows with those of other topics beside them."""
     own, _ = rows.stamps(table.time)
-    default = table.default_time
     others = {
-        name: neighbour(own, log.rows(beside.topic, beside.place), default, beside.within_ns)
+        name: neighbour(own, log.rows(beside.topic, beside.place), beside.time or table.time, beside.within_ns)
         for name, beside in table.beside.items()
     }
     return BesideRows(rows, others)

@@ -21,7 +21,7 @@ class ColumnValue:
     offset: Number = 0.0
 
     def for_recording(self, recording: str) -> ColumnValue:
-        """The same with the numbers of that recording."""
+        """Settle what depends on the recording."""
         column = self.column.for_recording(recording) if isinstance(self.column, Formula) else self.column
         return replace(self, column=column, offset=number_of(self.offset, recording))
 
@@ -44,7 +44,7 @@ class MixedValue:
     parts: tuple[tuple[float, ColumnValue | FixedValue], ...]
 
     def for_recording(self, recording: str) -> MixedValue:
-        """The same with the numbers of that recording."""
+        """Settle what depends on the recording."""
         return MixedValue(tuple((weight, part.for_recording(recording)) for weight, part in self.parts))
 
 
@@ -53,7 +53,7 @@ class TravelValue:
     """A heading that is the direction of travel."""
 
     def for_recording(self, recording: str) -> TravelValue:
-        """The same for every recording."""
+        """Settle what depends on the recording: nothing."""
         return self
 
 
@@ -71,7 +71,7 @@ class CommandValue:
     place: Entry
 
     def for_recording(self, recording: str) -> CommandValue:
-        """The same with the numbers of that recording."""
+        """Settle what depends on the recording."""
         return replace(self, column=self.column.for_recording(recording))
 
 
@@ -132,6 +132,7 @@ class BesideMap:
 
     topic: str
     within_ns: int  # a message further away in time counts as missing
+    time: TimeMap | None  # None: as the table's own
     place: Entry
 
 
@@ -148,7 +149,6 @@ class TableMap:
     streams: tuple[StreamMap, ...]
     place: Entry
     beside: Mapping[str, BesideMap] = field(default_factory=dict)  # by what their columns begin with
-    default_time: TimeMap = field(default_factory=TimeMap)  # of topics of this format, if the map does not say it
 
     def for_recording(self, recording: str) -> TableMap:
         """The table with the numbers of that recording."""

@@ -19,7 +19,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.run_wise import Number, number_of
 
-LONGEST = 1000  # characters; chosen, and far more than anybody can read
+LONGEST = 1000  # characters; chosen, far more than a reader follows
 _DEEPEST = 60  # operations inside each other; chosen
 
 Operation = Callable[..., Floats]
@@ -164,7 +164,7 @@ def _arguments(node: ast.Call, entry: Entry) -> Iterable[ast.expr]:
 
 
 def _is_path(node: ast.expr) -> bool:
-    """Whether a node is a column, `motor.rpm[0]`; what stands in brackets is a word and no formula."""
+    """Tell whether a node is a column, `motor.rpm[0]`; brackets hold a word and no formula."""
     while isinstance(node, (ast.Attribute, ast.Subscript)):
         node = node.value
     return isinstance(node, ast.Name)
@@ -240,7 +240,7 @@ def _as_float(value: int | float) -> float:
 
 
 def _operation(node: ast.expr) -> tuple[Operation, list[ast.expr]]:
-    """What a node computes, of which parts."""
+    """The operation of a node and its parts."""
     if isinstance(node, ast.BinOp):
         return OPERATORS[type(node.op)], [node.left, node.right]
     if isinstance(node, ast.UnaryOp):

@@ -77,12 +77,22 @@ class _TableReader:
             sort,
             tuple(read_stream(topic, part, values) for topic, part in streams.items()),
             entry,
-            _beside(section["beside"]) if "beside" in section else {},
-            self._clock(entry),
+            self._beside(section["beside"]) if "beside" in section else {},
         )
 
+    def _beside(self, entry: Entry) -> dict[str, BesideMap]:
+        """Other topics, by what their columns begin with."""
+        found = {}
+        for name, part in entry.mapping().items():
+            section = part.section(("topic", "within"), ("time",))
+            if not name.isidentifier():
+                raise part.problem("is no name for a topic beside; use letters, digits and _.")
+            time = read_time(section["time"], ros=self._ros) if "time" in section else None
+            found[name] = BesideMap(section["topic"].text(), read_nanoseconds(section["within"]), time, part)
+        return found
+
     def _clock(self, entry: Entry) -> TimeMap:
-        """When a message of a log was measured, if the map does not say it."""
+        """The time of a log's messages, if the map does not say it."""
         if self._log is None or self._log.clock is None:
             return TimeMap()
         column, unit = self._log.clock
@@ -108,17 +118,6 @@ def _names(entry: Entry) -> dict[str, Entry]:
         if not name.isidentifier() or name == "pi":
             raise part.problem("is no short name of a column; use letters, digits and _.")
     return {name: column_name(part) for name, part in entry.mapping().items()}
-
-
-def _beside(entry: Entry) -> dict[str, BesideMap]:
-    """Other topics, by what their columns begin with."""
-    found = {}
-    for name, part in entry.mapping().items():
-        section = part.section(("topic", "within"))
-        if not name.isidentifier():
-            raise part.problem("is no name for a topic beside; use letters, digits and _.")
-        found[name] = BesideMap(section["topic"].text(), read_nanoseconds(section["within"]), part)
-    return found
 
 
 def _robot(entry: Entry, *, from_name: bool) -> RobotMap:

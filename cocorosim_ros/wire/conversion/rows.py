@@ -32,7 +32,7 @@ class Rows(Protocol):
     origin: str
     count: int
     damage: str
-    """What is missing from them, in one sentence; empty if nothing is."""
+    """A sentence about what is missing from them; empty if nothing is."""
 
     def numbers(self, column: Entry) -> Floats:
         """(n,) the cells of a column; NaN where there is no number. Raises CocorosimError for words."""

@@ -91,7 +91,7 @@ def _check_pose(given: set[str]) -> str:
 
 
 def _check_turns(given: set[str]) -> str:
-    """What is wrong with an attitude: angles beside a quaternion, or a part of one."""
+    """The fault of an attitude, empty if it has none: angles beside a quaternion, or a part of one."""
     turned = set(QUATERNION) & given
     if turned and (turned != set(QUATERNION) or set(_TURNS) & given):
         return "needs all of 'qx', 'qy', 'qz', 'qw' and then no 'yaw', or 'yaw' alone."

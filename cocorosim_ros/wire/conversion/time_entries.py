@@ -1,4 +1,4 @@
-"""When a row was measured, as a map file says it."""
+"""The time of rows, as a map file says it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def read_time(entry: Entry, *, ros: bool) -> TimeMap:
 
 
 def nanoseconds_per(unit: str) -> Fraction:
-    """How many nanoseconds a unit of time has."""
+    """The nanoseconds of one unit of time."""
     return Fraction(UNITS["time"][unit]) * 1_000_000_000
 
 

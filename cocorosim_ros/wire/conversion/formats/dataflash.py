@@ -46,7 +46,7 @@ class Kind:
 
     @property
     def dtype(self) -> np.dtype[Any] | None:
-        """How its columns lie behind the head; None if they do not fill the message."""
+        """The layout of its columns behind the head; None if they do not fill the message."""
         if len(self.letters) != len(self.columns) or len(set(self.columns)) < len(self.columns):
             return None
         if any(letter not in _LETTERS for letter in self.letters):
@@ -125,7 +125,7 @@ class DataFlashLog:
         return np.asarray(records[:, 0])
 
     def _instance_columns(self) -> Iterator[tuple[int, str]]:
-        """By kind: the column that tells instances apart."""
+        """Kinds with the column that tells instances apart."""
         for number, kind in self._kinds.items():
             if kind.name == "FMTU" and kind.dtype is not None and number in self._starts:
                 for message in self._messages(number):

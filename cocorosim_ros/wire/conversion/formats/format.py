@@ -1,4 +1,4 @@
-"""What a format of other people's logs is: how a source becomes rows."""
+"""Formats of other people's logs: records of how a source becomes rows."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Log(Protocol):
     """A source that holds topics."""
 
     damage: tuple[str, ...]
-    """What is missing from it, in sentences."""
+    """Sentences about what is missing from it."""
 
     def rows(self, topic: str, place: Entry) -> Rows:
         """The messages of a topic; the error names the place in the map if there is none."""
@@ -51,7 +51,7 @@ class LogFormat:
 
     @property
     def ros(self) -> bool:
-        """Whether messages are of ROS: stamps in headers, SI units, lists that name their elements."""
+        """Tell whether messages are of ROS: stamps in headers, SI units, lists that name their elements."""
         return self.clock is None
 
 

@@ -20,7 +20,7 @@ def split(topic: str) -> tuple[str, int | None]:
 
 
 def wanted_instance(topic: str, wanted: int | None, there: Collection[int], place: Entry, log: str) -> int:
-    """Which of the instances that are there is meant. Raises CocorosimError if that is open."""
+    """The instance that is meant of those that are there. Raises CocorosimError if that is open."""
     names = [f"{topic}[{number}]" for number in sorted(there)]
     if wanted is None and len(there) == 1:
         return next(iter(there))

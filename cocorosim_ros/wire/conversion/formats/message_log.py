@@ -33,7 +33,7 @@ class MessageLog(Protocol):
 
 
 class CdrMessages:
-    """What recordings of ROS 2 share: messages in CDR."""
+    """Messages in CDR, which all recordings of ROS 2 share."""
 
     def decoder(self, recorded: RecordedTopic) -> Decode:
         """The function for a topic's type; raises CocorosimError if nothing says what the type is."""

@@ -45,7 +45,7 @@ class ULogLog:
 
 
 def _ends_early(content: bytes) -> bool:
-    """Whether the last message is not whole."""
+    """Tell whether the last message is not whole."""
     at = _HEADER
     while at + 3 <= len(content):
         at += 3 + int.from_bytes(content[at : at + 2], "little")
