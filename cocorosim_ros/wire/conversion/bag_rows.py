@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Sequence
 from typing import Any
 
@@ -38,7 +37,7 @@ class BagRows:
         for log_time_ns, data in log.messages(topic):
             try:
                 decoded = decode(data)
-            except (SerdeError, struct.error, IndexError, OverflowError, MemoryError, ValueError):
+            except (SerdeError, IndexError, OverflowError, MemoryError, ValueError):
                 unreadable += 1
                 continue
             self._messages.append(decoded)

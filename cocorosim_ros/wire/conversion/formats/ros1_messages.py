@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from rosbags.rosbag1 import Reader, ReaderError
+from rosbags.rosbag1 import Reader
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.base import TypesysError
 
@@ -19,7 +17,6 @@ from cocorosim_ros.wire.conversion.formats.format import unreadable
 from cocorosim_ros.wire.conversion.formats.message_log import Decode
 
 _SUMMARY = "a ROS 1 bag"
-_DAMAGES = (ReaderError, struct.error, zlib.error, OSError, EOFError, RuntimeError, ValueError, UnicodeDecodeError)
 
 
 class Ros1Messages:
@@ -37,7 +34,7 @@ class Ros1Messages:
                     RecordedTopic(found.topic, found.msgtype, found.msgcount, str(found.msgdef.data), "ros1msg", "", "")
                     for found in reader.connections
                 )
-        except _DAMAGES as error:
+        except Exception as error:  # a parser that meets damage may raise anything
             if "not indexed" in str(error):
                 raise CocorosimError(
                     f"{path.name} was not closed when it was recorded; repair it by `rosbag reindex {path.name}`."
@@ -51,7 +48,7 @@ class Ros1Messages:
                 mine = [found for found in reader.connections if found.topic == topic]
                 for _, stamp, data in reader.messages(mine):
                     yield stamp, data
-        except _DAMAGES as error:
+        except Exception as error:  # a parser that meets damage may raise anything
             raise unreadable(self.name, _SUMMARY, error) from error
 
     def decoder(self, recorded: RecordedTopic) -> Decode:
