@@ -50,7 +50,10 @@ setup(
     data_files=shared_files(),
     python_requires=">=3.11",
     install_requires=["setuptools"],
-    extras_require={"bench": ["mujoco>=3", "scipy"]},
+    extras_require={
+        "bench": ["mujoco>=3", "scipy"],
+        "logs": ["pyulog", "pymavlink"],  # what `cocorosim convert` reads logs of PX4 and ArduPilot with
+    },
     zip_safe=False,
     entry_points={
         "console_scripts": [

@@ -1,4 +1,4 @@
-"""`cocorosim convert`: other people's logs, CSV files or bags, into recordings of the contract."""
+"""`cocorosim convert`: other people's logs, tables or bags, into recordings of the contract."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _MOST_SHOWN_IN_FULL = 3
 def command(map_file: str, source: Path, out: Path, force: bool) -> None:
     """Convert SOURCE as MAP.yaml (a file, or a name in config/maps) says.
 
-    SOURCE is a CSV file, a folder of them, or a bag. If it holds several runs, each becomes a recording of its own
-    below the folder given with --out.
+    SOURCE is a file or a folder of them: CSV, Parquet, npz, mat; or one log: a bag of ROS 1 or 2, a ULog, a DataFlash
+    log, a tlog. If it holds several runs, each becomes a recording of its own below the folder given with --out.
     """
     console = Console(highlight=False, soft_wrap=True, markup=False)
     with console.status("reading") as status:

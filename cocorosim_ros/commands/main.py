@@ -19,7 +19,7 @@ COMMANDS: dict[str, str] = {
     "view": "look at a recording: a page that plays it",
     "metrics": "shoaling statistics of any recording that has poses",
     "diagnose": "where a recording and the model of a platform disagree, why, and a model that does not",
-    "convert": "other people's logs, CSV or bags, into the contract's recording",
+    "convert": "other people's logs (tables, bags of ROS 1 and 2, ULog, DataFlash, tlog) into the contract's recording",
     "experiment": "many runs without ROS, resumable, as one table",
     "report": "an experiment's table as a page with figures and tables",
     "claims": "the paper's claims beside what experiments show",

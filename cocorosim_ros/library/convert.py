@@ -118,9 +118,10 @@ def convert(
 ) -> Conversion:
     """Convert a log as a map says into recordings of the contract.
 
-    map: a name in config/maps, or a file. source: a CSV file, a folder of them, or a bag. out: the recording to make, a
-    folder; if the source holds several runs, each becomes a recording of its own below it. force: replace what is
-    there. progress: told the name of each run before it is read.
+    map: a name in config/maps, or a file. source: a file or a folder of them (CSV, Parquet, npz, mat), or one log (a
+    bag of ROS 1 or 2, ULog, DataFlash, tlog). out: the recording to make, a folder; if the source holds several runs,
+    each becomes a recording of its own below it. force: replace what is there. progress: told the name of each run
+    before it is read.
 
     Returns the recordings with the extent of each topic and what was left out. Raises CocorosimError for whatever is
     wrong with map or source, and if `out` exists (without `force`); then nothing is left behind.

@@ -44,6 +44,18 @@ print(read.temperature, "# K" in schema_text(Temperature.__msgtype__))
 """
 
 
+LOG = """
+import sys
+from pathlib import Path
+from cocorosim_ros import convert
+folder = Path(sys.argv[1])
+(folder / "log.jsonl").write_text('{"t": 1, "u": 0.5}\\n{"t": 2, "u": 0.75}\\n')
+(folder / "map.yaml").write_text("name: m\\nformat: jsonl\\ntables: [{files: log.jsonl, time: {column: t, unit: s}, "
+    "robot: boat, streams: {velocity: {x: {column: u, unit: m/s}}}}]")
+print(convert(folder / "map.yaml", folder / "log.jsonl", folder / "bag").recordings[0].messages)
+"""
+
+
 def told(tree: Path, program: str, *words: Any, **environment: str) -> subprocess.CompletedProcess[str]:
     """What a program prints in a process of its own, to which the package is that of the copy."""
     return subprocess.run(
@@ -58,9 +70,9 @@ def told(tree: Path, program: str, *words: Any, **environment: str) -> subproces
 
 @pytest.fixture(scope="module")
 def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy in which the recipes of controller, metric, current and message were followed."""
+    """A copy in which the recipes of controller, metric, current, message and format were followed."""
     tree = copy_of_this_tree(tmp_path_factory.mktemp("recipes"))
-    for title in ("Add a controller", "Add a metric", "Add a current", "Add a message"):
+    for title in ("Add a controller", "Add a metric", "Add a current", "Add a message", "Add a format of logs"):
         assert follow(title, tree), title
     return tree
 
@@ -113,3 +125,9 @@ def test_lines_come_to_the_end_of_their_table() -> None:
         "from cocorosim_ros.b import B\nfrom cocorosim_ros.a import A\n\nT: dict[str, int] = {\n"
         "    'a': A,\n    'b': B,\n}\nU = {\n}\n"
     )
+
+
+def test_the_new_format_is_read(tree: Path, tmp_path: Path) -> None:
+    """A map may ask for it, and its rows become messages."""
+    ended = told(tree, LOG, tmp_path)
+    assert (ended.stdout, ended.returncode) == ("2\n", 0), ended.stderr

@@ -20,7 +20,7 @@ SIZES = {
     "rad": 1.0, "deg": math.pi / 180.0, "kg": 1.0, "g": 1e-3, "mg": 1e-6, "N": 1.0, "mN": 1e-3, "Pa": 1.0, "hPa": 1e2,
     "mbar": 1e2, "kPa": 1e3, "dbar": 1e4, "bar": 1e5, "Hz": 1.0, "V": 1.0, "mV": 1e-3, "lx": 1.0, "klx": 1e3, "1": 1.0,
 }  # fmt: skip
-ODD = {"%": 1e-2, "ppm": 1e-6, "g0": 9.80665, "mm/s per m": 1e-3}
+ODD = {"%": 1e-2, "ppm": 1e-6, "g0": 9.80665, "mm/s per m": 1e-3, "rev/s": 2 * math.pi, "rpm": math.pi / 30}
 EVERY = [(dimension, unit) for dimension, units in DIMENSIONS.items() for unit in units]
 
 

@@ -64,7 +64,10 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
     "pressure rate": (Unit("Pa/s"),),
     "speed": (Unit("m/s"), Unit("cm/s", "0.01"), Unit("mm/s", "0.001")),
     "acceleration": (Unit("m/s^2"), Unit("g0", "9.80665")),
-    "angular velocity": (Unit("rad/s"), Unit("deg/s", _RADIANS_PER_DEGREE, shown=True, label="\u00b0/s")),
+    "angular velocity": (
+        Unit("rad/s"), Unit("deg/s", _RADIANS_PER_DEGREE, shown=True, label="\u00b0/s"),
+        Unit("rev/s", "6.283185307179586476925286767"), Unit("rpm", "0.1047197551196597746154214461"),
+    ),
     "frequency": (Unit("Hz"),),
     "rate": (
         Unit("1/s", shown=True, label="m/s per m"),

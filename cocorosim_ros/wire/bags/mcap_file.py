@@ -20,6 +20,7 @@ import zstandard
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import mcap_format as mcap
+from cocorosim_ros.wire.bags.file_kinds import HEAD, kind_in, told
 
 _DAMAGE = (ValueError, RuntimeError, struct.error, zstandard.ZstdError, MemoryError)
 RawMessage = tuple[int, int, int, bytes]  # channel, log time [ns], publish time [ns], CDR bytes
@@ -249,6 +250,9 @@ def _mapped(path: Path, file: BinaryIO | None) -> mmap.mmap:
             f"{path} ends after {len(data)} bytes: nothing of the recording is left; give another file."
         )
     if data[: len(mcap.MAGIC)] != mcap.MAGIC:
+        kind = kind_in(data[:HEAD])
+        if kind is not None:
+            raise CocorosimError(f"{path} is not an MCAP file: it {told(kind, path)}.")
         raise CocorosimError(
             f"{path} is not an MCAP file (it begins with {data[:8]!r}); give a rosbag2 folder or an .mcap file."
         )

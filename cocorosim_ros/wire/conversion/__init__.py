@@ -1,1 +1,1 @@
-"""Other people's logs, CSV files or bags with other topics, as recordings of the contract."""
+"""Other people's logs, tables or bags with other topics, as recordings of the contract."""

@@ -10,6 +10,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.wire.conversion import attitude
 from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
 from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
 from cocorosim_ros.wire.conversion.streams import StreamRows, heading_of_travel, stream_rows, travels
@@ -40,6 +41,9 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
             name: in_si(value, rows) for name, value in mapped.values.items() if not isinstance(value, TravelValue)
         }
         usable = timed & np.isfinite(list(columns.values())).all(axis=0)
+        if attitude.QUATERNION[0] in columns:
+            usable &= ~attitude.unset(columns)
+            attitude.check_normalised(columns, usable, rows, mapped.place)
         for robot, mine in robots.items():
             place = f"{robot}/{mapped.topic} from {rows.origin}"
             dropped = np.count_nonzero(mine & timed & ~usable)

@@ -7,49 +7,50 @@ from typing import Any
 
 import numpy as np
 from rosbags.serde import SerdeError
-from rosbags.typesys import Stores, get_types_from_msg, get_typestore
-from rosbags.typesys.base import TypesysError
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
-from cocorosim_ros.wire.bags.bag_reader import Bag
-from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
-from cocorosim_ros.wire.cdr import field_paths, stamps, type_store
+from cocorosim_ros.wire.cdr import field_paths
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
+from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
 from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps
 
 
 class BagRows:
-    """The messages of one topic in recorded order. Unreadable ones are left out, and `unreadable` counts them."""
+    """The messages of one topic in recorded order. Unreadable ones are left out, and `damage` says how many."""
 
-    def __init__(self, bag: Bag, topic: str, place: Entry) -> None:
-        """Raises CocorosimError if the bag has no such topic, or nothing of it can be read."""
-        recorded = next((entry for entry in bag.summary.topics if entry.topic == topic and entry.count), None)
+    def __init__(self, log: MessageLog, topic: str, place: Entry) -> None:
+        """Raises CocorosimError if the log has no such topic, or nothing of it can be read."""
+        recorded = next((entry for entry in log.topics if entry.topic == topic and entry.count), None)
         if recorded is None:
-            known = [entry.topic for entry in bag.summary.topics if entry.count]
-            raise place.problem(f"names {topic}, which has no message in {bag.path.name}{nearest(topic, known)}.")
-        self.origin = f"{topic} of {bag.path.name}"
+            known = [entry.topic for entry in log.topics if entry.count]
+            raise place.problem(f"names {topic}, which has no message in {log.name}{nearest(topic, known)}.")
+        self.origin = f"{topic} of {log.name}"
         self._type = recorded.type_name
-        self._schema = recorded.schema
-        store = _store_for(recorded)
+        decode = log.decoder(recorded)
         self._messages: list[Any] = []
-        self._data: list[bytes] = []
         self._logged: list[int] = []
-        self.unreadable = 0
-        for message in bag.messages([topic]):
+        self._headed: list[int | None] = []
+        unreadable = 0
+        for log_time_ns, data in log.messages(topic):
             try:
-                decoded = store.deserialize_cdr(message.data, self._type)
+                decoded = decode(data)
             except (SerdeError, IndexError, OverflowError, MemoryError, ValueError):
-                self.unreadable += 1
+                unreadable += 1
                 continue
             self._messages.append(decoded)
-            self._data.append(message.data)
-            self._logged.append(message.log_time_ns)
+            self._logged.append(log_time_ns)
+            self._headed.append(log.header_stamp(recorded, data, decoded))
         self.count = len(self._messages)
+        self.damage = f"{self.origin}: {unreadable} messages cannot be read and were left out." if unreadable else ""
         if not self._messages:
             raise CocorosimError(f"No message of {self.origin} is a {self._type}; record it again or leave it out.")
+
+    def row_name(self, row: int) -> str:
+        """The message, counted from 1."""
+        return f"message {row + 1}"
 
     def numbers(self, column: Entry) -> Floats:
         """(n,) the field at a path; NaN where a message lacks that element of a list."""
@@ -71,8 +72,7 @@ class BagRows:
         elif when.log_time:
             found = list(self._logged)
         else:
-            headed = [stamps.stamp_ns(self._type, data, self._schema) for data in self._data]
-            found = [log if time is None else time for time, log in zip(headed, self._logged, strict=True)]
+            found = [log if time is None else time for time, log in zip(self._headed, self._logged, strict=True)]
         shifted = [0 if time is None else time + when.start_ns for time in found]
         if min(shifted) < 0 or max(shifted) > LATEST_NS:
             raise CocorosimError(f"{self.origin} has times before 0 s; add 'start' to its 'time' in the map.")
@@ -123,18 +123,3 @@ def _number_paths(message: Any, before: str = "") -> list[str]:
         elif isinstance(value, (int, float, bool)) and field not in ("sec", "nanosec") and field != "__msgtype__":
             found.append(path)
     return found
-
-
-def _store_for(recorded: RecordedTopic) -> Any:
-    """A store that knows the topic's type, from the text in the bag where Jazzy does not have it."""
-    if type_store.is_known(recorded.type_name):
-        return type_store.type_store()
-    store = get_typestore(Stores.ROS2_JAZZY)
-    try:
-        found = get_types_from_msg(recorded.schema, recorded.type_name)
-        store.register({name: fields for name, fields in found.items() if name not in store.fielddefs})
-    except (TypesysError, ValueError) as error:
-        raise CocorosimError(
-            f"{recorded.topic} has the type {recorded.type_name}, whose text in the bag cannot be read; leave it out."
-        ) from error
-    return store

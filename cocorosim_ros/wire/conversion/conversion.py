@@ -14,16 +14,16 @@ import numpy as np
 
 from cocorosim_ros import __version__
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
-from cocorosim_ros.wire.bags.bag_reader import read_bag
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.conversion.assembly import Stream, joined, table_streams
-from cocorosim_ros.wire.conversion.bag_rows import BagRows
+from cocorosim_ros.wire.conversion.beside import BesideRows, neighbour
 from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
-from cocorosim_ros.wire.conversion.csv_rows import CsvRows
+from cocorosim_ros.wire.conversion.formats import FORMATS
+from cocorosim_ros.wire.conversion.formats.format import FileFormat, Log, LogFormat, check_file
 from cocorosim_ros.wire.conversion.rows import Rows
-from cocorosim_ros.wire.conversion.sources import Run, SourceFile, find_runs, sha256_of
+from cocorosim_ros.wire.conversion.sources import Run, find_runs, sha256_of
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
@@ -65,9 +65,9 @@ def convert(
         told = f"{out} exists already; choose another place with 'out', or replace it with 'force'."
         raise ArgumentError(told, "out", "force")
     conversions = []
-    for name, read in _runs(mapped, source):
-        progress(name)
-        conversions.append(_converted(mapped, name, read))
+    for run, recording, read in _runs(mapped, source):
+        progress(run)
+        conversions.append(_converted(mapped, run, recording, read))
     several = len(conversions) > 1
     done: list[Converted] = []
     try:
@@ -92,22 +92,26 @@ class _Source:
         self.findings: list[str] = []
 
 
-def _runs(mapped: ConversionMap, source: Path) -> Iterator[tuple[str, Callable[[], _Source]]]:
-    if mapped.from_bag:
-        yield "", lambda: _bag_source(mapped, source)
+def _runs(mapped: ConversionMap, source: Path) -> Iterator[tuple[str, str, Callable[[], _Source]]]:
+    """The name of each run, '' for the only one; how recordings are called in the map; and what reads its rows."""
+    chosen = FORMATS[mapped.format]
+    if isinstance(chosen, LogFormat):
+        yield "", source.stem, lambda: _log_source(mapped, chosen, source)
         return
     for run in find_runs(mapped, source):
-        yield run.name, lambda run=run: _csv_source(mapped, run)  # type: ignore[misc]
+        name = run.name or (source.name if source.is_dir() else source.stem)
+        yield run.name, name, lambda run=run: _file_source(mapped, chosen, run)  # type: ignore[misc]
 
 
-def _csv_source(mapped: ConversionMap, run: Run) -> _Source:
+def _file_source(mapped: ConversionMap, chosen: FileFormat, run: Run) -> _Source:
     found = _Source()
     for table, files in zip(mapped.tables, run.files, strict=True):
         for file in files:
-            rows = _csv_rows(table, file)
+            check_file(file.path, file.origin, chosen.summary, chosen.kinds)
+            rows = chosen.rows(file.path, file.origin, table.layout)
             found.hashes[file.origin] = sha256_of(file.path)
-            if rows.short:
-                found.findings.append(f"{file.origin}: {rows.short} rows end early; their last cells count as missing.")
+            if rows.damage:
+                found.findings.append(rows.damage)
             found.tables.append((table, file.robot, rows))
         # A pattern for other runs only is no reason to complain.
         if not files and table.runs == "*":
@@ -115,31 +119,40 @@ def _csv_source(mapped: ConversionMap, run: Run) -> _Source:
     return found
 
 
-def _csv_rows(table: TableMap, file: SourceFile) -> CsvRows:
-    return CsvRows(file.path, file.origin, table.layout)
-
-
-def _bag_source(mapped: ConversionMap, source: Path) -> _Source:
-    bag = read_bag(source)
+def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Source:
+    if not source.exists():
+        raise CocorosimError(f"{source} does not exist; give {chosen.summary}.")
+    log = chosen.open(source)
     found = _Source()
     files = [source] if source.is_file() else sorted(path for path in source.iterdir() if path.is_file())
     found.hashes = {path.name: sha256_of(path) for path in files}
-    if bag.summary.damage:
-        found.findings.append(bag.summary.damage)
+    found.findings += log.damage
     for table in mapped.tables:
-        rows = BagRows(bag, table.source, table.place)
-        if rows.unreadable:
-            found.findings.append(f"{rows.origin}: {rows.unreadable} messages cannot be read and were left out.")
-        found.tables.append((table, "", rows))
+        rows = log.rows(table.source, table.place)
+        if rows.damage:
+            found.findings.append(rows.damage)
+        found.tables.append((table, "", _with_others(table, rows, log) if table.beside else rows))
     return found
 
 
-def _converted(mapped: ConversionMap, run: str, read: Callable[[], _Source]) -> Conversion:
+def _with_others(table: TableMap, rows: Rows, log: Log) -> BesideRows:
+    """The rows with those of other topics beside them."""
+    own, _ = rows.stamps(table.time)
+    others = {
+        name: neighbour(own, log.rows(beside.topic, beside.place), beside.time or table.time, beside.within_ns)
+        for name, beside in table.beside.items()
+    }
+    return BesideRows(rows, others)
+
+
+def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[], _Source]) -> Conversion:
     source = read()
     findings = source.findings
     parts = [
-        part for table, named, rows in source.tables for part in table_streams(table, rows, named, findings)
-    ]  # fmt: skip
+        part
+        for table, named, rows in source.tables
+        for part in table_streams(table.for_recording(recording), rows, named, findings)
+    ]
     order = {topic: place for place, topic in enumerate(ROBOT_TOPICS)}
     parts.sort(key=lambda part: (part.robot, order[part.topic]))
     groups = groupby(parts, key=lambda part: (part.robot, part.topic))

@@ -3,32 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.wire.conversion.formula import Formula
+from cocorosim_ros.wire.conversion.run_wise import Number, number_of
 
 
 @dataclass(frozen=True)
 class ColumnValue:
     """A number of every row: `scale` times the cell in its unit, plus `offset` [SI]."""
 
-    column: Entry  # header name or number of a CSV column, or path of a field of a message
+    column: Entry | Formula  # header name, number of a column, path of a field of a message, or arithmetic of them
     unit_factor: str  # decimal text: the unit in SI
     scale: float = 1.0
-    offset: float = 0.0
+    offset: Number = 0.0
+
+    def for_recording(self, recording: str) -> ColumnValue:
+        """Settle what depends on the recording."""
+        column = self.column.for_recording(recording) if isinstance(self.column, Formula) else self.column
+        return replace(self, column=column, offset=number_of(self.offset, recording))
 
 
 @dataclass(frozen=True)
 class FixedValue:
     """The same number [SI] in every row."""
 
-    value: float
+    value: Number
+
+    def for_recording(self, recording: str) -> FixedValue:
+        """The number of that recording."""
+        return FixedValue(number_of(self.value, recording))
+
+
+@dataclass(frozen=True)
+class MixedValue:
+    """The sum of numbers, each times a weight."""
+
+    parts: tuple[tuple[float, ColumnValue | FixedValue], ...]
+
+    def for_recording(self, recording: str) -> MixedValue:
+        """Settle what depends on the recording."""
+        return MixedValue(tuple((weight, part.for_recording(recording)) for weight, part in self.parts))
 
 
 @dataclass(frozen=True)
 class TravelValue:
     """A heading that is the direction of travel."""
+
+    def for_recording(self, recording: str) -> TravelValue:
+        """Settle what depends on the recording: nothing."""
+        return self
 
 
 @dataclass(frozen=True)
@@ -38,14 +64,18 @@ class CommandValue:
     Without `reverse` the thruster does not turn backwards, and a cell on that side of `stop` is an error.
     """
 
-    column: ColumnValue
+    column: ColumnValue | MixedValue
     stop: float
     forward: float
     reverse: float | None
     place: Entry
 
+    def for_recording(self, recording: str) -> CommandValue:
+        """Settle what depends on the recording."""
+        return replace(self, column=self.column.for_recording(recording))
 
-Value = ColumnValue | FixedValue | TravelValue | CommandValue
+
+Value = ColumnValue | FixedValue | MixedValue | TravelValue | CommandValue
 
 
 @dataclass(frozen=True)
@@ -56,6 +86,11 @@ class StreamMap:
     values: Mapping[str, Value]
     north_east_down: bool
     place: Entry
+
+    def for_recording(self, recording: str) -> StreamMap:
+        """The stream with the numbers of that recording."""
+        values = {name: value.for_recording(recording) for name, value in self.values.items()}
+        return replace(self, values=values)
 
 
 @dataclass(frozen=True)
@@ -92,8 +127,18 @@ class CsvLayout:
 
 
 @dataclass(frozen=True)
+class BesideMap:
+    """Another topic, whose message nearest in time stands beside each of a table's own."""
+
+    topic: str
+    within_ns: int  # a message further away in time counts as missing
+    time: TimeMap | None  # None: as the table's own
+    place: Entry
+
+
+@dataclass(frozen=True)
 class TableMap:
-    """One kind of file, or one topic of a bag, and the streams that are made from it."""
+    """One kind of file, or one topic of a log, and the streams that are made from it."""
 
     source: str  # pattern of file names, or a topic
     runs: str  # which runs it is for: a pattern with *
@@ -103,6 +148,11 @@ class TableMap:
     sort: bool  # rows whose time runs backwards are sorted instead of refused
     streams: tuple[StreamMap, ...]
     place: Entry
+    beside: Mapping[str, BesideMap] = field(default_factory=dict)  # by what their columns begin with
+
+    def for_recording(self, recording: str) -> TableMap:
+        """The table with the numbers of that recording."""
+        return replace(self, streams=tuple(stream.for_recording(recording) for stream in self.streams))
 
 
 @dataclass(frozen=True)
@@ -110,7 +160,7 @@ class ConversionMap:
     """A whole map file."""
 
     name: str
-    from_bag: bool
+    format: str  # a key of FORMATS
     tables: tuple[TableMap, ...]
     text: str
     file: str

@@ -16,7 +16,7 @@ from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, exact_nanoseco
 
 
 class CsvRows:
-    """One CSV file in memory. Rows that end early have empty cells at their end, and `short` counts them."""
+    """One CSV file in memory. Rows that end early have empty cells at their end, and `damage` says how many."""
 
     def __init__(self, path: Path, origin: str, layout: CsvLayout) -> None:
         """Raises CocorosimError if the file is unreadable, not UTF-8 or holds no row."""
@@ -31,7 +31,8 @@ class CsvRows:
         if not found:
             raise CocorosimError(f"{origin} holds no row of numbers; give a file that has some.")
         self._width = len(self._header) or max(len(cells) for cells in self._cells)
-        self.short = sum(len(cells) < self._width for cells in self._cells)
+        short = sum(len(cells) < self._width for cells in self._cells)
+        self.damage = f"{origin}: {short} rows end early; their last cells count as missing." if short else ""
 
     def words(self, column: Entry) -> list[str]:
         """The cells of a column as they stand there, empty where a row ends before it."""
@@ -66,6 +67,10 @@ class CsvRows:
                 except ArithmeticError as error:
                     raise self._no_number(row, text, column) from error
         return self._checked(total, when, known)
+
+    def row_name(self, row: int) -> str:
+        """The line of a row."""
+        return f"line {self._line[row]}"
 
     def _checked(self, times: list[int], when: TimeMap, known: Flags) -> tuple[Stamps, Flags]:
         shifted = [time + when.start_ns for time in times]

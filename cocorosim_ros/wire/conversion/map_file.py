@@ -3,130 +3,121 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 
 from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.scenario.reading.quantity import UNITS, read_nanoseconds, read_quantity
+from cocorosim_ros.scenario.reading.quantity import read_any_quantity, read_nanoseconds, read_quantity
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 from cocorosim_ros.wire.conversion.conversion_map import (
+    BesideMap,
     ConversionMap,
     CsvLayout,
     RobotMap,
-    StreamMap,
     TableMap,
     TimeMap,
 )
-from cocorosim_ros.wire.conversion.streams import NUMBERS, check_stream
-from cocorosim_ros.wire.conversion.value_entries import ValueReader, column_name, unit_dimension
+from cocorosim_ros.wire.conversion.formats import FORMATS
+from cocorosim_ros.wire.conversion.formats.format import Format, LogFormat
+from cocorosim_ros.wire.conversion.formula import FUNCTIONS
+from cocorosim_ros.wire.conversion.run_wise import Number, read_number
+from cocorosim_ros.wire.conversion.stream_entries import TOPICS, read_stream
+from cocorosim_ros.wire.conversion.time_entries import nanoseconds_per, read_time
+from cocorosim_ros.wire.conversion.value_entries import ValueReader, column_name
 
-AXES = ("enu_flu", "ned_frd")
-COMMAND = "thruster_command"
 _ROBOT_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_ACTUATOR_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 def load_map(path: Path) -> ConversionMap:
     """The map in a YAML file. Raises CocorosimError if it is unreadable, wrong, or converts nothing."""
     entry = load_yaml(path)
-    section = entry.section(("name", "format", "tables"), ("description",))
-    from_bag = section["format"].choice(("csv", "bag")) == "bag"
+    section = entry.section(("name", "format", "tables"), ("description", "constants"))
+    chosen = section["format"].choice(tuple(FORMATS))
+    constants = _constants(section["constants"]) if "constants" in section else {}
     tables = section["tables"].items()
     if not tables:
         raise section["tables"].problem("is empty, so there is nothing to convert; add a table with its streams.")
-    reader = _TableReader(from_bag)
+    reader = _TableReader(FORMATS[chosen], constants)
     maps = tuple(reader.table(part) for part in tables)
-    return ConversionMap(section["name"].text(), from_bag, maps, path.read_text("utf-8"), entry.file)
+    return ConversionMap(section["name"].text(), chosen, maps, path.read_text("utf-8"), entry.file)
 
 
 class _TableReader:
     """Reads the tables of one map."""
 
-    def __init__(self, from_bag: bool) -> None:
-        self._from_bag = from_bag
-        self._values = ValueReader(from_bag)
-        self._source = "topic" if from_bag else "files"
+    def __init__(self, chosen: Format, constants: Mapping[str, Number]) -> None:
+        self._log = chosen if isinstance(chosen, LogFormat) else None
+        self._ros = self._log is not None and self._log.ros
+        self._constants = constants
+        self._source = "topic" if self._log else "files"
 
     def table(self, entry: Entry) -> TableMap:
         """One entry of `tables`."""
-        needed = (self._source, "robot", "streams") if self._from_bag else (self._source, "time", "robot", "streams")
-        free = ("time", "backwards") if self._from_bag else ("runs", "layout", "backwards")
-        section = entry.section(needed, free)
+        needed = (self._source, "robot", "streams") if self._log else (self._source, "time", "robot", "streams")
+        free = ("time", "beside") if self._log else ("runs", "layout")
+        section = entry.section(needed, (*free, "names", "backwards"))
+        names = _names(section["names"]) if "names" in section else {}
+        values = ValueReader(self._ros, names, self._constants)
         streams = section["streams"].mapping()
         if not streams:
-            raise section["streams"].problem(f"is empty, so there is nothing to convert; add one of {_topics()}.")
+            raise section["streams"].problem(
+                f"is empty, so there is nothing to convert; add one of {', '.join(TOPICS)}."
+            )
         source = section[self._source].text()
+        sort = self._log is not None
+        if "backwards" in section:
+            sort = section["backwards"].choice(("refuse", "sort")) == "sort"
         return TableMap(
             source,
             section["runs"].text() if "runs" in section else "*",
             _layout(section["layout"]) if "layout" in section else CsvLayout(),
-            self._time(section["time"]) if "time" in section else TimeMap(),
+            read_time(section["time"], ros=self._ros) if "time" in section else self._clock(entry),
             _robot(section["robot"], from_name="{robot}" in source),
-            section["backwards"].choice(("refuse", "sort")) == "sort" if "backwards" in section else self._from_bag,
-            tuple(self._stream(topic, part) for topic, part in streams.items()),
+            sort,
+            tuple(read_stream(topic, part, values) for topic, part in streams.items()),
             entry,
+            self._beside(section["beside"]) if "beside" in section else {},
         )
 
-    def _stream(self, topic: str, entry: Entry) -> StreamMap:
-        if topic not in NUMBERS and topic != COMMAND:
-            raise entry.problem(f"is no topic that can be converted; allowed: {_topics()}.")
-        given = dict(entry.mapping())
-        axes = given.pop("axes", None)
-        down = axes is not None and axes.choice(AXES) == "ned_frd"
-        inner = replace(entry, value=given)
-        if topic == COMMAND:
-            _check_actuators(inner)
-            return StreamMap(topic, {name: self._values.command(part) for name, part in given.items()}, down, entry)
-        section = inner.section((), NUMBERS[topic])
-        values = {
-            name: self._values.heading(part) if name == "yaw" else self._values.value(part, NUMBERS[topic][name])
-            for name, part in section.items()
-        }
-        check_stream(topic, values, entry)
-        return StreamMap(topic, values, down, entry)
+    def _beside(self, entry: Entry) -> dict[str, BesideMap]:
+        """Other topics, by what their columns begin with."""
+        found = {}
+        for name, part in entry.mapping().items():
+            section = part.section(("topic", "within"), ("time",))
+            if not name.isidentifier():
+                raise part.problem("is no name for a topic beside; use letters, digits and _.")
+            time = read_time(section["time"], ros=self._ros) if "time" in section else None
+            found[name] = BesideMap(section["topic"].text(), read_nanoseconds(section["within"]), time, part)
+        return found
 
-    def _time(self, entry: Entry) -> TimeMap:
-        ways = ("stamp", "log_time") if self._from_bag else ("column", "columns", "row_rate", "counter")
-        extra = () if self._from_bag else ("unit", "rate")
-        section = entry.section((), (*ways, *extra, "start"))
-        chosen = [way for way in ways if way in section]
-        if len(chosen) != 1:
-            raise entry.problem(f"must say when in exactly one way; allowed: {', '.join(ways)}.")
-        start = read_nanoseconds(section["start"]) if "start" in section else 0
-        return replace(_when(chosen[0], entry, section), start_ns=start)
+    def _clock(self, entry: Entry) -> TimeMap:
+        """The time of a log's messages, if the map does not say it."""
+        if self._log is None or self._log.clock is None:
+            return TimeMap()
+        column, unit = self._log.clock
+        return TimeMap(columns=((replace(entry, key=f"{entry.key}.time", value=column), nanoseconds_per(unit)),))
 
 
-def _when(way: str, entry: Entry, section: dict[str, Entry]) -> TimeMap:
-    if way == "column":
-        entry.section(("column", "unit"), ("start",))
-        return TimeMap(columns=(_time_column(entry),))
-    if way == "columns":
-        entry.section(("columns",), ("start",))
-        return TimeMap(columns=tuple(_time_column(part) for part in section["columns"].items()))
-    if way == "row_rate":
-        entry.section(("row_rate",), ("start",))
-        return TimeMap(step_ns=_step(section["row_rate"]))
-    if way == "counter":
-        entry.section(("counter", "rate"), ("start",))
-        return TimeMap(counter=column_name(section["counter"]), step_ns=_step(section["rate"]))
-    if way == "stamp":
-        section["stamp"].text()
-        return TimeMap(stamp=section["stamp"])
-    if not section["log_time"].flag():
-        raise section["log_time"].problem("is false; leave 'time' out to use the headers' stamps.")
-    return TimeMap(log_time=True)
+def _constants(entry: Entry) -> dict[str, Number]:
+    """Numbers of the map by name [SI]."""
+    for name, part in entry.mapping().items():
+        if not name.isidentifier() or name in FUNCTIONS or name == "pi":
+            raise part.problem("is no name of a constant; use letters, digits and _, and no name of a function.")
+    return {name: read_number(part, _constant) for name, part in entry.mapping().items()}
 
 
-def _time_column(entry: Entry) -> tuple[Entry, Fraction]:
-    section = entry.section(("column", "unit"), ("start",))
-    unit_dimension(section["unit"], ("time",))
-    return column_name(section["column"]), Fraction(UNITS["time"][section["unit"].value]) * 1_000_000_000
+def _constant(entry: Entry) -> float:
+    bare = isinstance(entry.value, (int, float))
+    return read_quantity(entry, "pure number") if bare else read_any_quantity(entry).value
 
 
-def _step(entry: Entry) -> Fraction:
-    return 1_000_000_000 / Fraction(repr(read_quantity(entry, "frequency", "positive")))
+def _names(entry: Entry) -> dict[str, Entry]:
+    """Short names of columns."""
+    for name, part in entry.mapping().items():
+        if not name.isidentifier() or name == "pi":
+            raise part.problem("is no short name of a column; use letters, digits and _.")
+    return {name: column_name(part) for name, part in entry.mapping().items()}
 
 
 def _robot(entry: Entry, *, from_name: bool) -> RobotMap:
@@ -162,15 +153,3 @@ def _layout(entry: Entry) -> CsvLayout:
 
 def _words(entry: Entry) -> Sequence[str]:
     return [str(part.value).lower() for part in entry.items()]
-
-
-def _check_actuators(entry: Entry) -> None:
-    if not entry.mapping():
-        raise entry.problem("names no actuator; write 'left: {column: ..., unit: ...}' lines under it.")
-    for name, part in entry.mapping().items():
-        if not _ACTUATOR_NAME.fullmatch(name):
-            raise part.problem("is no name of an actuator; use letters, digits and _.")
-
-
-def _topics() -> str:
-    return ", ".join((*NUMBERS, COMMAND))

@@ -10,7 +10,16 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.wire.conversion.conversion_map import ColumnValue, CommandValue, FixedValue, TimeMap, Value
+from cocorosim_ros.wire.conversion.conversion_map import (
+    ColumnValue,
+    CommandValue,
+    FixedValue,
+    MixedValue,
+    TimeMap,
+    Value,
+)
+from cocorosim_ros.wire.conversion.formula import Formula
+from cocorosim_ros.wire.conversion.run_wise import Number
 
 Stamps = Integers
 
@@ -22,6 +31,8 @@ class Rows(Protocol):
 
     origin: str
     count: int
+    damage: str
+    """A sentence about what is missing from them; empty if nothing is."""
 
     def numbers(self, column: Entry) -> Floats:
         """(n,) the cells of a column; NaN where there is no number. Raises CocorosimError for words."""
@@ -32,18 +43,29 @@ class Rows(Protocol):
     def stamps(self, when: TimeMap) -> tuple[Stamps, Flags]:
         """(n,) times [ns] and whether each is known."""
 
+    def row_name(self, row: int) -> str:
+        """The row, counted from 0, as sentences name it."""
+
 
 def in_si(value: Value, rows: Rows) -> Floats:
     """(n,) a number of the map for every row [SI]; NaN where its cell holds none."""
     if isinstance(value, FixedValue):
-        return np.full(rows.count, value.value)
+        return np.full(rows.count, _settled(value.value))
     if isinstance(value, CommandValue):
         return _fraction(value, rows)
     if isinstance(value, ColumnValue):
-        cells = rows.numbers(value.column)
+        cells = value.column.numbers(rows) if isinstance(value.column, Formula) else rows.numbers(value.column)
         scaled = cells if value.scale == 1.0 else cells * value.scale
-        return times_factor(scaled, value.unit_factor) + value.offset
+        return times_factor(scaled, value.unit_factor) + _settled(value.offset)
+    if isinstance(value, MixedValue):
+        return np.asarray(sum(weight * in_si(part, rows) for weight, part in value.parts))
     raise TypeError(f"{value} does not stand in a column")
+
+
+def _settled(number: Number) -> float:
+    if isinstance(number, float):
+        return number
+    raise TypeError("the map was not settled for a recording")
 
 
 def times_factor(numbers: Floats, factor: str) -> Floats:

@@ -11,26 +11,33 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion import axes
+from cocorosim_ros.wire.conversion.attitude import QUATERNION
 from cocorosim_ros.wire.conversion.conversion_map import TravelValue, Value
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
 Columns = Mapping[str, Floats]
 
-_QUATERNION = ("qx", "qy", "qz", "qw")
+_TURNS = ("roll", "pitch", "yaw")
 _RATES = ("rate_x", "rate_y", "rate_z")
 _FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
+_UNKNOWN_AXIS = 1e6  # rad^2; the variance of an axis of an attitude that was not measured
 _ABSENT = np.array([-1.0, 0, 0, 0, 0, 0, 0, 0, 0])  # sensor_msgs/Imu: this is not measured
 
 # The numbers of each topic with their dimensions; positions in world, rates and accelerations in body axes.
 NUMBERS: dict[str, dict[str, str]] = {
     "pose": {
         **dict.fromkeys(("x", "y", "z", "depth"), "length"),
-        **dict.fromkeys(("roll", "pitch", "yaw"), "angle"),
-        **dict.fromkeys(_QUATERNION, "pure number"),
+        **dict.fromkeys(_TURNS, "angle"),
+        **dict.fromkeys(QUATERNION, "pure number"),
     },
     "compass": {"heading": "angle"},
     "pressure": {"pressure": "pressure", "depth": "length"},
-    "imu": {**dict.fromkeys(_RATES, "angular velocity"), **dict.fromkeys(_FORCES, "acceleration")},
+    "imu": {
+        **dict.fromkeys(_RATES, "angular velocity"),
+        **dict.fromkeys(_FORCES, "acceleration"),
+        **dict.fromkeys(_TURNS, "angle"),
+        **dict.fromkeys(QUATERNION, "pure number"),
+    },
     "velocity": {**dict.fromkeys(("x", "y", "z"), "speed"), "yaw_rate": "angular velocity"},
 }
 
@@ -77,15 +84,27 @@ def _check_pose(given: set[str]) -> str:
         return "lacks 'x' or 'y'; without both there is no pose: give depth as 'pressure' and yaw as 'compass'."
     if len({"z", "depth"} & given) != 1:
         return "needs either 'z' or 'depth'; a vehicle that stays at the surface has 'z: {fixed: 0 m}'."
-    turned = set(_QUATERNION) & given
-    if turned and (turned != set(_QUATERNION) or {"roll", "pitch", "yaw"} & given):
+    mixed = _check_turns(given)
+    if mixed:
+        return mixed
+    return "" if {"yaw", "qw"} & given else "lacks 'yaw' or a quaternion; unknown headings are '{travel: true}'."
+
+
+def _check_turns(given: set[str]) -> str:
+    """The fault of an attitude, empty if it has none: angles beside a quaternion, or a part of one."""
+    turned = set(QUATERNION) & given
+    if turned and (turned != set(QUATERNION) or set(_TURNS) & given):
         return "needs all of 'qx', 'qy', 'qz', 'qw' and then no 'yaw', or 'yaw' alone."
-    return "" if turned or "yaw" in given else "lacks 'yaw' or a quaternion; unknown headings are '{travel: true}'."
+    return ""
 
 
 def _check_one(*names: str) -> Callable[[set[str]], str]:
     told = " or ".join(f"'{name}'" for name in names)
     return lambda given: "" if len(given) == 1 else f"needs {'either ' if len(names) > 1 else ''}{told}."
+
+
+def _check_imu(given: set[str]) -> str:
+    return _check_turns(given) or _check_any(given)
 
 
 def _check_any(given: set[str]) -> str:
@@ -96,7 +115,7 @@ _CHECKS: dict[str, Callable[[set[str]], str]] = {
     "pose": _check_pose,
     "compass": _check_one("heading"),
     "pressure": _check_one("pressure", "depth"),
-    "imu": _check_any,
+    "imu": _check_imu,
     "velocity": _check_any,
 }
 
@@ -117,15 +136,21 @@ def _pose(columns: Columns, down: bool) -> StreamRows:
     if "depth" in columns:
         height = columns["depth"] if down else 0.0 - columns["depth"]
     position = np.column_stack([columns["x"], columns["y"], height])
-    if "qx" in columns:
-        attitude = np.column_stack([columns[name] for name in _QUATERNION])
-    else:
-        turns = (columns.get(name, level) for name in ("roll", "pitch", "yaw"))
-        attitude = axes.quaternion(*turns)
+    attitude = _attitude(columns, down)
     if down:
-        position, attitude = axes.world_from_ned(position), axes.attitude_from_ned(attitude)
+        position = axes.world_from_ned(position)
     fields = [f"pose.position.{axis}" for axis in "xyz"] + [f"pose.orientation.{axis}" for axis in "xyzw"]
     return StreamRows(tuple(fields), np.hstack([position, attitude]), {})
+
+
+def _attitude(columns: Columns, down: bool) -> Floats:
+    """(n, 4) x y z w, from a quaternion or angles; angles that are not given are 0."""
+    if "qx" in columns:
+        attitude = np.column_stack([columns[name] for name in QUATERNION])
+    else:
+        level = np.zeros(_count(columns))
+        attitude = axes.quaternion(*(columns.get(name, level) for name in _TURNS))
+    return axes.attitude_from_ned(attitude) if down else attitude
 
 
 def _compass(columns: Columns, down: bool) -> StreamRows:
@@ -145,6 +170,10 @@ def _imu(columns: Columns, down: bool) -> StreamRows:
     extra: dict[str, Any] = {"orientation_covariance": _ABSENT, "orientation": {"w": 1.0}}
     fields: list[str] = []
     parts: list[Floats] = []
+    if {*_TURNS, *QUATERNION} & set(columns):
+        extra = {"orientation_covariance": _axes_not_measured(columns)}
+        fields += [f"orientation.{axis}" for axis in "xyzw"]
+        parts.append(_attitude(columns, down))
     for names, message, part in (
         (_RATES, "angular_velocity", "angular_velocity_covariance"),
         (_FORCES, "linear_acceleration", "linear_acceleration_covariance"),
@@ -156,6 +185,12 @@ def _imu(columns: Columns, down: bool) -> StreamRows:
         else:
             extra[part] = _ABSENT
     return StreamRows(tuple(fields), np.hstack(parts), extra)
+
+
+def _axes_not_measured(columns: Columns) -> Floats:
+    """(9,) covariance of an attitude: 0, which is unknown, or so large that an axis says nothing."""
+    known = ["qx" in columns or name in columns for name in _TURNS]
+    return np.diag([0.0 if measured else _UNKNOWN_AXIS for measured in known]).ravel()
 
 
 def _velocity(columns: Columns, down: bool) -> StreamRows:

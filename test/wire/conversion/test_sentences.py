@@ -97,12 +97,3 @@ def test_the_command(tmp_path: Path) -> None:
     call[1] = str(tmp_path / "absent.csv")
     assert isinstance(CliRunner().invoke(command, [*call, "--force"]).exception, CocorosimError)
     assert (tmp_path / "bag" / "metadata.yaml").exists()
-
-
-@pytest.mark.parametrize("name", ["hovercraft_epfl", "haizhe_auv", "killifish", "odometry_bag"])
-def test_shipped_maps_load(name: str) -> None:
-    """Every example is called like its file."""
-    from cocorosim_ros.scenario.reading.config_files import find_config
-    from cocorosim_ros.wire.conversion.map_file import load_map
-
-    assert load_map(find_config("maps", name)).name == name

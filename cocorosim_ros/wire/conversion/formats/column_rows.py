@@ -1,0 +1,129 @@
+"""Rows of columns that are arrays already, as binary files hold them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.conversion.conversion_map import TimeMap
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, exact_nanoseconds
+
+Arrays = Mapping[str, npt.NDArray[Any]]
+
+
+class ColumnRows:
+    """One table in memory: columns by name, (n,) each; `X[2]` is a column of an array (n, k) called X.
+
+    The number of rows is the length that most columns have; of two such lengths the longer one.
+    """
+
+    damage = ""
+
+    def __init__(self, origin: str, columns: Arrays) -> None:
+        """Raises CocorosimError if there is no row."""
+        self.origin = origin
+        self._columns = dict(_single_columns(columns))
+        lengths = Counter(len(column) for column in self._columns.values())
+        self.count = max(lengths, key=lambda length: (lengths[length], length), default=0)
+        if not self.count:
+            raise CocorosimError(f"{origin} holds no row of numbers; give a file that has some.")
+
+    def row_name(self, row: int) -> str:
+        """The row, counted from 1."""
+        return f"row {row + 1}"
+
+    def words(self, column: Entry) -> list[str]:
+        """The cells of a column as text."""
+        return [str(cell) for cell in self._column(column).tolist()]
+
+    def numbers(self, column: Entry) -> Floats:
+        """(n,) the cells of a column; NaN where one is missing. Raises CocorosimError for words."""
+        cells = self._column(column)
+        if cells.dtype.kind in "biuf":
+            return cells.astype(np.float64)
+        return np.array([self._number(row, cell, column) for row, cell in enumerate(cells.tolist())])
+
+    def stamps(self, when: TimeMap) -> tuple[Stamps, Flags]:
+        """(n,) times [ns] and whether each is known; a row whose time is missing has none."""
+        known = np.ones(self.count, dtype=bool)
+        if when.step_ns is not None and when.counter is None:
+            return self._checked([round(row * when.step_ns) for row in range(self.count)], when), known
+        parts = ((when.counter, when.step_ns),) if when.counter is not None and when.step_ns else when.columns
+        total = [0] * self.count
+        for column, per_unit in parts:
+            cells = self._column(column)
+            if cells.dtype.kind == "M":
+                cells = _time_stamps(cells, per_unit, column)
+            for row, cell in enumerate(cells.tolist()):
+                try:
+                    total[row] += exact_nanoseconds(str(cell), per_unit)
+                except ArithmeticError:
+                    known[row] = False
+        return self._checked(total, when), known
+
+    def _checked(self, times: list[int], when: TimeMap) -> Stamps:
+        shifted = [time + when.start_ns for time in times]
+        for row, time in enumerate(shifted):
+            if not 0 <= time <= LATEST_NS:
+                raise CocorosimError(
+                    f"{self.origin} {self.row_name(row)} has the time {time / 1e9:g} s, and a recording begins at 0 s; "
+                    "add 'start' to 'time', or correct its unit."
+                )
+        return np.array(shifted, dtype=np.int64)
+
+    def _column(self, column: Entry) -> npt.NDArray[Any]:
+        names = list(self._columns)
+        if isinstance(column.value, int):
+            if column.value > len(names):
+                raise column.problem(f"has {column.found()}, and {self.origin} has only {len(names)} columns.")
+            return self._columns[names[column.value - 1]]
+        if column.value not in self._columns:
+            raise column.problem(
+                f"has {column.found()}, no column of {self.origin}{nearest(str(column.value), names)}."
+            )
+        cells = self._columns[column.value]
+        if len(cells) != self.count:
+            raise column.problem(
+                f"has {column.found()}, which holds {len(cells)} numbers in {self.origin}, and its rows are "
+                f"{self.count}; name a column of that length."
+            )
+        return cells
+
+    def _number(self, row: int, cell: Any, column: Entry) -> float:
+        try:
+            return float("nan") if cell is None else float(cell)
+        except (TypeError, ValueError) as error:
+            raise CocorosimError(
+                f"{self.origin} {self.row_name(row)}, column '{column.value}' has '{str(cell)[:40]}', which is no "
+                "number; name another column."
+            ) from error
+
+
+def _single_columns(columns: Arrays) -> Mapping[str, npt.NDArray[Any]]:
+    """Columns (n,); arrays of two dimensions as `name[0]`, `name[1]`, and what has more or none left out."""
+    found: dict[str, npt.NDArray[Any]] = {}
+    for name, array in columns.items():
+        if array.ndim == 1:
+            found[name] = array
+        elif array.ndim == 2 and 1 in array.shape:
+            found[name] = array.ravel()
+        elif array.ndim == 2:
+            found.update({f"{name}[{index}]": array[:, index] for index in range(array.shape[1])})
+    return found
+
+
+def _time_stamps(cells: npt.NDArray[Any], per_unit: Fraction, column: Entry) -> npt.NDArray[Any]:
+    """(n,) nanoseconds since 1970 of moments in time; a missing one is no number."""
+    if per_unit != 1:
+        raise column.problem(f"has {column.found()}, a column of moments in time, which count ns; write 'unit: ns'.")
+    counts = cells.astype("datetime64[ns]").astype(np.int64).astype(object)
+    counts[np.isnat(cells)] = float("nan")
+    return counts

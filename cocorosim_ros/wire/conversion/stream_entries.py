@@ -1,0 +1,60 @@
+"""The streams of a table in a map file: topics of the contract with their numbers."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.wire.conversion.allocation import allocated
+from cocorosim_ros.wire.conversion.conversion_map import StreamMap, Value
+from cocorosim_ros.wire.conversion.streams import NUMBERS, check_stream
+from cocorosim_ros.wire.conversion.value_entries import ValueReader
+
+AXES = ("enu_flu", "ned_frd")
+COMMAND = "thruster_command"
+TOPICS = (*NUMBERS, COMMAND)
+_ACTUATOR_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+
+
+def read_stream(topic: str, entry: Entry, reader: ValueReader) -> StreamMap:
+    """The stream of one topic. Raises CocorosimError if its numbers do not suffice for a message."""
+    if topic not in NUMBERS and topic != COMMAND:
+        raise entry.problem(f"is no topic that can be converted; allowed: {', '.join(TOPICS)}.")
+    given = dict(entry.mapping())
+    axes = given.pop("axes", None)
+    down = axes is not None and axes.choice(AXES) == "ned_frd"
+    if topic == COMMAND:
+        return StreamMap(topic, _commands(replace(entry, value=given), reader), down, entry)
+    section = replace(entry, value=given).section((), NUMBERS[topic])
+    values = {
+        name: reader.heading(part) if topic == "pose" and name == "yaw" else reader.value(part, NUMBERS[topic][name])
+        for name, part in section.items()
+    }
+    check_stream(topic, values, entry)
+    return StreamMap(topic, values, down, entry)
+
+
+def _commands(entry: Entry, reader: ValueReader) -> dict[str, Value]:
+    """The commands of all actuators, given one by one or by an allocation."""
+    given = dict(entry.mapping())
+    together = given.get("allocation")
+    if together is not None and isinstance(together.value, dict) and "wrench" in together.value:
+        del given["allocation"]
+        mixed = allocated(together, reader)
+        twice = sorted(set(mixed) & set(given))
+        if twice:
+            raise given[twice[0]].problem("is given by 'allocation' too; give each actuator once.")
+        _check_actuators(replace(together, value=dict(together.mapping()["thrusters"].mapping())))
+        given_alone: dict[str, Value] = {name: reader.command(part) for name, part in given.items()}
+        return {**mixed, **given_alone}
+    _check_actuators(entry)
+    return {name: reader.command(part) for name, part in given.items()}
+
+
+def _check_actuators(entry: Entry) -> None:
+    if not entry.mapping():
+        raise entry.problem("names no actuator; write 'left: {column: ..., unit: ...}' lines under it.")
+    for name, part in entry.mapping().items():
+        if not _ACTUATOR_NAME.fullmatch(name):
+            raise part.problem("is no name of an actuator; use letters, digits and _.")

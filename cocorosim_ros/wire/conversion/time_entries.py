@@ -1,0 +1,59 @@
+"""The time of rows, as a map file says it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.quantity import UNITS, read_nanoseconds, read_quantity
+from cocorosim_ros.wire.conversion.conversion_map import TimeMap
+from cocorosim_ros.wire.conversion.value_entries import column_name, unit_dimension
+
+
+def read_time(entry: Entry, *, ros: bool) -> TimeMap:
+    """The `time` of a table; messages of ROS have stamps and are recorded, other rows have columns or a rate."""
+    ways = ("stamp", "log_time") if ros else ("column", "columns", "row_rate", "counter")
+    extra = () if ros else ("unit", "rate")
+    section = entry.section((), (*ways, *extra, "start"))
+    chosen = [way for way in ways if way in section]
+    if len(chosen) != 1:
+        raise entry.problem(f"must say when in exactly one way; allowed: {', '.join(ways)}.")
+    start = read_nanoseconds(section["start"]) if "start" in section else 0
+    return replace(_when(chosen[0], entry, section), start_ns=start)
+
+
+def nanoseconds_per(unit: str) -> Fraction:
+    """The nanoseconds of one unit of time."""
+    return Fraction(UNITS["time"][unit]) * 1_000_000_000
+
+
+def _when(way: str, entry: Entry, section: dict[str, Entry]) -> TimeMap:
+    if way == "column":
+        entry.section(("column", "unit"), ("start",))
+        return TimeMap(columns=(_time_column(entry),))
+    if way == "columns":
+        entry.section(("columns",), ("start",))
+        return TimeMap(columns=tuple(_time_column(part) for part in section["columns"].items()))
+    if way == "row_rate":
+        entry.section(("row_rate",), ("start",))
+        return TimeMap(step_ns=_step(section["row_rate"]))
+    if way == "counter":
+        entry.section(("counter", "rate"), ("start",))
+        return TimeMap(counter=column_name(section["counter"]), step_ns=_step(section["rate"]))
+    if way == "stamp":
+        section["stamp"].text()
+        return TimeMap(stamp=section["stamp"])
+    if not section["log_time"].flag():
+        raise section["log_time"].problem("is false; leave 'time' out to use the headers' stamps.")
+    return TimeMap(log_time=True)
+
+
+def _time_column(entry: Entry) -> tuple[Entry, Fraction]:
+    section = entry.section(("column", "unit"), ("start",))
+    unit_dimension(section["unit"], ("time",))
+    return column_name(section["column"]), nanoseconds_per(section["unit"].value)
+
+
+def _step(entry: Entry) -> Fraction:
+    return 1_000_000_000 / Fraction(repr(read_quantity(entry, "frequency", "positive")))
