@@ -1,4 +1,4 @@
-"""Free runs of each model through held-out stretches of the recording, from the first state of the stretch alone."""
+"""Free runs of each model through held-out stretches of the recording, from one state, beside the readings."""
 
 from __future__ import annotations
 
@@ -50,12 +50,13 @@ def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmen
 
 
 def _from_above(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]]) -> None:
-    axes.plot(run.measured[:, 0], run.measured[:, 1], color=MEASURED, linewidth=3.5, alpha=0.6, label="measured")
+    seen = np.isfinite(run.measured[:, :2]).all(axis=1)
+    axes.plot(*run.measured[seen, :2].T, ".", color=MEASURED, markersize=4, alpha=0.6, label="measured")
     for name, colour in models:
         path = getattr(run, name)
         axes.plot(path[:, 0], path[:, 1], color=colour, linewidth=1.3, label=MODEL_WORDS[name])
         axes.plot(path[-1:, 0], path[-1:, 1], "o", color=colour, markersize=3.5)
-    axes.plot(run.measured[:1, 0], run.measured[:1, 1], "o", color=MEASURED, markersize=5, fillstyle="none")
+    axes.plot(run.nominal[:1, 0], run.nominal[:1, 1], "o", color=MEASURED, markersize=5, fillstyle="none")
     style_axes(axes, ticks=4)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set(ylabel="y [m]", title=f"{run.robot}, from {run.time[0]:.0f} s")
@@ -65,7 +66,10 @@ def _over_time(axes: Axes, run: FreeRun, models: Sequence[tuple[str, str]], chan
     errors = {name: _error(getattr(run, name), run.measured, channel) for name, _ in models}
     scale = handy_scale(max(largest(error) for error in errors.values()), CHANNEL_UNITS[channel])
     for name, colour in models:
-        axes.plot(run.time, errors[name] * scale.factor, color=colour, linewidth=1.3, label=MODEL_WORDS[name])
+        read = np.isfinite(errors[name])
+        axes.plot(
+            run.time[read], errors[name][read] * scale.factor, color=colour, linewidth=1.3, label=MODEL_WORDS[name]
+        )
     style_axes(axes, ticks=4)
     axes.set_title(labelled(f"error of {channel}", scale))
     axes.margins(x=0.01)
