@@ -14,7 +14,7 @@ from cocorosim_ros.world.terms.course import Course
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]
 Against = Literal["readings", "course"]
-"""What errors are measured against: readings, or the recalibrated model's course where no reading shows the state."""
+"""Measure of errors: readings, or the recalibrated model's course where no reading shows the state."""
 Regime = Literal["turning", "straight", "fast", "slow", "deep", "shallow", "climbing", "east", "west", "north", "south"]
 """Parts of a course by motion or by place: beyond or below the median of that course."""
 

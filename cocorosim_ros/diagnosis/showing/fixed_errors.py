@@ -35,7 +35,7 @@ ALSO_SHOWN_BY: Mapping[str, tuple[str, ...]] = {
     "velocity_v": ("pose_y",),
     "velocity_w": ("pose_z", "pressure"),
 }
-"""By kind of reading, the kinds that show the same state or its rate."""
+"""Kinds of readings that show the same state or its rate, by kind."""
 
 
 def with_fixed_errors(plain: Floats, row: Floats, timeline: Timeline) -> Floats:

@@ -44,7 +44,7 @@ SHOWN = (X, Y, Z, YAW)  # columns of the state that a picture has
 
 @dataclass(frozen=True)
 class Unseen:
-    """What all models are measured by, made from the recalibrated fit alone; sequences are by track.
+    """Measure of all models, made from the recalibrated fit alone; sequences are by track.
 
     rows (tracks, columns): the recalibrated model, fitted to what is not held out. courses: smoothed under these rows.
     learnt: forces (points, 4) of the noise floor's model [N, N, N, N m; world].

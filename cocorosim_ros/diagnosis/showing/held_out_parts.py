@@ -35,7 +35,7 @@ class Span(NamedTuple):
 
 
 class Split(NamedTuple):
-    """What is held out of a track, and the pieces of it that are fitted."""
+    """Parts of a track: those that are held out, and the pieces that are fitted."""
 
     held: tuple[Span, ...]
     seen: tuple[Span, ...]

@@ -1,4 +1,4 @@
-"""How long free runs last: some of the times in which the recalibrated vehicle coasts, shorter if it spins."""
+"""Length of free runs: some of the times in which the recalibrated vehicle coasts, shorter if it spins."""
 
 from __future__ import annotations
 

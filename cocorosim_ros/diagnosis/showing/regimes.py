@@ -1,4 +1,4 @@
-"""Whether the held-out parts are like the fitted ones: by the middle half of speeds, turns, thrusts and depths."""
+"""Comparison of held-out parts with fitted ones, by the middle half of speeds, turns, thrusts and depths."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
 
 
 class Quantity(NamedTuple):
-    """What tells one regime from another."""
+    """Quantity that tells one regime from another."""
 
     name: str
     unit: str
