@@ -26,9 +26,10 @@ from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up
-from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.showing.free_runs import Unseen, held_out_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 
@@ -57,16 +58,17 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
     progress("running free on what the fit did not see", 0.8)
-    naming, table, runs = _that_helps(naming)
+    unseen = unseen_parts(base)
+    naming, table, runs = _that_helps(naming, unseen)
     progress("writing down", 0.95)
     effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named))
     every, moved = recalibrated(naming.fit)
     moved = moved or (_strongest(every) if _shifted(base) else ())
-    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
-    verdict = _verdict(effects, moved, unseen)
+    silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
+    verdict = _verdict(effects, moved, silent)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
-    manoeuvres = advised(effects, [name for name in unseen if name in tried])
+    manoeuvres = advised(effects, [name for name in silent if name in tried])
     final_courses = smoothed_tracks(naming.fit)
     return Diagnosis(
         verdict,
@@ -74,7 +76,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         moved,
         located,
         effects,
-        unseen,
+        silent,
         manoeuvres,
         table,
         every,
@@ -83,19 +85,19 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         residual_forces(naming.fit, final_courses),
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=runs,
-        remarks=(*_remarks(intake.evidence), *_of_form(form)),
+        remarks=(*_remarks(intake.evidence), *_of_form(form), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
     )
 
 
-def _that_helps(naming: Naming) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
+def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
     """Take back named effects that make free runs on unseen data worse, the weakest first; return what is left."""
-    table, runs = held_out_free_runs(naming.base, naming.fit)
+    table, runs = held_out_free_runs(unseen, naming.fit)
     while naming.named and any(_is_worse(row) for row in table.values()):
         naming = without_weakest(naming)
-        table, runs = held_out_free_runs(naming.base, naming.fit)
+        table, runs = held_out_free_runs(unseen, naming.fit)
     return naming, table, runs
 
 

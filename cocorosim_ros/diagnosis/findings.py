@@ -13,6 +13,8 @@ from cocorosim_ros.world.terms.course import Course
 
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]
+Against = Literal["readings", "course"]
+"""Measure of errors: readings, or the recalibrated model's course where no reading shows the state."""
 Regime = Literal["turning", "straight", "fast", "slow", "deep", "shallow", "climbing", "east", "west", "north", "south"]
 """Parts of a course by motion or by place: beyond or below the median of that course."""
 
@@ -95,7 +97,10 @@ class FoundEffect:
 
 @dataclass(frozen=True)
 class HeldOut:
-    """Root mean square error of free runs on data that no fit saw, of one channel."""
+    """Root mean square error of free runs on data that no fit saw, of one channel, or of a stream's readings.
+
+    noise_floor does not depend on the augmented model.
+    """
 
     nominal: float
     recalibrated: float
@@ -104,6 +109,7 @@ class HeldOut:
     unit: str
     intervals: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # 95 %, of nominal, recalibrated, ...
     seconds: float | None = None  # that a free run lasts; streams have none
+    against: Against = "readings"
 
 
 @dataclass(frozen=True)
@@ -164,7 +170,10 @@ class ResidualReading:
 
 @dataclass(frozen=True)
 class FreeRun:
-    """One stretch of held-out data and the free runs of the models through it; (n,) and (n, 4) x, y, z, yaw."""
+    """One stretch of held-out data and the free runs of the models through it; (n,) and (n, 4) x, y, z, yaw.
+
+    measured: what the errors are measured against, NaN at moments without a reading.
+    """
 
     robot: str
     time: Floats

@@ -89,18 +89,41 @@ def test_a_late_stream_is_off_by_rate_times_delay() -> None:
     assert reading.after[10:] == pytest.approx(0.0, abs=1e-9)
 
 
+def held_out_fit(values: np.ndarray, hidden: list[str], poses: bool = True, **numbers: float) -> Any:
+    """A fit whose compass has these values; `hidden` notes the streams without which a course was smoothed."""
+    one = fit(COMPASS, values, **numbers)
+    (track,) = one.tracks
+    track.timeline.sees = lambda *kinds: poses and "pose_yaw" in kinds
+    track.filter.smoothed = lambda row: SimpleNamespace(
+        time=TIME, mean=COURSE.mean, spread=np.full((101, 8), 0.01 * np.sqrt(3.0))
+    )
+    track.without_stream = lambda name: hidden.append(name) or track
+    return one
+
+
 def test_held_out_errors_of_a_stream() -> None:
-    """The last 40 %: 0.05 rad of offset before, nothing after; the floor is the noise of means of four readings."""
-    values = 0.1 * TIME + np.where(TIME < 5.9, 0.9, 0.05)
-    plain, better = fit(COMPASS, values), fit(COMPASS, values, compass_distortion__offset=0.05)
+    """In the last 4 s: 0.05 rad of offset before, nothing after, on a course made without the compass.
+
+    The floor: means of four readings of 0.02 rad, on a course uncertain by 0.01 sqrt(3) rad.
+    """
+    values, hidden = 0.1 * TIME + np.where(TIME < 5.9, 0.9, 0.05), []
+    plain = held_out_fit(values, hidden)
+    better = held_out_fit(values, hidden, compass_distortion__offset=0.05)
     models = {"nominal": plain.filled, "recalibrated": plain.filled, "augmented": better.filled}
-    table = held_out_streams(plain.tracks, [COURSE], models, HeldOutPart(0.6, 2.0))
-    assert list(table) == ["compass"]
+    table = held_out_streams(plain.tracks, plain.filled, models, HeldOutPart([[(6.0, 10.0)]], 2.0))
+    assert list(table) == ["compass"] and hidden == ["compass"]
     row = table["compass"]
-    assert (row.nominal, row.recalibrated, row.noise_floor) == pytest.approx((0.05, 0.05, 0.01))
-    assert row.unit == "rad"
+    assert (row.nominal, row.recalibrated, row.noise_floor) == pytest.approx((0.05, 0.05, 0.02))
+    assert (row.unit, row.against) == ("rad", "course")
     assert row.augmented == pytest.approx(0.0, abs=1e-9)
     assert row.intervals["nominal"] == pytest.approx((0.05, 0.05))
+
+
+def test_a_stream_that_alone_shows_its_state_has_no_errors() -> None:
+    """Without poses nothing tells what a compass should show."""
+    alone = held_out_fit(0.1 * TIME, [], poses=False)
+    models = dict.fromkeys(("nominal", "recalibrated", "augmented"), alone.filled)
+    assert held_out_streams(alone.tracks, alone.filled, models, HeldOutPart([[(6.0, 10.0)]], 2.0)) == {}
 
 
 def test_other_effects_have_no_reading() -> None:

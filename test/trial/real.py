@@ -14,9 +14,12 @@ from trial.sealed import diagnose
 from trial.ways import answer, effects
 
 MEASURED_AGAINST = (
-    "Each model is measured against the course that the found model's own smoother saw in the readings, not against",
-    "readings: a model that bends the course bends the ruler. Where one sensor alone shows a state, as pressure the",
-    "depth of haizhe, rows of that state say nothing, and a law of that sensor in proportion to it is no finding.",
+    "All models start from one state, which the recalibrated model makes of the readings before, and are measured",
+    "against the readings that come, in blocks (or whole recordings) that no fit of the numbers saw. `course`",
+    "beside a channel: no reading shows it as it is, and the course that the recalibrated model sees in the other",
+    "readings stands in. Which effects a model has was decided on everything. The noise floor is the error of a",
+    "model that names nothing and has learnt a smooth force. Earlier versions measured each model against its own",
+    "smoothed course; their figures do not compare with these.",
 )
 
 
@@ -61,7 +64,8 @@ def held_out(pair: tuple[Group, Group], out: Path) -> list[str]:
         inside = " | ".join(_number(scores.get(key)) for key in ("nominal", "recalibrated", "augmented", "noise_floor"))
         before, after = (_after_seconds(tables[k].get(channel, {})) for k in (1, 2))
         lasts = f" after up to {scores['seconds']:g} s" if "seconds" in scores else ""
-        name = f"{pair[0].name} | {channel} [{scores.get('unit', '')}]{lasts}"
+        ruler = ", course" if scores.get("against") == "course" else ""
+        name = f"{pair[0].name} | {channel} [{scores.get('unit', '')}]{lasts}{ruler}"
         lines.append(f"| {name} | {inside} | {before} | {after} |")
     return lines
 

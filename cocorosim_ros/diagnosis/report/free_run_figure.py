@@ -1,4 +1,4 @@
-"""Free runs of each model through held-out stretches of the recording, from the first state of the stretch alone."""
+"""Free runs of each model through held-out stretches of the recording, from one state, beside the readings."""
 
 from __future__ import annotations
 
@@ -66,12 +66,13 @@ def free_runs_figure(runs: Sequence[FreeRun], channels: Iterable[str], *, augmen
 
 
 def _from_above(axes: Axes, run: FreeRun, models: Sequence[DrawnModel]) -> None:
-    axes.plot(run.measured[:, X], run.measured[:, Y], color=MEASURED, linewidth=3.5, alpha=0.6, label="measured")
+    seen = np.isfinite(run.measured[:, X:Z]).all(axis=1)
+    axes.plot(*run.measured[seen, X:Z].T, ".", color=MEASURED, markersize=4, alpha=0.6, label="measured")
     for model in models:
         path = getattr(run, model.name)
         axes.plot(path[:, X], path[:, Y], color=model.colour, linewidth=1.3, label=model.label)
         axes.plot(path[-1:, X], path[-1:, Y], "o", color=model.colour, markersize=3.5)
-    axes.plot(run.measured[:1, X], run.measured[:1, Y], "o", color=MEASURED, markersize=5, fillstyle="none")
+    axes.plot(run.nominal[:1, X], run.nominal[:1, Y], "o", color=MEASURED, markersize=5, fillstyle="none")
     style_axes(axes, ticks=4)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set(ylabel="y [m]", title=f"{run.robot}, from {run.time[0]:.0f} s")
@@ -81,8 +82,9 @@ def _over_time(axes: Axes, run: FreeRun, models: Sequence[DrawnModel], channel: 
     errors = {name: _error(getattr(run, name), run.measured, channel) for name in (model.name for model in models)}
     scale = handy_scale(max(largest(error) for error in errors.values()), CHANNEL_UNITS[channel])
     for model in models:
-        error = errors[model.name] * scale.factor
-        axes.plot(run.time, error, color=model.colour, linewidth=1.3, label=model.label)
+        read = np.isfinite(errors[model.name])
+        error = errors[model.name][read] * scale.factor
+        axes.plot(run.time[read], error, color=model.colour, linewidth=1.3, label=model.label)
     style_axes(axes, ticks=4)
     axes.set_title(labelled(f"error of {channel}", scale))
     axes.margins(x=0.01)

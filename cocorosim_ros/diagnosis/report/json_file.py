@@ -83,6 +83,7 @@ def _held_out(found: HeldOut) -> dict[str, Any]:
         "noise_floor": _finite(found.noise_floor),
         "unit": found.unit,
         **({} if found.seconds is None else {"seconds": found.seconds}),
+        "against": found.against,
     }
 
 

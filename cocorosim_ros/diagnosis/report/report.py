@@ -216,7 +216,8 @@ def _fit(diagnosis: Diagnosis) -> Context:
     augmented = bool(diagnosis.effects)
     return {
         "fit": [
-            {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(each)} for name, each in diagnosis.fit.items()
+            {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(each), "against": each.against}
+            for name, each in diagnosis.fit.items()
         ],
         "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),

@@ -53,13 +53,13 @@ def _parameters(diagnosis: Diagnosis) -> Table:
 
 
 def _errors(diagnosis: Diagnosis) -> Table:
-    headings = ("channel", "platform", "recalibrated", "with the effects", "noise floor")
+    headings = ("channel", "platform", "recalibrated", "with the effects", "noise floor", "against")
     table = _table("error of free runs on data that no fit saw", headings)
     for channel, found in diagnosis.fit.items():
         numbers = (found.nominal, found.recalibrated, found.augmented, found.noise_floor)
         scale = handy_scale(max((each for each in numbers if math.isfinite(each)), default=0.0), found.unit)
         cells = (with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers)
-        table.add_row(*(Text(cell) for cell in (channel, *cells)))
+        table.add_row(*(Text(cell) for cell in (channel, *cells, found.against)))
     return table
 
 

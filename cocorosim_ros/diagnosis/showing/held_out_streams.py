@@ -1,4 +1,9 @@
-"""Errors of expected readings of streams that free runs do not cover, on the last part of each recording."""
+"""Errors of expected readings of streams that free runs do not cover, in the held-out parts of each recording.
+
+A stream is measured where other readings show the same state, on the course that the recalibrated model's smoother sees
+in those others alone: on a course that has followed the stream itself, its errors would seem smaller than they are, and
+the law that is right would seem wrong.
+"""
 
 from __future__ import annotations
 
@@ -13,65 +18,102 @@ from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, deviation, unit_of_kind
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
+from cocorosim_ros.world.state.state import YAW, YAW_RATE, Z
 
-TOPICS = ("compass", "pressure", "imu")
-"""Streams that are not a channel of the free runs."""
+
+class Stream(NamedTuple):
+    """A stream that is not a channel of the free runs."""
+
+    shown_by: tuple[str, ...]  # kinds of other readings, of which one at least has to be there
+    hidden: bool  # whether the course is made without the stream
+    column: int  # of the state that it shows
+    factor: float  # of the reading by that state
+
+
+STREAMS: Mapping[str, Stream] = {
+    "compass": Stream(("pose_yaw",), True, YAW, 1.0),
+    "pressure": Stream(("pose_z",), True, Z, PASCAL_PER_METRE),
+    # A rate that errs leads the course astray by its integral, which the heading does not allow.
+    "imu": Stream(("pose_yaw", "compass"), False, YAW_RATE, 1.0),
+}
 
 
 class HeldOutPart(NamedTuple):
-    """Part of each recording that is held out."""
+    """Parts of each recording that are held out."""
 
-    seen: float  # share of the recording, from its beginning, that the fits saw
+    spans: Sequence[Sequence[tuple[float, float]]]  # by track: begin and end of each [s]
     stretch: float  # length [s] of stretches of which the errors count as independent, for intervals
 
 
 def held_out_streams(
-    tracks: Sequence[Track],
-    courses: Sequence[Smoothed],
-    models: Mapping[str, Floats],
-    part: HeldOutPart,
+    tracks: Sequence[Track], plain: Floats, models: Mapping[str, Floats], part: HeldOutPart
 ) -> dict[str, HeldOut]:
-    """Root mean squares of the deviations on the smoothed courses, by topic and model, after the part that fits saw.
+    """Root mean squares of the deviations in the held-out parts, by topic and model.
 
-    courses: the smoothed course of each track; models: rows (tracks, columns) of 'nominal', 'recalibrated' and
-    'augmented'.
+    plain: rows (tracks, columns) of the recalibrated model, by which the courses are made; models: rows of 'nominal',
+    'recalibrated' and 'augmented'. The noise floor is the error of the readings and that of the course.
     """
     table = {}
-    for topic in TOPICS:
+    for topic, stream in STREAMS.items():
         kind = KIND_OF_TOPIC[topic]
-        seen = [number for number, track in enumerate(tracks) if np.any(track.timeline.kind == kind)]
+        seen = [
+            number
+            for number, track in enumerate(tracks)
+            if np.any(track.timeline.kind == kind) and track.timeline.sees(*stream.shown_by) and part.spans[number]
+        ]
+        courses = {number: _course(tracks[number], plain[number], topic) for number in seen}
         means = {
-            name: [
-                mean
-                for number in seen
-                for mean in _stretches(tracks[number], courses[number], rows[number], topic, part)
-            ]
+            name: np.concatenate(
+                [_stretches(tracks[number], courses[number], rows[number], topic, (part, number)) for number in seen]
+            )
             for name, rows in models.items()
+            if seen
         }
-        if not seen or not means["nominal"]:
+        if not seen or not len(means["nominal"]):
             continue
-        floor = math.sqrt(np.mean([_noise(tracks[number], topic) for number in seen]))
+        floor = math.sqrt(np.mean([_noise(tracks[number], topic, courses[number]) for number in seen]))
         values = {name: math.sqrt(np.mean(squared)) for name, squared in means.items()}
-        intervals = {name: _interval(np.array(squared)) for name, squared in means.items()}
-        table[topic] = HeldOut(**values, noise_floor=floor, unit=unit_of_kind(kind), intervals=intervals)
+        intervals = {name: _interval(squared) for name, squared in means.items()}
+        unit = unit_of_kind(kind)
+        table[topic] = HeldOut(**values, noise_floor=floor, unit=unit, intervals=intervals, against="course")
     return table
 
 
-def _noise(track: Track, topic: str) -> float:
-    """Variance of a stream's readings as averaged for the filter, by the noise that the stream's differences show."""
+def _course(track: Track, row: Floats, topic: str) -> Smoothed:
+    """The recalibrated model's course, seen without the stream where that would lead it astray."""
+    return (track.without_stream(topic) if STREAMS[topic].hidden else track).filter.smoothed(row)
+
+
+def _noise(track: Track, topic: str, course: Smoothed) -> float:
+    """Variance of a stream's averaged readings, by the noise that its differences show, and that of the course."""
     share = track.timeline.share[track.timeline.kind == KIND_OF_TOPIC[topic]]
-    return float(track.log.streams[topic].noise[0] ** 2 * share.mean())
+    stream = STREAMS[topic]
+    spread = stream.factor * course.spread[:, stream.column]
+    return float(track.log.streams[topic].noise[0] ** 2 * share.mean() + np.mean(spread**2))
 
 
-def _stretches(track: Track, course: Smoothed, row: Floats, topic: str, part: HeldOutPart) -> list[float]:
-    """Mean squared deviation of each stretch after the part that the fits saw."""
+def _stretches(track: Track, course: Smoothed, row: Floats, topic: str, place: tuple[HeldOutPart, int]) -> Floats:
+    """Mean squared deviations (n,) of the stretches of a track's held-out parts; place: the parts, and its number."""
+    part, number = place
     chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
     stamp = track.timeline.stamp[chosen]
     squared = deviation(track, chosen, course, row) ** 2
-    begin = course.time[0] + part.seen * (course.time[-1] - course.time[0])
-    number = np.floor((stamp - begin) / part.stretch).astype(int)
-    return [float(squared[number == each].mean()) for each in np.unique(number[number >= 0])]
+    return np.array(
+        [
+            squared[inside].mean()
+            for begin, end in part.spans[number]
+            for inside in _in_stretches(stamp, begin, end, part.stretch)
+        ]
+    )
+
+
+def _in_stretches(stamp: Floats, begin: float, end: float, length: float) -> list[Flags]:
+    """Flags (n,) of the stamps in each stretch of so many seconds between `begin` and `end` [s] that has any."""
+    edges = np.arange(begin, end, length)
+    found = [(stamp >= edge) & (stamp < min(edge + length, end)) for edge in edges]
+    return [inside for inside in found if inside.any()]
 
 
 def _interval(squared: Floats) -> tuple[float, float]:

@@ -17,15 +17,19 @@ from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.terms.course import Course
-from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS
+from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS, Body
 
 
 class Actuation:
-    """The actuators of one track: recorded commands to forces, under a row of numbers of a model."""
+    """The actuators of one track: recorded commands to forces, under a row of numbers of a model.
 
-    def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid) -> None:
+    before: number of steps of the grid before its begin, from which on the actuators are followed; until then they are
+    off. It matters for actuators that remember what they did, as late ones.
+    """
+
+    def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid, before: int = 0) -> None:
         self.vehicle, self.grid = vehicle, grid
-        self._log = log
+        self._log, self._before = log, before
         self._lately: Lately[tuple[Floats, Floats]] = Lately()
 
     def drive(self, row: Floats, with_rates: bool = False) -> Drive:
@@ -39,9 +43,15 @@ class Actuation:
             body = body._replace(active=body.active | LAW_BITS)
         force, rate = self._lately.once(
             (body.active & ACTUATION_BITS, row[ACTUATING].tobytes()),
-            lambda: self._tilted(*mean_forces(self._log.command_time, self._log.command, body, self.grid)),
+            lambda: self._tilted(*self._forces(body)),
         )
         return Drive(force, rate, self.vehicle.surroundings.around)
+
+    def _forces(self, body: Body) -> tuple[Floats, Floats]:
+        begin, step, points = self.grid
+        whole = Grid(begin - self._before * step, step, points + self._before)
+        force, rate = mean_forces(self._log.command_time, self._log.command, body, whole)
+        return force[self._before :], rate[self._before :]
 
     def _tilted(self, force: Floats, rate: Floats) -> tuple[Floats, Floats]:
         """Forces and rates (points, acting): the actuators', then what roll and pitch add to the thrust's x, y, z."""

@@ -36,7 +36,7 @@ def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
 
 
 def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:
-    """First value by kind within `window` [s] from `begin` [s]; of a stream that begins later, its first."""
+    """First value by kind within `window` [s] from `begin` [s]; of a stream that is silent there, its next one."""
     found: dict[int, float] = {}
     for name, kinds in KINDS_OF_STREAM.items():
         if name not in log.streams:
@@ -44,7 +44,7 @@ def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]
         stream = log.streams[name]
         near = (stream.time >= begin) & (stream.time <= begin + window)
         for column, kind in enumerate(kinds):
-            values = stream.value[near, column] if near.any() else stream.value[:1, column]
+            values = stream.value[near, column] if near.any() else stream.value[stream.time >= begin, column][:1]
             values = values[np.isfinite(values)]
             if len(values):
                 found[kind] = float(values[0])

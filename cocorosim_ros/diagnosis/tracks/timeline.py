@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -70,10 +70,17 @@ class Timeline:
         """Tell whether there are readings of any of these kinds, given by name."""
         return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
 
-    def until(self, share: float) -> Timeline:
-        """Make a timeline of the first part, up to `share` of the duration, on the same grid."""
+    def between(self, first: int, points: int) -> Timeline:
+        """Make a timeline of `points` grid points of this one, from grid point `first` on."""
+        begin, step, _ = self.grid
+        start = begin + first * step
+        return Timeline(self._log, step, start, start + step * (points - 1))
+
+    def without_stream(self, name: str) -> Timeline:
+        """Make a timeline on the same grid without the readings of a stream."""
+        streams = {other: stream for other, stream in self._log.streams.items() if other != name}
         begin, step, points = self.grid
-        return Timeline(self._log, step, begin, begin + share * step * (points - 1))
+        return Timeline(replace(self._log, streams=streams), step, begin, begin + step * (points - 1))
 
     def under(self, row: Floats) -> Readings:
         """Readings on the grid, stamps corrected by the errors that a row of numbers (columns,) holds."""

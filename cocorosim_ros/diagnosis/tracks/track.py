@@ -35,16 +35,27 @@ class Track:
     def among(self, surroundings: RecordedSurroundings) -> Track:
         """Copy the track into other surroundings."""
         vehicle = replace(self.vehicle, surroundings=surroundings)
-        return self._with(vehicle, self.timeline)
+        actuation = Actuation(vehicle, self.log, self.timeline.grid)
+        return replace(self, vehicle=vehicle, actuation=actuation, filter=self.filter.over(self.timeline, actuation))
 
-    def until(self, share: float) -> Track:
-        """Make a track of the first part of this one, up to `share` of its duration, on the same grid."""
-        return self._with(self.vehicle, self.timeline.until(share))
+    def piece(self, first: int, points: int) -> Track:
+        """Make a track of `points` grid points of this one, from grid point `first` on, as if it began there.
 
-    def _with(self, vehicle: VehicleModel, timeline: Timeline) -> Track:
-        """Copy the track with another vehicle and timeline; actuation and filter follow them."""
-        actuation = Actuation(vehicle, self.log, timeline.grid)
-        return Track(self.log, vehicle, timeline, actuation, self.filter.over(timeline, actuation))
+        Its state at the start is guessed from the readings there; its actuators remember what they did before.
+        """
+        timeline = self.timeline.between(first, points)
+        around = self.vehicle.surroundings.around
+        if len(around) > 1:
+            around = around[first : first + points]
+        vehicle = replace(self.vehicle, surroundings=self.vehicle.surroundings._replace(around=around))
+        actuation = Actuation(vehicle, self.log, timeline.grid, before=first)
+        start = start_of(vehicle, self.log, timeline.grid.begin)
+        return Track(self.log, vehicle, timeline, actuation, self.filter.over(timeline, actuation, start))
+
+    def without_stream(self, name: str) -> Track:
+        """Make a track without the readings of a stream."""
+        timeline = self.timeline.without_stream(name)
+        return replace(self, timeline=timeline, filter=self.filter.over(timeline, self.actuation))
 
 
 def make_track(platform: Platform, log: RobotLog, begin: float, end: float) -> Track:

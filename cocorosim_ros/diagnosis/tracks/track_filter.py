@@ -28,6 +28,7 @@ from cocorosim_ros.diagnosis.tracks.passes import COURSE_SIZE, Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.course import Course
 
@@ -54,9 +55,9 @@ class TrackFilter:
         self.timeline, self.actuation, self.start = timeline, actuation, start
         self._course = course
 
-    def over(self, timeline: Timeline, actuation: Actuation) -> TrackFilter:
-        """Copy the filter for other readings and forces of the same robot; start and course stay."""
-        return TrackFilter(timeline, actuation, self.start, self._course)
+    def over(self, timeline: Timeline, actuation: Actuation, start: Start | None = None) -> TrackFilter:
+        """Copy the filter for other readings and forces of the same robot; the course stays, the start if not given."""
+        return TrackFilter(timeline, actuation, start or self.start, self._course)
 
     def full(self, row: Floats) -> Pass:
         """Run the filter: likelihood, innovations and gains, in the order of the timeline.
@@ -76,6 +77,11 @@ class TrackFilter:
         grid = self.timeline.grid
         mean, spread = smooth(self._believe(row, _blank_history(grid.points)).history)
         return Smoothed(grid.moments, mean[:, :COURSE_SIZE], spread[:, :COURSE_SIZE])
+
+    def filtered(self, row: Floats) -> Floats:
+        """States (points, STATE_SIZE) at each grid point, given the readings up to that point and no later ones."""
+        after: Floats = self._believe(row, _blank_history(self.timeline.grid.points)).history.after
+        return after[:, :STATE_SIZE]
 
     def free_run(self, row: Floats, start: Floats, first: int, points: int, push: Floats = NO_PUSH) -> Floats:
         """Free run of the model: states (points, 8) from `start` (8,) at grid point `first`, without readings.

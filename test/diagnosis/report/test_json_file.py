@@ -45,7 +45,7 @@ FORM: Any = {
         }
     },
 }  # fmt: skip
-OPTIONAL = {"topic"}
+OPTIONAL = {"topic", "against"}
 
 
 def check(value: Any, form: Any, place: str = "top") -> None:

@@ -230,6 +230,18 @@ def test_stretches_are_of_as_many_robots_as_possible(example: Example) -> None:
     assert labels == [f"{name}, from 420 s" for name in ("lily_01", "lily_02", "lily_03")]
 
 
+def test_what_errors_are_measured_against_is_said(example: Example) -> None:
+    """Readings, or the course; moments without a reading leave gaps in the pictures and no warning."""
+    plain = example("mismatch")
+    run = plain.free_runs[0]
+    measured = run.measured.copy()
+    measured[::2, :2] = np.nan
+    measured[:, 2] = np.nan
+    fit = {**plain.fit, "depth": replace(plain.fit["depth"], against="course")}
+    _, content = page(replace(plain, fit=fit, free_runs=(replace(run, measured=measured),)))
+    assert "readings" in content.text and "course" in content.text
+
+
 def with_findings(found: Diagnosis, *places: Located) -> Diagnosis:
     """The diagnosis with other findings, and without any other pictures."""
     return replace(found, mismatch=places, readings=(), free_runs=(), screened=(), all_recalibrated=())

@@ -99,12 +99,23 @@ def test_a_wrong_clock_moves_readings_and_says_where_they_were() -> None:
     np.testing.assert_array_equal(timeline.stamp[found.origin], found.stamp)
 
 
-def test_the_first_part_stands_on_the_same_grid() -> None:
-    """Up to half of a second of grid: the readings of 0 to 0.5 s alone."""
+def test_a_part_stands_on_the_same_grid() -> None:
+    """Two of three grid points: the readings of 0 to 0.5 s alone, or of 0.5 to 1 s."""
     whole = Timeline(two_streams(), 0.5, 0.0, 1.0)
-    part = whole.until(0.5)
+    part = whole.between(0, 2)
     assert part.grid == (0.0, 0.5, 2)
     assert part.value.tolist() == [1.0, 2.0, -1.0, 0.1, 1e5, 2.1, -1.1, 0.2]
+    later = whole.between(1, 2)
+    assert later.grid == (0.5, 0.5, 2)
+    assert later.stamp.min() >= 0.5 and len(later.value) < len(whole.value)
+
+
+def test_a_stream_can_be_left_out() -> None:
+    """Without the pressure, the poses stay as they were."""
+    whole = Timeline(two_streams(), 0.5, 0.0, 1.0)
+    part = whole.without_stream("pressure")
+    assert part.grid == whole.grid
+    assert part.value.tolist() == [value for value in whole.value.tolist() if value < 1e4]
 
 
 def test_only_kinds_that_were_read_are_seen() -> None:

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -17,3 +19,20 @@ def test_a_robot_begins_with_its_own_numbers(swim: Callable[..., Any]) -> None:
     other = replace(lily, robots={"lily_01": replace(lily, drag=2.5), "lily_02": replace(lily, drag=3.5)})
     (track,) = make_tracks(swim(lily, 20.0, base=other))
     assert track.vehicle.nominal[COLUMN["drag"]] == 2.5
+
+
+def test_a_piece_begins_where_the_whole_was(swim: Callable[..., Any]) -> None:
+    """Its grid, its forces and its readings are those of the whole from there on, also of thrusters that are late."""
+    lily = load_platform("lily")
+    (track,) = make_tracks(swim(lily, 20.0))
+    piece = track.piece(100, 50)
+    np.testing.assert_allclose(piece.timeline.grid.moments, track.timeline.grid.moments[100:150], rtol=0.0, atol=1e-9)
+    row = track.vehicle.row
+    row[COLUMN["thruster_lag.time_constant"]] = 2.0
+    np.testing.assert_allclose(
+        piece.actuation.drive(row).force, track.actuation.drive(row).force[100:150], rtol=0.0, atol=1e-12
+    )
+    assert piece.timeline.stamp.min() >= piece.timeline.grid.begin
+    pose = track.log.streams["pose"]
+    at = int(np.searchsorted(pose.time, piece.timeline.grid.begin))
+    np.testing.assert_array_equal(piece.filter.start.mean[:4], pose.value[at])

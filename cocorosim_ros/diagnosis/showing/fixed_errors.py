@@ -1,0 +1,62 @@
+"""Errors of readings that count in a free run: those that something else than the erring readings fixes.
+
+A law of a reading that alone shows a state can move the course at will, and would then be confirmed by the very course
+that it moved. So a model foretells a reading with its own error of it only where other readings show the same; where
+none does, the error is the recalibrated model's, which knows the platform's file alone. Errors of stamps always count,
+because the times of the commands fix them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.filter.layout import SENSOR_COLUMNS
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
+from cocorosim_ros.diagnosis.tracks.timeline import Timeline
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.laws.readings import READINGS
+from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.sensors.law import SENSOR_LAWS
+
+ALSO_SHOWN_BY: Mapping[str, tuple[str, ...]] = {
+    "pose_x": ("velocity_u", "velocity_v"),
+    "pose_y": ("velocity_u", "velocity_v"),
+    "pose_z": ("pressure", "velocity_w"),
+    "pose_yaw": ("compass", "gyro_z"),
+    "compass": ("pose_yaw", "gyro_z"),
+    "pressure": ("pose_z", "velocity_w"),
+    "gyro_z": ("pose_yaw", "compass"),
+    "accel_x": ("pose_x", "velocity_u"),
+    "accel_y": ("pose_y", "velocity_v"),
+    "accel_z": ("pose_z", "pressure", "velocity_w"),
+    "velocity_u": ("pose_x",),
+    "velocity_v": ("pose_y",),
+    "velocity_w": ("pose_z", "pressure"),
+}
+"""Kinds of readings that show the same state or its rate, by kind."""
+
+
+def with_fixed_errors(plain: Floats, row: Floats, timeline: Timeline) -> Floats:
+    """Copy the row `plain` (columns,) of the recalibrated model, with those errors of readings in `row` that count."""
+    found = plain.copy()
+    found[TIMING] = row[TIMING]
+    for name in SENSOR_COLUMNS:
+        if any(_is_fixed(kind, timeline) for kind in _kinds_of(name)):
+            found[COLUMN[name]] = row[COLUMN[name]]
+    for place, numbers in SENSOR_LAWS.items():
+        columns = [COLUMN[f"{place}.{number.name}"] for number in numbers]
+        if row[columns[0]] != 0.0 and _is_fixed(READINGS[int(row[columns[1]])].name, timeline):
+            found[columns] = row[columns]
+    return np.asarray(found)
+
+
+def _kinds_of(column: str) -> list[str]:
+    """Kinds of readings that an error's number, named by its column, changes."""
+    error, _, number = column.partition(".")
+    return [change.kind for change in ERRORS[error].changes if number in change.numbers]
+
+
+def _is_fixed(kind: str, timeline: Timeline) -> bool:
+    return timeline.sees(*ALSO_SHOWN_BY[kind])

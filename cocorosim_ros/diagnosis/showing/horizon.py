@@ -1,0 +1,43 @@
+"""Length of free runs: some of the times in which the recalibrated vehicle coasts, shorter if it spins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.showing import FREE_RUNS
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import YAW_RATE
+
+
+def coasting_time(vehicle: VehicleModel, row: Floats) -> float:
+    """Time [s] in which a vehicle loses half of its full speed, or of its full turn rate if that takes longer.
+
+    Quadratic drag k v^2 takes m / (k v) for it; full speed is v = sqrt(F / k), so that the time is m / sqrt(k F), and
+    alike for turns. row (columns,): the numbers of the model. Infinite without drag.
+    """
+    full = full_forces(vehicle)
+    gain, turning = row[COLUMN["thrust_gain"]], row[COLUMN["yaw_torque_gain"]]
+    ahead = row[COLUMN["drag"]] * gain * full.across
+    around = row[COLUMN["yaw_drag"]] * turning * full.yaw
+    inertias = (vehicle.mass, ahead), (float(row[COLUMN["yaw_inertia"]]), around)
+    return max(inertia / math.sqrt(braked) if braked > 0.0 else math.inf for inertia, braked in inertias)
+
+
+def window_length(coasting: float, courses: Sequence[Smoothed]) -> float:
+    """Choose the length of a free run [s]: that of FREE_RUNS.lengths next to the wanted number of coasting times [s].
+
+    It is shorter where the robots would turn by more than FREE_RUNS.most_turned in it.
+    """
+    turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
+    rate = float(np.sqrt(np.mean(turned**2)))
+    wanted = FREE_RUNS.coasted * coasting
+    near = min(FREE_RUNS.lengths, key=lambda seconds: abs(math.log(seconds / min(max(wanted, 1e-3), 1e6))))
+    told = [seconds for seconds in FREE_RUNS.lengths if seconds <= near and seconds * rate <= FREE_RUNS.most_turned]
+    return max(told, default=FREE_RUNS.lengths[0])

@@ -1,0 +1,64 @@
+"""Comparison of held-out parts with fitted ones, by the middle half of speeds, turns, thrusts and depths."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.showing import REGIMES
+from cocorosim_ros.diagnosis.showing.free_runs import Unseen
+from cocorosim_ros.diagnosis.showing.held_out_parts import Span
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
+
+
+class Quantity(NamedTuple):
+    """Quantity that tells one regime from another."""
+
+    name: str
+    unit: str
+
+
+QUANTITIES = (Quantity("speed", "m/s"), Quantity("turn rate", "rad/s"), Quantity("thrust", "N"), Quantity("depth", "m"))
+
+
+def regime_remarks(unseen: Unseen) -> tuple[str, ...]:
+    """Say by what the held-out parts differ from the fitted ones, a sentence for each quantity that does."""
+    held = _values(unseen, [split.held for split in unseen.splits])
+    seen = _values(unseen, [split.seen for split in unseen.splits])
+    if not held.size or not seen.size:
+        return ()
+    return tuple(
+        remark
+        for quantity, unlike, fitted in zip(QUANTITIES, held.T, seen.T, strict=True)
+        if (remark := _remark(quantity, unlike, fitted))
+    )
+
+
+def _remark(quantity: Quantity, held: Floats, seen: Floats) -> str:
+    """Sentence about a quantity whose median differs: held (n,), seen (m,); '' if it does not."""
+    low, high = np.quantile(seen, REGIMES.middle).tolist()
+    least = REGIMES.steady * float(max(np.abs(seen).max(), np.abs(held).max()))
+    wider = 0.5 * max(least - (high - low), 0.0)
+    median = float(np.median(held))
+    if low - wider <= median <= high + wider:
+        return ""
+    return (
+        f"Free runs go through parts unlike the fitted ones: their median {quantity.name} is {median:.3g} "
+        f"{quantity.unit}, the middle half of the fitted parts lies between {low:.3g} and {high:.3g} {quantity.unit}."
+    )
+
+
+def _values(unseen: Unseen, spans: Sequence[Sequence[Span]]) -> Floats:
+    """Values (n, quantities) at all grid points of some spans of each track."""
+    found = [np.zeros((0, len(QUANTITIES)))]
+    for track, course, chosen in zip(unseen.tracks, unseen.courses, spans, strict=True):
+        state = course.mean
+        thrust = np.linalg.norm(track.actuation.drive(track.vehicle.row).force, axis=1)
+        every = np.column_stack(
+            [np.linalg.norm(state[:, SURGE : HEAVE + 1], axis=1), np.abs(state[:, YAW_RATE]), thrust, -state[:, Z]]
+        )
+        found += [every[span.first : span.end] for span in chosen]
+    return np.concatenate(found)

@@ -1,0 +1,128 @@
+"""Errors of free runs against readings: by hand, and what no law of a reading can do to them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, KIND_NAMES, POSE_X, POSE_Y, PRESSURE
+from cocorosim_ros.diagnosis.showing.fixed_errors import ALSO_SHOWN_BY, with_fixed_errors
+from cocorosim_ros.diagnosis.showing.held_out_parts import Span
+from cocorosim_ros.diagnosis.showing.rulers import against, errors_of_course, errors_of_readings
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.world.laws.readings import READING_CODE
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.state.state import YAW, X, Z
+
+TIME = 0.1 * np.arange(101)
+
+
+class Readings:
+    """A timeline of readings given by kind, all at the same stamps."""
+
+    def __init__(self, stamps: Any, **values: Any) -> None:
+        kinds = [KIND_NAMES.index(name) for name in values]
+        self.kind = np.repeat(kinds, len(stamps))
+        self.stamp = np.tile(stamps, len(kinds))
+        self.value = np.concatenate([np.broadcast_to(value, len(stamps)) for value in values.values()])
+        self.grid = Grid()
+
+    def sees(self, *names: str) -> bool:
+        """Tell whether any of the kinds is there."""
+        return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
+
+
+class Grid:
+    """The grid of TIME."""
+
+    step = 0.1
+
+
+class Track:
+    """A track without laws of readings."""
+
+    def __init__(self, stamps: Any, **values: Any) -> None:
+        self.timeline = Readings(stamps, **values)
+        self.filter = self
+
+    def law_shift(self, row: Any) -> Any:
+        """Errors by laws of readings: none."""
+        return np.zeros(len(self.timeline.stamp))
+
+
+def path(**columns: Any) -> Smoothed:
+    """A path at TIME whose states are zero but for these columns."""
+    mean = np.zeros((len(TIME), 8))
+    for name, value in columns.items():
+        mean[:, {"x": X, "z": Z, "yaw": YAW}[name]] = value
+    return Smoothed(TIME, mean, np.zeros_like(mean))
+
+
+def test_position_is_the_distance_of_both_readings() -> None:
+    """Readings 3 cm and 4 cm beside the path are 5 cm off; the one at the start of the window does not count."""
+    track: Any = Track(np.array([2.0, 2.5, 3.0]), pose_x=0.03, pose_y=-0.04)
+    errors = errors_of_readings("position", track, path(), NEUTRAL, Span(20, 11))
+    assert errors.time == pytest.approx([2.5, 3.0])
+    assert errors.mean_square == pytest.approx(0.05**2)
+
+
+def test_depth_is_that_of_the_pressure_where_no_pose_shows_it() -> None:
+    """981 Pa more than the path's depth are a decimetre in fresh water; where both show it, the pose counts."""
+    pressure = 101325.0 + 9810.0 * 0.5 + 981.0
+    track: Any = Track(np.array([2.5]), pressure=pressure)
+    assert errors_of_readings("depth", track, path(z=-0.5), NEUTRAL, Span(20, 11)).value == pytest.approx(0.1)
+    both: Any = Track(np.array([2.5]), pressure=pressure, pose_z=-0.48)
+    assert errors_of_readings("depth", both, path(z=-0.5), NEUTRAL, Span(20, 11)).value == pytest.approx(0.02)
+
+
+def test_headings_differ_by_the_shorter_way() -> None:
+    """A compass at 3.1 rad and a path at -3.1 rad are 0.083 rad apart."""
+    track: Any = Track(np.array([2.5]), compass=3.1)
+    errors = errors_of_readings("heading", track, path(yaw=-3.1), NEUTRAL, Span(20, 11))
+    assert errors.value == pytest.approx(6.2 - 2.0 * np.pi)
+    course = errors_of_course("heading", path(yaw=-3.1), path(yaw=3.1), Span(20, 11))
+    assert course.value == pytest.approx(6.2 - 2.0 * np.pi)
+    assert len(course.time) == 10
+
+
+def test_what_no_reading_shows_is_measured_against_the_course() -> None:
+    """A gyroscope tells headings by their rate alone; without it nothing does."""
+    moving: Any = Track(np.array([2.5]), gyro_z=0.1)
+    assert against("heading", [moving]) == "course"
+    assert against("depth", [moving]) is None
+    seen: Any = Track(np.array([2.5]), compass=0.1)
+    assert against("heading", [moving, seen]) == "readings"
+
+
+def law_of(reading: str) -> Any:
+    """A row with a law of a reading, in the first place for such laws, and a distorted compass."""
+    row = NEUTRAL.copy()
+    row[COLUMN["sensor_law_1.coefficient"]] = -9350.0
+    row[COLUMN["sensor_law_1.reading"]] = READING_CODE[reading]
+    row[COLUMN["compass_distortion.sin"]] = 0.2
+    row[COLUMN["sensor_latency.compass"]] = 0.3
+    return row
+
+
+def test_a_law_of_the_only_reading_of_a_state_does_not_count() -> None:
+    """A law of the pressure counts where poses show the depth too; delays count always."""
+    alone: Any = Readings(TIME, pressure=1e5, compass=0.0)
+    row = with_fixed_errors(NEUTRAL, law_of("pressure"), alone)
+    assert row[COLUMN["sensor_law_1.coefficient"]] == 0.0
+    assert row[COLUMN["compass_distortion.sin"]] == 0.0
+    assert row[COLUMN["sensor_latency.compass"]] == 0.3
+    shown: Any = Readings(TIME, pressure=1e5, pose_z=0.0, compass=0.0, pose_yaw=0.0)
+    row = with_fixed_errors(NEUTRAL, law_of("pressure"), shown)
+    assert row[COLUMN["sensor_law_1.coefficient"]] == -9350.0
+    assert row[COLUMN["compass_distortion.sin"]] == 0.2
+
+
+def test_every_kind_of_reading_has_its_others() -> None:
+    """So that a sensor that is added is not forgotten; none shows itself."""
+    assert set(ALSO_SHOWN_BY) == set(KINDS)
+    for kind, others in ALSO_SHOWN_BY.items():
+        assert set(others) <= set(KINDS) - {kind}
+    assert {KIND_NAMES[code] for code in (POSE_X, POSE_Y, COMPASS, PRESSURE)} <= set(ALSO_SHOWN_BY)
