@@ -69,7 +69,12 @@ class Timeline:
 
     def sees(self, *names: str) -> bool:
         """Tell whether there are readings of any of these kinds, given by name."""
-        return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
+        return not self.kinds.isdisjoint(names)
+
+    @cached_property
+    def kinds(self) -> frozenset[str]:
+        """Names of the kinds of which there are readings."""
+        return frozenset(KIND_NAMES[code] for code in np.unique(self.kind))
 
     def until(self, share: float) -> Timeline:
         """Make a timeline of the first part, up to `share` of the duration, on the same grid."""
