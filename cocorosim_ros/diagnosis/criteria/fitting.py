@@ -37,6 +37,9 @@ class RecalibrationCriteria:
     prior: float = 0.2
     """[1] standard deviation of the logarithm of a number that the platform gives without a range. Chosen, not
     measured."""
+    farthest: float = 4.0
+    """[1] logarithm of a number over the platform's, where the file gives no range: a factor of 55. Chosen, not
+    measured."""
     shut: float = 0.2
     """[share of the readings of a kind] beyond the gate, from which their noise is taken as wrong. Chosen, not
     measured."""
