@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES
+from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.reading import expected_along
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
@@ -94,7 +94,7 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     errors of stamps among them.
     """
     kind = int(track.timeline.kind[chosen][0])
-    topic = next(name for name, each in KIND_OF_TOPIC.items() if each == kind)
+    topic = next(name for name, each in KINDS_OF_STREAM.items() if kind in each)
     stamp = track.timeline.stamp[chosen]
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
