@@ -25,13 +25,16 @@ from cocorosim_ros.diagnosis.naming.pruning import without_weakest
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
+from cocorosim_ros.diagnosis.showing.exactness import is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up
 from cocorosim_ros.diagnosis.showing.free_runs import Unseen, held_out_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
+from cocorosim_ros.diagnosis.showing.untold import untold_errors
 
 Progress = Callable[[str, float], None]
 
@@ -64,12 +67,15 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named))
     every, moved = recalibrated(naming.fit)
     moved = moved or (_strongest(every) if _shifted(base) else ())
+    moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     verdict = _verdict(effects, moved, silent)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried])
     final_courses = smoothed_tracks(naming.fit)
+    against = objections(Case(naming.fit, naming.named, effects, final_courses, table))
+    effects = stopped(effects, against)
     return Diagnosis(
         verdict,
         sentence_of(verdict, effects, moved, table),
@@ -89,6 +95,8 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
+        warnings=tuple(each.sentence for each in against if each.effect is None),
+        untold=untold_errors(base.tracks),
     )
 
 

@@ -93,6 +93,7 @@ class FoundEffect:
     settings: Mapping[str, float] = field(default_factory=dict)  # what the simulator's effect needs beside `parameters`
     simulated_as: str = ""  # the effect of the simulator behind a law outside the catalogue, if it has one
     law: Law | None = None  # which `id` names, if it is one outside the catalogue
+    because: tuple[str, ...] = ()  # sentences: for which it is suspected, however strong the evidence
 
 
 @dataclass(frozen=True)
@@ -205,3 +206,5 @@ class Diagnosis:
     needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
     drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best
+    warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
+    untold: tuple[str, ...] = ()  # sentences: errors of readings that no other reading tells

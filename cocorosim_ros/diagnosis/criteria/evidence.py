@@ -48,6 +48,28 @@ class NoiseCriteria:
 
 
 @dataclass(frozen=True)
+class FilledInCriteria:
+    """Signs of readings that were interpolated between others, or repeated (`streams.filled_in`)."""
+
+    fewest: int = 30
+    """[readings] fewer show no pattern. Chosen, not measured."""
+    on_the_line: float = 1.01
+    """[smallest step between two levels of the readings] by which rounding may put a reading off the line between its
+    neighbours: half a step for itself, half for these two. Reckoned."""
+    exact: float = 1e-9
+    """[of the range of the readings] the same where nothing is rounded: binary fractions. Chosen, not measured."""
+    least: float = 0.3
+    """[share of the readings] on the line. Chosen; the positions of a ship, interpolated to every second reading, had
+    0.44."""
+    turns: float = 0.1
+    """[share of the readings] at which what is on the line begins or ends: a motion without noise is on it for many
+    readings in a row. Twenty readings made of one measured are still found. Chosen, not measured."""
+    steps: float = 4.0
+    """[that tolerance] by which the others have to miss the line: a coarse instrument misses it by a few steps. Chosen,
+    not measured."""
+
+
+@dataclass(frozen=True)
 class OutlierCriteria:
     """Limits beyond which a reading is a fault of the sensor and not motion (`streams.outliers`)."""
 
@@ -119,6 +141,10 @@ class SpacingCriteria:
     """[usual intervals] a gap is longer than that: a few lost readings are none. Chosen, not measured."""
     gap_seconds: float = 1.0
     """[s] a gap is longer than that too: fast streams may pause for a moment. Chosen, not measured."""
+    even: float = 2.0
+    """[usual intervals] between commands that come at a steady rate, nearly always. Chosen, not measured."""
+    nearly_all: float = 0.95
+    """[share of the intervals] of these commands that are no longer than that. Chosen, not measured."""
     jitter: float = 0.2
     """[of the usual interval] of jitter from which a remark gives it; drivers make less. Chosen, not measured."""
 
@@ -229,6 +255,7 @@ class TiltCriteria:
 
 
 EXCITATION = ExcitationCriteria()
+FILLED_IN = FilledInCriteria()
 NOISE = NoiseCriteria()
 OUTLIERS = OutlierCriteria()
 TURNING = TurningCriteria()

@@ -32,6 +32,30 @@ class EstimateCriteria:
 
 
 @dataclass(frozen=True)
+class HardStopCriteria:
+    """Signs of a fit that has gone wrong, under which nothing is more than suspected (`showing.hard_stops`)."""
+
+    at_bound: float = 1e-3
+    """[of q] nearer to its bound a number stands at it: steps are cut there exactly. Chosen, not measured."""
+    worse: float = 1.1
+    """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, as
+    VERDICT.worse is, not measured."""
+    strayed: float = 3.0
+    """[noise of the readings] by which a smoothed course may leave most of its readings: normal noise leaves it by one.
+    Chosen, not measured."""
+    most: float = 0.6826894921370859
+    """[share of the readings] that normal noise leaves within one standard deviation. Known of the distribution."""
+    correlated: float = 0.5
+    """[1] correlation of an innovation with the next of its kind: half of what is foretold wrongly is foretold wrongly
+    again. Chosen, not measured."""
+    scale: float = 2.0
+    """[of what the filter expects] of the standard deviation of innovations, beyond which its intervals are none.
+    Chosen, not measured."""
+    fewest: int = 30
+    """[readings] fewer show no correlation. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class LocationCriteria:
     """Limits from which a difference of model and recording stands out, in all or in a regime (`showing.location`)."""
 
@@ -103,6 +127,7 @@ class RegimeCriteria:
 
 VERDICT = VerdictCriteria()
 ESTIMATES = EstimateCriteria()
+HARD_STOPS = HardStopCriteria()
 LOCATION = LocationCriteria()
 FRAMING = FramingCriteria()
 FREE_RUNS = FreeRunCriteria()

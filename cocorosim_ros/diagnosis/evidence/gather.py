@@ -11,6 +11,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.evidence.bursts import as_taken
 from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
+from cocorosim_ros.diagnosis.evidence.holes import hole_sentences
 from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
 from cocorosim_ros.diagnosis.evidence.robot_logs import ClockedRows, robot_log, seconds
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, Recording, Stream, told_apart
@@ -79,7 +80,7 @@ def gather_recording(path: Path, platform: Platform) -> Recording:
         mine = [ClockedRows(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
         log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
         robots.append(log)
-        remarks += log_remarks
+        remarks += [*log_remarks, *hole_sentences(log)]
     robots, identity_remarks = with_true_identities(robots, platform)
     remarks += identity_remarks
     remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]

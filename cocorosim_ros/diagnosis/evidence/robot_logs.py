@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.evidence.cleaning import gaps_of
 from cocorosim_ros.diagnosis.evidence.clocks import Skew
 from cocorosim_ros.diagnosis.evidence.levelling import levelled
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude, attitude_of
+from cocorosim_ros.diagnosis.evidence.streams.filled_in import filled_in
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
 from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
@@ -77,12 +78,28 @@ def _finished(name: str, topic: str, streams: Mapping[str, Stream], remarks: lis
         angle = unwrapped(stream.time, value[:, column], period)
         turned = turned_by_gyro(stream.time, angle, streams.get("imu"))
         value[:, column] = angle if turned is None else unwrapped(stream.time, angle, period, turned)
+    filled = _leave_out_filled_in(name, topic, stream.time, value, remarks)
     noise = np.array([noise_of(stream.time, column) for column in value.T])
     _leave_out(name, topic, stream.time, value, noise, remarks)
     if topic in HEADINGS:
         _leave_out_leaps(name, stream.time, value[:, HEADINGS[topic]], float(noise[HEADINGS[topic]]), remarks)
     kept = np.isfinite(value).any(axis=1)
-    return replace(stream, time=stream.time[kept], value=value[kept], noise=noise, full_turn=period)
+    return replace(stream, time=stream.time[kept], value=value[kept], noise=noise, full_turn=period, filled_in=filled)
+
+
+def _leave_out_filled_in(name: str, topic: str, time: Floats, value: Floats, remarks: list[str]) -> tuple[str, ...]:
+    """Write NaN over readings that nothing measured; return the columns that had them."""
+    found = []
+    for column, shown in zip(STREAMS[topic], value.T, strict=True):
+        made_up = filled_in(time, shown)
+        if made_up.any():
+            shown[made_up] = np.nan
+            found.append(column)
+            remarks.append(
+                f"{name}: {np.count_nonzero(made_up)} of {len(made_up)} readings of {column} were interpolated between "
+                "others, or repeat the last one; they were left out, and the noise is judged from the others alone."
+            )
+    return tuple(found)
 
 
 def _leave_out_leaps(name: str, time: Floats, heading: Floats, noise: float, remarks: list[str]) -> None:

@@ -96,7 +96,6 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
 def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
     """Unknowns of recalibration: the numbers of each robot's platform that are fitted."""
     found = []
-    bounds = (-FIRST_NOISE.farthest_number, FIRST_NOISE.farthest_number)
     for robot, numbers in tracks_by_robot(tracks).items():
         vehicle = tracks[numbers[0]].vehicle
         ranges = vehicle.ranges
@@ -107,8 +106,21 @@ def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
             if base > 0.0 and (column != "yaw_inertia" or column in ranges):
                 prior = _prior(column, ranges)
                 owner = Owner(PLATFORM, (robot,), name, unit)
+                bounds = _bounds(column, base, ranges)
                 found.append(Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=bounds))
     return found
+
+
+def _bounds(column: str, base: float, ranges: Ranges) -> tuple[float, float]:
+    """Bounds of the logarithm of a number over `base`: the range that the platform's file gives, else the usual ones.
+
+    A gain of all thrusters has the range of the one whose maximum may change least (`vehicle_model.gain_ranges`). A
+    number of the file that lies beyond its range, as that of a single robot may, is an end of it.
+    """
+    if column not in ranges:
+        return -FIRST_NOISE.farthest_number, FIRST_NOISE.farthest_number
+    low, high = min(ranges[column].low, base), max(ranges[column].high, base)
+    return math.log(low / base) if low > 0.0 else -FIRST_NOISE.farthest_number, math.log(high / base)
 
 
 def _prior(column: str, ranges: Ranges) -> float:

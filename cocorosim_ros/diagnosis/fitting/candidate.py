@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
+from cocorosim_ros.diagnosis.catalogue.shown_by import can_be_told
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
@@ -155,7 +156,7 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
     """Make entries into candidates: for all robots together, and for each alone where there are several.
 
     Effects of the water act on all robots together only. Entries that need neighbours, or a stream, are left out where
-    the recordings have none.
+    the recordings have none; errors of readings where no other reading shows what they depend on (`shown_by`).
     rows (tracks, columns): the base model, in which some of the effects may act already.
     """
     numbers = tracks_by_robot(tracks)
@@ -165,7 +166,7 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
     for entry in entries:
         if entry.needs_neighbours and len(numbers) < 2:
             continue
-        concerned = tuple(name for name in numbers if _has_topic(entry, [tracks[index] for index in numbers[name]]))
+        concerned = tuple(name for name in numbers if _shows(entry, [tracks[index] for index in numbers[name]]))
         if not concerned:
             continue
         alone = [(name,) for name in concerned] if len(concerned) > 1 and not entry.water else []
@@ -183,7 +184,10 @@ def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(own) for own in values.tolist()) if there else ()
 
 
-def _has_topic(entry: Entry, tracks: Sequence[Track]) -> bool:
-    """Tell whether any of these tracks has readings of the entry's stream, if the entry is about one."""
+def _shows(entry: Entry, tracks: Sequence[Track]) -> bool:
+    """Tell whether any of these tracks has readings of the entry's stream, and others by which its error is told."""
     topic = entry.topic
-    return topic is None or any(topic in track.log.streams and len(track.log.streams[topic].time) for track in tracks)
+    if topic is None:
+        return True
+    having = [track for track in tracks if topic in track.log.streams and len(track.log.streams[topic].time)]
+    return bool(having) and can_be_told(entry, [track.timeline.kinds for track in having])

@@ -21,6 +21,8 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import held_out_gain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
+from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
+from cocorosim_ros.diagnosis.naming.known_effects import known_effects
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
@@ -37,6 +39,7 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
     entries_of_catalogue = _undeclared(base)
+    known = known_effects(base)
     for round_number in range(SEARCH.most_effects):
         progress("looking for what is missing", round_number / SEARCH.most_effects)
         scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(base))
@@ -50,11 +53,11 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         tested_laws = _ranked(screen, [each for each in laws if not taken & _keys(each)])
         if round_number == 0:
             first, first_laws = tested, tested_laws
-        best = _best(fit, named, screen, tested, tested_laws)
+        best = _best(fit, (*known, *named), screen, tested, tested_laws)
         if best is None:
             break
-        fit, named = settled(best[0], SEARCH.settling), best[1]
-    fit, named = pruned(fit, named, base)
+        fit, named = settled(best[0], SEARCH.settling), (*named, best[1])
+    fit, named = pruned(fit, named, base, known)
     return Naming(base, fit, named, first, first_laws)
 
 
@@ -76,10 +79,11 @@ def _ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, 
 
 def _best(
     fit: Fit, named: tuple[NamedEffect, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
-) -> tuple[Fit, tuple[NamedEffect, ...]] | None:
+) -> tuple[Fit, NamedEffect] | None:
     """Find the best addition: the fit with it and all named effects, or None if no candidate may be named.
 
-    tested, laws: screened entries of the catalogue and screened laws outside it, best first.
+    named: also the effects that the base model has already. tested, laws: screened entries of the catalogue and
+    screened laws outside it, best first.
     """
     begun = _begun(fit, screen.scene, tested, [law for law in laws[:2] if law.nats > SEARCH.worth_refining])
     if not begun:
@@ -127,12 +131,13 @@ def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
 
 def _first_believed(
     fit: Fit, named: tuple[NamedEffect, ...], refined: list[Refined], negligible: list[Candidate]
-) -> tuple[Fit, tuple[NamedEffect, ...]] | None:
+) -> tuple[Fit, NamedEffect] | None:
     """Name the best of the refined candidates that may be named, and return the fit with it; None if none may.
 
     A candidate may be named if its evidence suffices, also over a model without it that was fitted anew where evidence
-    is weak, if it is large enough to be believed, and if it foretells held-out blocks. One that is too small is added
-    to `negligible`; candidates that may stand for the same effect are then passed over.
+    is weak, if it is large enough to be believed and no larger than an instrument can err, and if it foretells held-out
+    blocks. One that is too small is added to `negligible`; candidates that may stand for the same effect are then
+    passed over.
     """
     refined.sort(key=lambda each: -standing(each))
     for best in refined:
@@ -144,18 +149,24 @@ def _first_believed(
         if is_tiny(best):
             negligible.append(best.candidate)
             continue
+        if is_beyond_instrument(best.candidate, best.fit):
+            continue
         if any(is_like(best.candidate, other) for other in negligible):
             continue  # it may stand for an effect that is too small to be believed
         gain = held_out_gain(fit, best.fit, best.candidate.onset_columns)
         if gain.total > 0.0:
             added = NamedEffect(best.candidate, best.nats, _rivals(best, refined), gain)
-            return best.fit, (*named, added)
+            return best.fit, added
     return None
 
 
 def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[NearRival, ...]:
     """Entries of the catalogue that explain nearly as much as the best candidate: its ambiguity set."""
-    others = [each for each in refined if each is not best and each.candidate.entry.law is None]
+    others = [
+        each
+        for each in refined
+        if each is not best and each.candidate.entry.law is None and not is_beyond_instrument(each.candidate, each.fit)
+    ]
     return tuple(
         NearRival(other.candidate, max(0.0, best.nats - other.nats))
         for other in others

@@ -99,6 +99,8 @@ def _likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
     matrix = information(fit).matrix
     size = np.diag(matrix)
     mine, theirs = (each.places_among(fit.unknowns) for each in (candidate, other))
+    if not theirs:  # an effect of the base model, of which nothing is fitted
+        return 1.0
     scale = np.outer(size[mine], size[theirs])
     return float((matrix[np.ix_(mine, theirs)] ** 2 / np.maximum(scale, 1e-300)).max())
 

@@ -29,16 +29,18 @@ def without(fit: Fit, candidate: Candidate, base: Fit) -> Fit:
     return improved(with_noise(smaller, 2, WATER_NOISE), 2)
 
 
-def pruned(fit: Fit, named: tuple[NamedEffect, ...], base: Fit) -> tuple[Fit, tuple[NamedEffect, ...]]:
+def pruned(
+    fit: Fit, named: tuple[NamedEffect, ...], base: Fit, known: tuple[NamedEffect, ...] = ()
+) -> tuple[Fit, tuple[NamedEffect, ...]]:
     """Take back effects that the others have made superfluous, the weakest first; return the fit and what is left.
 
-    base: the recalibrated fit, before any effect was named.
+    base: the recalibrated fit, before any effect was named; known: the effects that it has already.
     """
     while len(named) > 1:
         whole = log_evidence(fit)
         smaller = {effect.candidate.key: without(fit, effect.candidate, base) for effect in named}
         named = tuple(_measured(effect, whole, smaller[effect.candidate.key], fit) for effect in named)
-        needed = {effect.candidate.key: needed_nats(named, effect.candidate, fit) for effect in named}
+        needed = {effect.candidate.key: needed_nats((*known, *named), effect.candidate, fit) for effect in named}
         weakest = min(named, key=lambda effect: effect.nats / needed[effect.candidate.key])
         if weakest.nats >= needed[weakest.candidate.key]:
             break

@@ -26,6 +26,8 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "effects": [_effect(each) for each in diagnosis.effects],
         "not_shown_by_this_recording": list(diagnosis.not_shown),
         "next_manoeuvre": manoeuvre_words(diagnosis.manoeuvres),
+        "warnings": list(diagnosis.warnings),
+        "cannot_be_told": list(diagnosis.untold),
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
     }
 
@@ -64,6 +66,7 @@ def _effect(found: FoundEffect) -> dict[str, Any]:
     return tree | {
         "robots": list(found.robots),
         "tier": found.tier,
+        "because": list(found.because),
         "parameters": parameters,
         "nats": _finite(found.nats),
         "ambiguous_with": rivals,

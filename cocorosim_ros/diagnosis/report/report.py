@@ -36,6 +36,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.words import (
+    BECAUSE,
     CHANNEL_WORDS,
     NOISES,
     TIERS,
@@ -196,7 +197,8 @@ def _effect(found: FoundEffect) -> Context:
         "correction": found.correction,
         "robots": ", ".join(found.robots),
         "tier": found.tier,
-        "tier_words": TIERS[found.tier],
+        "tier_words": BECAUSE if found.because else TIERS[found.tier],
+        "because": found.because,
         "nats": plain_number(found.nats),
         "held_out_nats": plain_number(found.held_out_nats) if math.isfinite(found.held_out_nats) else "",
         "check": check_words(found.id),

@@ -21,9 +21,10 @@ from cocorosim_ros.diagnosis.report.number_text import (
 
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
-    """Tables of effects, moved parameters and held-out errors; those that would be empty are left out."""
+    """Tables of effects, moved parameters and held-out errors, those that would be empty left out, and warnings."""
     tables = [_effects(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
+    shown += [Text(f"take care: {warning}") for warning in diagnosis.warnings]
     if diagnosis.manoeuvres:
         shown.append(Text(f"next: {manoeuvre_words(diagnosis.manoeuvres)}"))
     return Group(*shown)

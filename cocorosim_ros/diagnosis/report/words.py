@@ -36,6 +36,7 @@ TIERS = {
     "confirmed": "confirmed: it also improves data that its fit did not see",
     "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
 }
+BECAUSE = "suspected, and no more than that, for these reasons"
 CHANNEL_WORDS = {"position": "position, horizontal"}
 
 NOISES = {

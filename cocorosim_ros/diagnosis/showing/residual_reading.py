@@ -110,7 +110,7 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     errors of stamps among them.
     """
     kind = int(track.timeline.kind[chosen][0])
-    topic = next(name for name, kinds in KINDS_OF_STREAM.items() if kind in kinds)
+    topic = next(name for name, each in KINDS_OF_STREAM.items() if kind in each)
     stamp = track.timeline.stamp[chosen]
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T

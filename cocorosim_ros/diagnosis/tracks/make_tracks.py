@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import SURROUNDINGS
+from cocorosim_ros.diagnosis.evidence.holes import holes_of, parts_of
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, POSITION, YAW, X, Y, Z
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR, OPEN_WATER
@@ -15,13 +16,21 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
 
 
-def introduced(tracks: Sequence[Track]) -> list[Track]:
-    """Put the tracks of one recording into their common water, each among the others."""
+def introduced(tracks: Sequence[Track], parts: Sequence[Sequence[Track]] | None = None) -> list[Track]:
+    """Put the tracks of one recording into their common water, each among the others.
+
+    parts: for each track the tracks to put there in its place, such as its parts between holes of its log.
+    """
     lower, upper = _water(tracks)
     water = OPEN_WATER._replace(lower=lower, upper=upper)
+    parts = [[track] for track in tracks] if parts is None else parts
     if len(tracks) == 1:
-        return [tracks[0].among(water)]
-    return [track.among(water._replace(around=_around(tracks, track), own=own)) for own, track in enumerate(tracks)]
+        return [part.among(water) for part in parts[0]]
+    return [
+        part.among(water._replace(around=_around(tracks, part), own=own))
+        for own, own_parts in enumerate(parts)
+        for part in own_parts
+    ]
 
 
 def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
@@ -74,12 +83,20 @@ def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
 
 
 def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
-    """Make a track of every robot in every recording that has readings of it."""
+    """Make a track of every robot in every recording that has readings of it, one for each part between holes."""
     tracks: list[Track] = []
     for recording in evidence.recordings:
-        alone = [make_track(evidence.platform, log, *_span(log)) for log in recording.robots if _times(log)]
-        tracks += introduced(alone)
+        logs = [log for log in recording.robots if _times(log)]
+        alone = [make_track(evidence.platform, log, *_span(log)) for log in logs]
+        tracks += introduced(alone, [_parts(evidence, whole) for whole in alone])
     return tuple(tracks)
+
+
+def _parts(evidence: Evidence, whole: Track) -> list[Track]:
+    """Make the tracks of the parts of a log between its holes; the whole track alone where it has none."""
+    if not holes_of(whole.log):
+        return [whole]
+    return [make_track(evidence.platform, whole.log, begin, end) for begin, end in parts_of(whole.log)]
 
 
 def _times(log: RobotLog) -> list[Floats]:

@@ -68,7 +68,12 @@ class Timeline:
 
     def sees(self, *names: str) -> bool:
         """Tell whether there are readings of any of these kinds, given by name."""
-        return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
+        return not self.kinds.isdisjoint(names)
+
+    @cached_property
+    def kinds(self) -> frozenset[str]:
+        """Names of the kinds of which there are readings."""
+        return frozenset(KIND_NAMES[code] for code in np.unique(self.kind))
 
     def between(self, first: int, points: int) -> Timeline:
         """Make a timeline of `points` grid points of this one, from grid point `first` on."""

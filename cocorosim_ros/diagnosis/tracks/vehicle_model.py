@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurr
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
-from cocorosim_ros.scenario.reading.ranges import Ranges
+from cocorosim_ros.scenario.reading.ranges import Range, Ranges
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
@@ -111,10 +111,20 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         vehicles.actuator_limit[0, 0],
         vehicles.is_pump[0, 0],
         _known_of_sensors(platform),
-        platform.ranges,
+        {**gain_ranges(platform), **platform.ranges},
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
     )
+
+
+def gain_ranges(platform: Platform) -> dict[str, Range]:
+    """Ranges of the gains of all thrusters, by column, that keep the maximum of each within its range in the file."""
+    low, high = 0.0, np.inf
+    for actuator in platform.actuators:
+        given = platform.ranges.get(f"actuators.{actuator.name}.maximum")
+        if isinstance(actuator, Thruster) and given is not None and actuator.maximum > 0.0:
+            low, high = max(low, given.low / actuator.maximum), min(high, given.high / actuator.maximum)
+    return dict.fromkeys(("thrust_gain", "yaw_torque_gain"), Range(low, high, "1")) if np.isfinite(high) else {}
 
 
 def _known_of_sensors(platform: Platform) -> dict[str, float]:

@@ -222,7 +222,7 @@ def check_effects(platform: Platform, known: Mapping[str, Mapping[str, Parameter
 
 
 def _check_number(place: str, number: Quantity, parameter: Parameter) -> None:
-    dimension = "pure number" if parameter.unit == "*" else dimension_of(parameter.unit)
+    dimension = number.dimension if parameter.unit == "*" else dimension_of(parameter.unit)  # *: as the law has it
     shown = f"{place} has '{number.value!r} {number.unit}'"
     if number.dimension != dimension:
         raise CocorosimError(f"{shown}, which is no {dimension}; write it in {parameter.unit}.")

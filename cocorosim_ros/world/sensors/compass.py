@@ -8,7 +8,7 @@ from __future__ import annotations
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.pose import by_heading, heading
-from cocorosim_ros.world.sensors.sensor import Field, Kind, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import YAW
 
@@ -31,7 +31,8 @@ COMPASS = Sensor(
     for_all=True,
     kinds=(
         Kind("compass", "heading", "rad", heading, by_heading, ("compass", None), angle=True,
-             noise_words="a reading of the compass", least_noise=1e-3),
+             noise_words="a reading of the compass", least_noise=1e-3,
+             most_error=MostError(0.5)),  # iron in the hull; more is another frame
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="compass", late_with="r"),
 )  # fmt: skip

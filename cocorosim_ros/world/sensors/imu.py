@@ -11,7 +11,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.pose import Rates, When
-from cocorosim_ros.world.sensors.sensor import Field, Kind, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.pressure import GRAVITY
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW_RATE
@@ -112,6 +112,8 @@ def _columns(numbers: Floats) -> Floats:
     return np.hstack([rate, force])
 
 
+_TILTED = MostError(2.0, 0.1)  # gravity at a tilt of 12 degrees
+
 IMU = Sensor(
     topic="imu",
     message="sensor_msgs/msg/Imu",
@@ -131,12 +133,14 @@ IMU = Sensor(
     for_all=True,
     kinds=(
         Kind("gyro_z", "gyro_z", "rad/s", _gyro, _by_gyro, ("angular_rate", 2),
-             noise_words="a reading of the gyroscope", least_noise=1e-3),
+             noise_words="a reading of the gyroscope", least_noise=1e-3,
+             most_error=MostError(0.2, 0.2)),  # a cheap gyroscope that is cold
         Kind("accel_x", "accel_x", "m/s^2", _ahead, _by_ahead, ("specific_force", 0), noise="accel",
-             noise_words="a reading of the accelerometer", least_noise=1e-3),
-        Kind("accel_y", "accel_y", "m/s^2", _left, _by_left, ("specific_force", 1), noise="accel", least_noise=1e-3),
+             noise_words="a reading of the accelerometer", least_noise=1e-3, most_error=_TILTED),
+        Kind("accel_y", "accel_y", "m/s^2", _left, _by_left, ("specific_force", 1), noise="accel", least_noise=1e-3,
+             most_error=_TILTED),
         Kind("accel_z", "accel_z", "m/s^2", _up, _by_up, ("specific_force", 2), upright=True, noise="accel",
-             least_noise=1e-3),
+             least_noise=1e-3, most_error=_TILTED),
     ),
     recorded=Recorded(37, _columns, drawn="gyro_z", orientation=_orientation),
 )  # fmt: skip

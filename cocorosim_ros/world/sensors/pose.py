@@ -7,7 +7,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.sensor import Kind, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.blocks import HR, HU, HV, HX, HY, HYAW, VW, VZ
 
@@ -96,6 +96,8 @@ def _columns(numbers: Floats) -> Floats:
     return np.column_stack([numbers[:, :3], yaw_of_quaternions(numbers[:, 3:])])
 
 
+_LENGTH = MostError(0.1, 0.1)  # refraction and lenses; a marker off the centre
+
 POSE = Sensor(
     topic="pose",
     message="geometry_msgs/msg/PoseStamped",
@@ -106,11 +108,27 @@ POSE = Sensor(
     for_all=True,
     kinds=(
         Kind(
-            "pose_x", "x", "m", _x, _by_x, noise="pose_xy", noise_words="a reading of pose, x and y", least_noise=1e-4
+            "pose_x",
+            "x",
+            "m",
+            _x,
+            _by_x,
+            noise="pose_xy",
+            noise_words="a reading of pose, x and y",
+            least_noise=1e-4,
+            most_error=_LENGTH,
         ),
-        Kind("pose_y", "y", "m", _y, _by_y, noise="pose_xy", least_noise=1e-4),
+        Kind("pose_y", "y", "m", _y, _by_y, noise="pose_xy", least_noise=1e-4, most_error=_LENGTH),
         Kind(
-            "pose_z", "z", "m", height, _by_height, upright=True, noise_words="a reading of pose, z", least_noise=1e-4
+            "pose_z",
+            "z",
+            "m",
+            height,
+            _by_height,
+            upright=True,
+            noise_words="a reading of pose, z",
+            least_noise=1e-4,
+            most_error=_LENGTH,
         ),
         Kind(
             "pose_yaw",
@@ -121,6 +139,7 @@ POSE = Sensor(
             angle=True,
             noise_words="a reading of pose, yaw",
             least_noise=1e-3,
+            most_error=MostError(0.5),
         ),
     ),
     recorded=Recorded(7, _columns, drawn="pose_x", late_with="u", orientation=_orientation),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor, Sensors
@@ -27,6 +27,16 @@ class Field:
     width: int | None = None
     angle: bool = False  # in (-pi, pi]
     channels: Mapping[str, slice | None] = field(default_factory=dict)
+
+
+class MostError(NamedTuple):
+    """The most by which such an instrument can be wrong by a law, whatever the law; chosen, not measured.
+
+    The greater of the two holds: `amount` [unit of the reading], and `share` [1] of how far its readings spread.
+    """
+
+    amount: float
+    share: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -53,6 +63,7 @@ class Kind:
     noise: str = ""  # readings that are equally good share the number of their noise, under this name; '': alone
     noise_words: str = ""  # of that number, in the report
     least_noise: float = field(kw_only=True)  # [unit] what the filter's steps err by, however exact a reading is
+    most_error: MostError = field(kw_only=True)  # beyond it a difference is no error of this instrument
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.pose import Rates, When
-from cocorosim_ros.world.sensors.sensor import Field, Kind, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.terms.blocks import HU, HV, VW
 
@@ -49,6 +49,8 @@ def _by_up(after: float, row: Floats, slope: float, rates: Floats, seen: Floats)
     seen[VW] = slope
 
 
+_MOST = MostError(0.05, 0.2)  # dead reckoning; a log that takes another speed of sound or another mounting
+
 VELOCITY = Sensor(
     topic="velocity",
     message="geometry_msgs/msg/TwistStamped",
@@ -60,11 +62,11 @@ VELOCITY = Sensor(
     measure=measure,
     kinds=(
         Kind("velocity_u", "u", "m/s", _ahead, _by_ahead, ("velocity", 0), of_water=True, noise="velocity",
-             noise_words="a reading of the velocity", least_noise=1e-4),
+             noise_words="a reading of the velocity", least_noise=1e-4, most_error=_MOST),
         Kind("velocity_v", "v", "m/s", _left, _by_left, ("velocity", 1), of_water=True, noise="velocity",
-             least_noise=1e-4),
+             least_noise=1e-4, most_error=_MOST),
         Kind("velocity_w", "w", "m/s", _up, _by_up, ("velocity", 2), upright=True, of_water=True, noise="velocity",
-             least_noise=1e-4),
+             least_noise=1e-4, most_error=_MOST),
     ),
     recorded=Recorded(6, lambda numbers: numbers[:, :3]),
 )  # fmt: skip

@@ -34,11 +34,13 @@ FORM: Any = {
         {
             "id": TEXT, "name": TEXT, "equation": TEXT, "robots": [TEXT], "tier": TEXT,
             "parameters": {"*": {"value": (*NUMBER, str), "ci95": [NUMBER], "unit": (str, type(None))}},
-            "nats": NUMBER, "ambiguous_with": [{"id": TEXT, "nats_behind": NUMBER}],
+            "nats": NUMBER, "ambiguous_with": [{"id": TEXT, "nats_behind": NUMBER}], "because": [TEXT],
         }
     ],
     "not_shown_by_this_recording": [TEXT],
     "next_manoeuvre": (str, type(None)),
+    "warnings": [TEXT],
+    "cannot_be_told": [TEXT],
     "fit": {
         "held_out": {
             "*": {"nominal": NUMBER, "recalibrated": NUMBER, "augmented": NUMBER, "noise_floor": NUMBER, "unit": TEXT}

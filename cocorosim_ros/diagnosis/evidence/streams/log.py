@@ -25,6 +25,7 @@ class Stream:
     noise (columns,): standard deviation of a single reading, estimated from differences; NaN where it does not show.
     time counts from the start of the recording. skew [s/s], skew_error (standard deviation): rate of these stamps above
     the median of the recording's topics, by the log times; NaN where the log times do not show it.
+    filled_in: columns of which many readings were interpolated or repeated, and left out.
     full_turn: a full turn of the angle among the columns, 2 pi, or 360 where readings exceed any angle in radians.
     """
 
@@ -34,6 +35,7 @@ class Stream:
     skew: float = float("nan")
     skew_error: float = float("nan")
     full_turn: float = 2.0 * np.pi
+    filled_in: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,83 @@
+"""Readings by the state that they show, so that an error of a reading is told in terms of other readings.
+
+An error in proportion to a state that this reading alone shows can be had for nothing: the state is bent until the rest
+fits. So an error of a reading is looked for only in terms of what other readings show, or of what is known without any:
+the time and the commands. Errors of stamps, latencies and skews, are told in terms of the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import NamedTuple
+
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.world.sensors.errors import ERRORS
+
+Kinds = Collection[str]
+_PLACE = (("velocity_u", "velocity_v"),)
+_HEIGHT = (("pose_z",), ("pressure",), ("velocity_w",))
+_COURSE = (("pose_yaw",), ("compass",), ("gyro_z",))
+_SPEED = (("pose_x", "pose_y", "pose_yaw"), ("pose_x", "pose_y", "compass"))
+SHOWN_BY: dict[str, tuple[tuple[str, ...], ...]] = {
+    "x": (("pose_x",), *_PLACE),
+    "y": (("pose_y",), *_PLACE),
+    "z": _HEIGHT,
+    "w": _HEIGHT,
+    "yaw": _COURSE,
+    "sin_yaw": _COURSE,
+    "cos_yaw": _COURSE,
+    "r": _COURSE,
+    "u": (("velocity_u",), *_SPEED),
+    "v": (("velocity_v",), *_SPEED),
+    "speed": (("velocity_u", "velocity_v"), *_SPEED),
+}
+"""Sets of kinds of readings, by the state that each of them shows. What is not listed is known without readings."""
+
+
+class Told(NamedTuple):
+    """An error of some kinds of readings, and the states in terms of which it is told."""
+
+    kinds: tuple[str, ...]
+    states: tuple[str, ...]
+
+
+def is_shown(state: str, wrong: Kinds, present: Kinds) -> bool:
+    """Tell whether readings of the kinds `present` show a state, those of the kinds `wrong` left out."""
+    if state not in SHOWN_BY:
+        return True
+    return any(all(kind in present and kind not in wrong for kind in each) for each in SHOWN_BY[state])
+
+
+def own_state(kind: str) -> tuple[str, ...]:
+    """Name the state that readings of one kind show by themselves; () where they show none."""
+    return next(((state,) for state, sets in SHOWN_BY.items() if (kind,) in sets), ())
+
+
+def told_by(entry: Entry) -> tuple[Told, ...]:
+    """Errors of readings that an entry is made of; () for an entry of motion, and for errors in time alone.
+
+    An error of the catalogue is told in terms of what its reading shows where it changes the slope of that reading.
+    """
+    if entry.form is not None:
+        factors = entry.form.product.factors
+        return (Told((entry.form.of,), tuple(factor.name for factor in factors)),) if entry.topic else ()
+    if entry.id not in ERRORS:
+        return ()
+    changes = ERRORS[entry.id].changes
+    wrong = tuple(change.kind for change in changes)
+    return tuple(Told(wrong, own_state(change.kind)) for change in changes if change.slope)
+
+
+def can_be_told(entry: Entry, recordings: Sequence[Kinds]) -> bool:
+    """Tell whether any recording of a robot shows what an entry is told in terms of, without the readings in error.
+
+    recordings: kinds of readings of each recording, by name. An error of several readings is told by any of them.
+    """
+    told = told_by(entry)
+    return not told or any(_is_told(each, present) for each in told for present in recordings)
+
+
+def _is_told(told: Told, present: Kinds) -> bool:
+    return any(kind in present for kind in told.kinds) and all(
+        is_shown(state, told.kinds, present) for state in told.states
+    )

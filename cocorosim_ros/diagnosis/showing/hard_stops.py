@@ -1,0 +1,231 @@
+"""Hard stops: signs that a fit has gone wrong, each a sentence, under which no effect is more than suspected.
+
+However strong its evidence, an effect that was found by a fit which stands at a bound, or whose course has left its
+readings, explains the fault of that fit. Its name stays, since it may help; its tier does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.showing.residual_reading import deviation
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.world.laws.readings import READING
+from cocorosim_ros.world.sensors import KINDS
+
+_OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
+_FREE_RUNS = ("position", "heading", "depth")
+
+
+@dataclass(frozen=True)
+class Case:
+    """A finished diagnosis as the stops look at it.
+
+    final: the fit with all named effects; courses: its smoothed course for each track; table: errors of free runs.
+    """
+
+    final: Fit
+    named: Sequence[NamedEffect]
+    found: Sequence[FoundEffect]
+    courses: Sequence[Smoothed]
+    table: Mapping[str, HeldOut]
+
+
+class Objection(NamedTuple):
+    """A sentence against all effects of some robots, () for all robots, or against one effect alone."""
+
+    sentence: str
+    robots: tuple[str, ...] = ()
+    effect: FoundEffect | None = None
+
+    def concerns(self, found: FoundEffect) -> bool:
+        """Tell whether an effect is concerned; one that was put right before any fit is never."""
+        if found.correction is not None:
+            return False
+        if self.effect is not None:
+            return self.effect is found
+        return not self.robots or not set(self.robots).isdisjoint(found.robots)
+
+
+Stop = Callable[[Case], Iterator[Objection]]
+
+
+def number_at_a_bound(case: Case) -> Iterator[Objection]:
+    """Object to numbers of the platform that stand at the end of their range, but for effects that are absent there."""
+    for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
+        absent = "." in unknown.column and unknown.value(q) == NEUTRAL[COLUMN[unknown.column]]
+        if unknown.owner.effect == PLATFORM and _is_at_bound(unknown, q) and not absent:
+            name = unknown.owner.parameter.replace("_", " ")
+            yield Objection(
+                f"The fit of {name} of {_listed(unknown.owner.robots)} stands at the end of its range, "
+                f"{unknown.value(q):.3g} {_in_text(unknown.owner.unit)}; the recordings ask for a number that the "
+                "platform's file leaves out.",
+                unknown.owner.robots,
+            )
+
+
+def effect_at_a_bound(case: Case) -> Iterator[Objection]:
+    """Object to effects with a number at the end of what is looked for, but for one that is neutral there."""
+    for found, named in _named(case):
+        for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
+            if named.candidate.owns(unknown) and set(found.robots) <= set(unknown.owner.robots):
+                neutral = {each.column: each.neutral for each in named.candidate.entry.amplitudes}
+                if _is_at_bound(unknown, q) and not np.isclose(
+                    unknown.value(q), neutral.get(unknown.column, np.nan), atol=1e-9 * abs(unknown.scale)
+                ):
+                    yield Objection(
+                        f"Its {unknown.owner.parameter.replace('_', ' ')} stands at the end of what is looked for, "
+                        f"{unknown.value(q):.3g} {_in_text(unknown.owner.unit)}.",
+                        effect=found,
+                    )
+
+
+def interval_holds_zero(case: Case) -> Iterator[Objection]:
+    """Object to effects each of whose amplitudes may as well be neutral."""
+    for found, named in _named(case):
+        amplitudes = {each.name: each.neutral for each in named.candidate.entry.amplitudes}
+        shown = [(found.parameters[name], neutral) for name, neutral in amplitudes.items() if name in found.parameters]
+        if shown and all(estimate.holds(neutral) for estimate, neutral in shown):
+            yield Objection(
+                "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds zero.", effect=found
+            )
+
+
+def collapsed_base(case: Case) -> Iterator[Objection]:
+    """Object to a recalibrated model that foretells unseen data clearly worse than the platform as given."""
+    for channel in _FREE_RUNS:
+        row = case.table.get(channel)
+        if row is None or not row.recalibrated > HARD_STOPS.worse * row.nominal:
+            continue
+        low, _ = row.intervals.get("recalibrated", (row.recalibrated, row.recalibrated))
+        if low > row.nominal and row.recalibrated > KINDS[_LEAST[channel]].least_noise:
+            yield Objection(
+                f"The recalibrated model foretells the {channel} worse than the platform as given does: by "
+                f"{row.recalibrated:.3g} for {row.nominal:.3g} {row.unit}; its fit has collapsed."
+            )
+
+
+_LEAST = {"position": "pose_x", "heading": "pose_yaw", "depth": "pose_z"}
+
+
+def strayed_course(case: Case) -> Iterator[Objection]:
+    """Object to a most likely course that leaves the readings by more than their noise."""
+    for number, (track, course) in enumerate(zip(case.final.tracks, case.courses, strict=True)):
+        row = case.final.filled[number]
+        for kind in np.unique(track.timeline.kind).tolist():
+            name = KIND_NAMES[kind]
+            if name in _OF_RATES or KINDS[name].of_water:
+                continue
+            chosen = track.timeline.kind == kind
+            off = float(np.quantile(np.abs(deviation(track, chosen, course, row)), HARD_STOPS.most))
+            noise = _noise(track, kind)
+            if off > HARD_STOPS.strayed * noise:
+                yield Objection(
+                    f"The most likely course of {track.name} leaves its {_reading(name)} by {off:.3g} "
+                    f"{KINDS[name].unit}, {off / noise:.3g} times their noise.",
+                    (track.name,),
+                )
+
+
+def coloured_innovations(case: Case) -> Iterator[Objection]:
+    """Object to predictions that err again and again to the same side, or not as far as the filter expects."""
+    for track, passed in zip(case.final.tracks, case.final.passes, strict=True):
+        for kind in np.unique(track.timeline.kind).tolist():
+            chosen = (track.timeline.kind == kind) & passed.believed
+            if np.count_nonzero(chosen) < HARD_STOPS.fewest:
+                continue
+            sizes = passed.innovation[chosen] / np.sqrt(passed.variance[chosen])
+            scale = float(np.sqrt(np.mean(sizes**2)))
+            related = float(np.mean(sizes[1:] * sizes[:-1])) / scale**2 if scale > 0.0 else 0.0
+            if related > HARD_STOPS.correlated or scale > HARD_STOPS.scale:
+                yield Objection(
+                    f"The {_reading(KIND_NAMES[kind])} of {track.name} differ from what the model foretells not at "
+                    f"random but by {scale:.2g} times what it expects, each like the one before (correlation "
+                    f"{related:.2f}).",
+                    (track.name,),
+                )
+
+
+def unknown_noise(case: Case) -> Iterator[Objection]:
+    """Object to readings many of which were interpolated or repeated, so that their noise is a guess."""
+    for track in case.final.tracks:
+        for topic, stream in track.log.streams.items():
+            if stream.filled_in:
+                yield Objection(
+                    f"Many readings of {', '.join(stream.filled_in)} of {track.name}/{topic} were interpolated or "
+                    "repeated; how exact the others are is not known well.",
+                    (track.name,),
+                )
+
+
+STOPS: tuple[Stop, ...] = (
+    number_at_a_bound,
+    effect_at_a_bound,
+    interval_holds_zero,
+    collapsed_base,
+    strayed_course,
+    coloured_innovations,
+    unknown_noise,
+)
+
+
+def objections(case: Case) -> tuple[Objection, ...]:
+    """All objections of all stops, each sentence once."""
+    return tuple(dict.fromkeys(each for stop in STOPS for each in stop(case)))
+
+
+def stopped(found: Sequence[FoundEffect], against: Sequence[Objection]) -> tuple[FoundEffect, ...]:
+    """Copy effects, each with the sentences that concern it, and suspected at most if there are any."""
+    return tuple(_stopped(effect, [each.sentence for each in against if each.concerns(effect)]) for effect in found)
+
+
+def _stopped(effect: FoundEffect, sentences: Sequence[str]) -> FoundEffect:
+    return replace(effect, tier="suspected", because=tuple(sentences)) if sentences else effect
+
+
+def _named(case: Case) -> Iterator[tuple[FoundEffect, NamedEffect]]:
+    """Effects as they are reported, each with the named effect that it is of."""
+    for found in case.found:
+        for named in case.named:
+            entry = named.candidate.entry
+            if (entry.id, entry.topic) == (found.id, found.topic) and set(found.robots) <= set(named.candidate.robots):
+                yield found, named
+
+
+def _is_at_bound(unknown: Unknown, q: float) -> bool:
+    low, high = unknown.bounds
+    return q - low < HARD_STOPS.at_bound or high - q < HARD_STOPS.at_bound
+
+
+def _noise(track: Track, kind: int) -> float:
+    """Noise of most readings of a kind, as averaged for the filter, and never less than the filter's steps err by."""
+    topic = next(name for name, kinds in KINDS_OF_STREAM.items() if kind in kinds)
+    single = float(track.log.streams[topic].noise[KINDS_OF_STREAM[topic].index(kind)])
+    share = float(np.median(track.timeline.share[track.timeline.kind == kind]))
+    least = KINDS[KIND_NAMES[kind]].least_noise
+    return max(single * np.sqrt(share), least) if np.isfinite(single) else np.inf
+
+
+def _reading(kind: str) -> str:
+    """A kind of reading in words."""
+    return f"readings of {READING[kind].topic} ({kind})"
+
+
+def _listed(robots: Sequence[str]) -> str:
+    return ", ".join(robots)
+
+
+def _in_text(unit: str) -> str:
+    return "" if unit == "1" else unit

@@ -1,0 +1,69 @@
+"""Readings that were interpolated or repeated are found, and nothing else is taken for them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.evidence.streams.filled_in import filled_in
+
+TIME = 0.5 * np.arange(400)
+
+
+def noisy(seed: int, count: int) -> Any:
+    """A slow swing of a metre with a tenth of a metre of noise."""
+    return np.sin(0.02 * np.arange(count)) + 0.1 * np.random.default_rng(seed).standard_normal(count)
+
+
+@pytest.mark.parametrize("every", [2, 3, 10])
+@pytest.mark.parametrize("rounding", [None, 2])
+def test_readings_between_two_are_found(every: int, rounding: int | None) -> None:
+    """One reading in `every` was measured: all others are flagged, also where they are written with two decimals."""
+    knots = np.arange(0, 400, every)
+    value = 1000.0 + np.interp(np.arange(400), knots, 30.0 * noisy(0, len(knots)))
+    value = value if rounding is None else np.round(value, rounding)
+    made_up = filled_in(TIME, value)
+    between = np.ones(400, dtype=bool)
+    between[knots] = False
+    inner = slice(1, knots[-1])  # beyond the last knot everything is the same
+    assert np.mean(made_up[inner] == between[inner]) > 0.97
+
+
+def test_readings_that_repeat_the_last_one_are_found() -> None:
+    """A sensor of 1 Hz whose logger writes 2 Hz: every second reading says nothing."""
+    value = np.repeat(noisy(1, 200), 2)
+    made_up = filled_in(TIME, value)
+    assert made_up[1:-1:2].all()
+    assert not made_up[0::2].any()
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        noisy(2, 400),
+        np.sin(0.02 * np.arange(400)),
+        np.where(np.arange(400) % 100 < 50, 0.0, np.sin(0.3 * np.arange(400))),
+        np.round(noisy(3, 400), 1),
+        np.round(10.0 * np.sin(0.02 * np.arange(400)) + 0.01 * noisy(4, 400), 2),
+        np.zeros(400),
+        np.full(400, np.nan),
+        noisy(5, 10),
+    ],
+    ids=["noise", "swing", "rests", "coarse", "rounded", "constant", "missing", "few"],
+)
+def test_measured_readings_are_none_of_these(value: Any) -> None:
+    """Noise, smooth motion, rests between motions, coarse instruments: nothing is left out."""
+    assert not filled_in(TIME[: len(value)], value).any()
+
+
+def test_missing_readings_do_not_hide_the_pattern() -> None:
+    """Every fifth reading is lost: what lies between two others is still found, under the right numbers."""
+    knots = np.arange(0, 400, 4)
+    value = np.interp(np.arange(400), knots, noisy(6, len(knots)))
+    value[2::20] = np.nan
+    made_up = filled_in(TIME, value)
+    assert made_up[1:-4:4].mean() > 0.9
+    assert not made_up[knots].any()
+    assert not made_up[np.isnan(value)].any()

@@ -1,0 +1,170 @@
+"""A fit that has gone wrong is said in a sentence, and what it found is suspected at most."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
+from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
+from cocorosim_ros.diagnosis.showing import hard_stops
+from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, objections, stopped
+
+
+@pytest.fixture(scope="module")
+def sound(swim: Any) -> Case:
+    """A swim of a minute under the very model, its base fit and course, and nothing found."""
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    fit = base_fit(swim(load_platform("lily"), 60.0, seed=31))
+    return Case(fit, (), (), smoothed_tracks(fit), {"position": row(0.01, 0.01)})
+
+
+def row(nominal: float, recalibrated: float) -> HeldOut:
+    """Errors of free runs, each known to a tenth."""
+    intervals = {"nominal": (0.9 * nominal, 1.1 * nominal), "recalibrated": (0.9 * recalibrated, 1.1 * recalibrated)}
+    return HeldOut(nominal, recalibrated, recalibrated, 0.001, "m", intervals)
+
+
+def named(case: Case, identifier: str, **parameters: float) -> Case:
+    """The case with an effect that was found, its numbers as given, each known to one."""
+    from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+    from cocorosim_ros.diagnosis.fitting.candidate import expand
+    from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
+    from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+
+    candidates = expand(ENTRIES, case.final.tracks, case.final.rows)
+    candidate = next(each for each in candidates if each.entry.id == identifier)
+    estimates = {name: Estimate(value, value - 1.0, value + 1.0, "1") for name, value in parameters.items()}
+    found = FoundEffect(identifier, "", "", ("lily_01",), "confirmed", estimates, 100.0, topic=candidate.entry.topic)
+    new = candidate.amplitudes()
+    base = {each.name: each.neutral for each in candidate.entry.amplitudes}
+    q = [(parameters.get(each.owner.parameter, base[each.owner.parameter]) - each.base) / each.scale for each in new]
+    fit = replace(case.final, unknowns=(*case.final.unknowns, *new), q=np.concatenate([case.final.q, q]))
+    effect = NamedEffect(candidate, 100.0, (), HeldOutGain(np.zeros(1), 0.01))
+    return replace(case, final=fit, found=(found,), named=(effect,))
+
+
+def sentences(stop: Callable[[Case], Any], case: Case) -> list[str]:
+    """What a stop says of a case."""
+    return [each.sentence for each in stop(case)]
+
+
+def test_a_sound_fit_meets_no_objection(sound: Case) -> None:
+    """Not one stop says anything of the right model."""
+    assert objections(sound) == ()
+
+
+def test_every_stop_is_in_the_table() -> None:
+    """Functions of the module that object are the table, each once."""
+    written = {name for name, each in vars(hard_stops).items()
+               if callable(each) and (each.__doc__ or "").startswith("Object to")}  # fmt: skip
+    assert sorted(written) == sorted(stop.__name__ for stop in STOPS)
+
+
+def test_a_number_at_the_end_of_its_range(sound: Case) -> None:
+    """The drag at its bound is said, with its value, for its robot alone."""
+    place = next(index for index, each in enumerate(sound.final.unknowns) if each.owner.parameter == "drag")
+    unknowns, q = list(sound.final.unknowns), sound.final.q.copy()
+    unknowns[place] = replace(unknowns[place], bounds=(-1.0, math.log(2.0)))
+    q[place] = math.log(2.0)
+    case = replace(sound, final=replace(sound.final, unknowns=tuple(unknowns), q=q))
+    (objection,) = hard_stops.number_at_a_bound(case)
+    assert "drag of lily_01 stands at the end of its range, 3.56 kg/m" in objection.sentence  # twice 1.7778
+    assert objection.robots == ("lily_01",)
+    q[place] = 0.99 * math.log(2.0)
+    assert sentences(hard_stops.number_at_a_bound, case) == []
+    bias = replace(unknowns[place], column="torque_bias.torque", base=0.0, logarithmic=False, bounds=(0.0, 1.0))
+    for value, said in ((0.0, 0), (1.0, 1)):  # an effect of the vehicle's own that is not there, and one at its most
+        unknowns[place], q[place] = bias, value
+        own = replace(sound, final=replace(sound.final, unknowns=tuple(unknowns), q=q.copy()))
+        assert len(sentences(hard_stops.number_at_a_bound, own)) == said
+
+
+def test_an_effect_at_the_end_of_what_is_looked_for(sound: Case) -> None:
+    """A dead band at its least is none, and neutral; one at its most is said."""
+    case = named(sound, "thruster_deadband", width=0.2)
+    assert sentences(hard_stops.effect_at_a_bound, case) == []
+    unknowns = (*case.final.unknowns[:-1], replace(case.final.unknowns[-1], bounds=(0.0, float(case.final.q[-1]))))
+    (said,) = sentences(hard_stops.effect_at_a_bound, replace(case, final=replace(case.final, unknowns=unknowns)))
+    assert "width stands at the end of what is looked for, 0.2" in said
+    unknowns = (*case.final.unknowns[:-1], replace(case.final.unknowns[-1], bounds=(0.0, 1.0)))
+    q = np.append(case.final.q[:-1], 0.0)
+    neutral = replace(case, final=replace(case.final, unknowns=unknowns, q=q))
+    assert sentences(hard_stops.effect_at_a_bound, neutral) == []
+
+
+def test_an_interval_that_holds_zero(sound: Case) -> None:
+    """An effect stands as long as one of its amplitudes is clear."""
+    assert len(sentences(hard_stops.interval_holds_zero, named(sound, "torque_bias", torque=0.5))) == 1
+    assert sentences(hard_stops.interval_holds_zero, named(sound, "torque_bias", torque=1.5)) == []
+    assert sentences(hard_stops.interval_holds_zero, named(sound, "steady_current", x=0.1, y=2.0)) == []
+    assert len(sentences(hard_stops.interval_holds_zero, named(sound, "steady_current", x=0.1, y=-0.9))) == 1
+
+
+@pytest.mark.parametrize(
+    ("nominal", "recalibrated", "said"),
+    [(0.1, 0.3, 1), (0.1, 0.105, 0), (0.3, 0.1, 0), (0.1, 0.1111, 0), (1e-6, 5e-6, 0)],
+)
+def test_a_collapsed_base(sound: Case, nominal: float, recalibrated: float, said: int) -> None:
+    """Clearly worse than the platform as given, and by more than the steps of the filter err."""
+    case = replace(sound, table={"depth": row(nominal, recalibrated)})
+    assert len(sentences(hard_stops.collapsed_base, case)) == said
+
+
+def test_a_course_that_leaves_its_readings(sound: Case) -> None:
+    """Two centimetres deeper than the poses, which are exact to 2 mm, and the gauge says 196 Pa with 8 Pa of noise."""
+    mean = sound.courses[0].mean.copy()
+    mean[:, 2] -= 0.02
+    said = sentences(hard_stops.strayed_course, replace(sound, courses=(replace(sound.courses[0], mean=mean),)))
+    assert len(said) == 2 and "pose_z" in said[0] and "pressure" in said[1]
+    mean[:, 2] += 0.018  # 2 mm are within
+    assert sentences(hard_stops.strayed_course, replace(sound, courses=(replace(sound.courses[0], mean=mean),))) == []
+
+
+def test_predictions_that_err_to_one_side(sound: Case) -> None:
+    """Innovations with a memory, and some three times as large as expected, are no noise."""
+    (passed,), (track,) = sound.final.passes, sound.final.tracks
+    chosen = track.timeline.kind == 0
+    rng, count = np.random.default_rng(0), int(np.count_nonzero(chosen))
+
+    def case(sizes: Any) -> Case:
+        innovation = passed.innovation.copy()
+        innovation[chosen] = sizes * np.sqrt(passed.variance[chosen])
+        return replace(sound, final=replace(sound.final, passes=(replace(passed, innovation=innovation),)))
+
+    slow = np.convolve(rng.standard_normal(count + 9), np.ones(10) / math.sqrt(10.0), "valid")  # correlation 0.9
+    assert len(sentences(hard_stops.coloured_innovations, case(slow))) == 1
+    assert sentences(hard_stops.coloured_innovations, case(rng.standard_normal(count))) == []
+    assert len(sentences(hard_stops.coloured_innovations, case(3.0 * rng.standard_normal(count)))) == 1
+
+
+def test_noise_that_is_a_guess(sound: Case) -> None:
+    """A stream whose readings were interpolated is said, with its columns."""
+    (track,) = sound.final.tracks
+    streams = {**track.log.streams, "pose": replace(track.log.streams["pose"], filled_in=("x", "y"))}
+    tracks = (replace(track, log=replace(track.log, streams=streams)),)
+    (said,) = sentences(hard_stops.unknown_noise, replace(sound, final=replace(sound.final, tracks=tracks)))
+    assert "x, y of lily_01/pose" in said
+
+
+def test_what_is_objected_to_is_suspected_at_most() -> None:
+    """The name and its numbers stay; a mix-up that was put right before any fit is as sure as it was."""
+    one, other = (FoundEffect("torque_bias", "", "", (robot,), "confirmed", {}, 50.0) for robot in ("a", "b"))
+    mixed = replace(one, id="frame_mixup", correction="x and y are exchanged")
+    found = stopped((one, other, mixed), (Objection("Of a.", ("a",)), Objection("Of this.", effect=other)))
+    assert [(each.tier, each.because) for each in found] == [
+        ("suspected", ("Of a.",)),
+        ("suspected", ("Of this.",)),
+        ("confirmed", ()),
+    ]
+    assert stopped((one,), (Objection("Of all."),))[0].because == ("Of all.",)
+    assert stopped((one,), ())[0] is one
+    assert HARD_STOPS.worse > 1.0

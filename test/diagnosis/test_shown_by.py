@@ -1,0 +1,145 @@
+"""An error of a reading is told by other readings, or not at all, and it is no larger than an instrument can err."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
+from cocorosim_ros.diagnosis.catalogue.shown_by import SHOWN_BY, can_be_told, is_shown, own_state
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.terms.regressors import REGRESSOR
+
+POSE = frozenset({"pose_x", "pose_y", "pose_z", "pose_yaw"})
+ON_BOARD = frozenset({"compass", "pressure", "gyro_z", "accel_x", "accel_y", "accel_z"})
+KNOWN = {"1", "t", "thrust", "yaw_command", "pump", "pump_rate"}
+
+
+def law(reading: str, product: str) -> Any:
+    """The entry of a law of readings."""
+    from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
+    from cocorosim_ros.world.laws.law import Law, Product
+
+    form = Law(reading, Product.parse(product))
+    amplitude = Amplitude("sensor_law_1.coefficient", "coefficient", form.unit, 1.0)
+    return Entry(form.text, "", "", form.topic or "", (amplitude,), topic=form.topic, law="sensor_law_1", form=form)
+
+
+@pytest.mark.parametrize(
+    ("reading", "product", "present", "told"),
+    [
+        ("pressure", "z", ON_BOARD, False),
+        ("pressure", "z", ON_BOARD | {"pose_z"}, True),
+        ("pressure", "z", ON_BOARD | {"velocity_w"}, True),
+        ("pressure", "t", ON_BOARD, True),
+        ("pressure", "pump", frozenset({"pressure"}), True),
+        ("pressure", "speed", ON_BOARD, False),
+        ("compass", "r", frozenset({"compass"}), False),
+        ("compass", "r", frozenset({"compass", "gyro_z"}), True),
+        ("compass", "sin_yaw*cos_yaw", frozenset({"compass", "pose_yaw"}), True),
+        ("gyro_z", "z", frozenset({"gyro_z", "pressure"}), True),
+        ("gyro_z", "z", frozenset({"gyro_z"}), False),
+        ("gyro_z", "r", frozenset({"gyro_z", "compass"}), True),
+        ("pose_x", "y", POSE, True),
+        ("pose_x", "x*y", POSE, False),
+        ("pose_x", "x*y", POSE | {"velocity_u", "velocity_v"}, True),
+        ("pose_z", "z", POSE, False),
+        ("pose_z", "x", POSE, True),
+        ("velocity_u", "u", POSE | {"velocity_u"}, True),
+        ("velocity_u", "u", frozenset({"velocity_u", "compass"}), False),
+    ],
+)
+def test_a_law_needs_another_reading(reading: str, product: str, present: frozenset[str], told: bool) -> None:
+    """What this reading alone shows cannot be what its error depends on; time and commands always can."""
+    assert can_be_told(law(reading, product), [present]) is told
+    assert can_be_told(law(reading, product), [frozenset(), present]) is told
+
+
+@pytest.mark.parametrize(
+    ("identifier", "present", "told"),
+    [
+        ("compass_distortion", frozenset({"compass", "pressure"}), False),
+        ("compass_distortion", frozenset({"compass", "gyro_z"}), True),
+        ("camera_scale", POSE, False),
+        ("camera_scale", POSE | {"compass", "gyro_z"}, False),
+        ("camera_scale", POSE | {"pressure"}, True),
+        ("camera_scale", POSE | {"velocity_u", "velocity_v"}, True),
+        ("pressure_offset", frozenset({"pressure"}), True),
+        ("pressure_drift", frozenset({"pressure"}), True),
+        ("imu_bias", frozenset({"gyro_z"}), True),
+        ("linear_drag", frozenset({"pressure"}), True),
+    ],
+)
+def test_an_error_of_the_catalogue_needs_another_reading(identifier: str, present: frozenset[str], told: bool) -> None:
+    """Gains and distortions do; offsets, drifts and physics do not."""
+    (entry, *_) = [each for each in ENTRIES if each.id == identifier]
+    assert can_be_told(entry, [present]) is told
+
+
+def test_every_regressor_of_a_reading_is_known_or_shown() -> None:
+    """A new regressor or kind of reading has to say by what it is shown."""
+    used = {factor.name for products in SENSOR_LAWS_OF.values() for each in products for factor in each.factors}
+    assert used <= KNOWN | set(SHOWN_BY)
+    assert not KNOWN & set(SHOWN_BY)
+    assert set(SHOWN_BY) - {"yaw"} <= set(REGRESSOR)
+    assert {kind for sets in SHOWN_BY.values() for each in sets for kind in each} <= set(KINDS)
+    for kind in KINDS:
+        assert len(own_state(kind)) == (not kind.startswith("accel"))
+        for state in own_state(kind):
+            assert not is_shown(state, [kind], [kind]) and is_shown(state, [kind], [*KINDS])
+
+
+def only(evidence: Any, topics: tuple[str, ...], change: Callable[[str, Any], Any]) -> Any:
+    """Evidence of the same swim with these topics alone, each changed."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    streams = {name: change(name, log.streams[name]) for name in topics}
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
+
+
+def test_a_gauge_alone_does_not_explain_the_depth_away(swim: Any) -> None:
+    """A gauge that shows half the depth: without poses no law of depth is tried, with them one beyond any gauge."""
+    from cocorosim_ros.diagnosis.diagnose import diagnose
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    def half(name: str, stream: Any) -> Any:
+        return replace(stream, value=0.5 * (101325.0 + stream.value)) if name == "pressure" else stream
+
+    lily = load_platform("lily")
+    alone = diagnose(only(swim(lily, 100.0, seed=11), ("compass", "pressure", "imu"), half), lambda words, share: None)
+    assert not [each for each in alone.effects if each.topic == "pressure" and each.law is not None
+                and "z" in {factor.name for factor in each.law.product.factors}]  # fmt: skip
+    assert any("cannot be told" in said and "pressure" in said for said in alone.untold)
+
+
+def test_an_error_beyond_the_instrument_is_no_hypothesis(swim: Any) -> None:
+    """By hand: 0.4 rad of offset is a compass, 0.6 rad is none; a drift of 30 Pa/s is 3000 Pa after 100 s."""
+    from cocorosim_ros.diagnosis.fitting.candidate import expand
+    from cocorosim_ros.diagnosis.fitting.fit import evaluated
+    from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+    from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument, most_error
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    fit = first_fit(swim(load_platform("lily"), 100.0, seed=12))
+    candidates = {each.entry.id: each for each in expand(ENTRIES, fit.tracks, fit.rows)}
+
+    def beyond(identifier: str, values: dict[str, float]) -> bool:
+        candidate = candidates[identifier]
+        new = candidate.amplitudes()
+        q = [values.get(each.owner.parameter, each.base) - each.base for each in new]
+        scaled = [number / each.scale for number, each in zip(q, new, strict=True)]
+        with_it = replace(fit, unknowns=(*fit.unknowns, *new), q=np.concatenate([fit.q, scaled]))
+        return is_beyond_instrument(candidate, evaluated(with_it))
+
+    assert not beyond("compass_distortion", {"offset": 0.4})
+    assert beyond("compass_distortion", {"offset": -0.6})
+    assert not beyond("pressure_drift", {"rate": 10.0})
+    assert beyond("pressure_drift", {"rate": 30.0})
+    assert not beyond("torque_bias", {"torque": 1.0})
+    assert most_error("pressure", np.array([0.0, 80000.0])) == pytest.approx(4000.0)  # a tenth of a spread of 40 kPa
+    assert most_error("compass", np.array([0.0, 100.0])) == 0.5
