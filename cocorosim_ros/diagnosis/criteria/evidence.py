@@ -55,12 +55,12 @@ class FilledInCriteria:
     """[readings] fewer show no pattern. Chosen, not measured."""
     on_the_line: float = 1.01
     """[smallest step between two levels of the readings] by which rounding may put a reading off the line between its
-    neighbours: half a step for itself, half for these two. Reckoned."""
+    neighbours: half a step for itself, half for these two. Reckoned from that."""
     exact: float = 1e-9
     """[of the range of the readings] the same where nothing is rounded: binary fractions. Chosen, not measured."""
     least: float = 0.3
-    """[share of the readings] on the line. Chosen; the positions of a ship, interpolated to every second reading, had
-    0.44."""
+    """[share of the readings] on the line. Chosen, not measured: the positions of a ship, interpolated to every second
+    reading, had 0.44."""
     turns: float = 0.1
     """[share of the readings] at which what is on the line begins or ends: a motion without noise is on it for many
     readings in a row. Twenty readings made of one measured are still found. Chosen, not measured."""

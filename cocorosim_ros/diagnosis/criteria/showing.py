@@ -38,8 +38,8 @@ class HardStopCriteria:
     at_bound: float = 1e-3
     """[of q] nearer to its bound a number stands at it: steps are cut there exactly. Chosen, not measured."""
     worse: float = 1.1
-    """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, as
-    VERDICT.worse is, not measured."""
+    """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, not measured,
+    as VERDICT.worse is."""
     strayed: float = 3.0
     """[noise of the readings] by which a smoothed course may leave most of its readings: normal noise leaves it by one.
     Chosen, not measured."""
@@ -93,9 +93,11 @@ class FreeRunCriteria:
     many: int = 6
     """[recordings] each too short for two blocks: from so many on whole ones are held out. Chosen, not measured."""
     coasted: float = 6.0
-    """[coasting times of the vehicle] that a free run lasts. Chosen: the 20 s of a Lily, that coasts for 3.3 s."""
+    """[coasting times of the vehicle] that a free run lasts. Chosen, not measured: the 20 s of a
+    Lily, which coasts for 3.3 s."""
     lengths: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0)
-    """[s] of free runs: one length for vehicles that are nearly alike, so that their errors can be compared."""
+    """[s] of free runs: one length for vehicles that are nearly alike, so that their errors can be compared.
+    Chosen, not measured."""
     most_turned: float = 30.0
     """[rad] in a window at the usual turn rate: after five turns no model foretells a heading. Chosen, not measured."""
     fewest_points: int = 10
@@ -111,7 +113,10 @@ class NamelessForceCriteria:
     most_terms: int = 12
     """[terms] of the force along one axis. Chosen, not measured."""
     memories: tuple[float, ...] = (2.0, 5.0, 15.0, 50.0)
-    """[steps of the grid] over which late forces may fade. Chosen: from a step's blur to a pump."""
+    """[steps of the grid] over which late forces may fade. Chosen, not measured: from a step's blur to a
+    pump."""
+    rounding: float = 1e-12
+    """[of the largest term] smaller terms are rounding. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

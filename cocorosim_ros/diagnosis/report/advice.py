@@ -26,7 +26,7 @@ MANOEUVRES: dict[str, str] = {
 }
 """Manoeuvres by name, each as an instruction: they show what a recording leaves open."""
 
-REGIMES: dict[Regime, str] = {
+REGIME_WORDS: dict[Regime, str] = {
     "turning": "mostly when turning",
     "straight": "mostly when turning slowly or not",
     "fast": "mostly at speed",
@@ -51,4 +51,4 @@ def where_words(where: Concentration | None) -> str:
     """Words for the part of a course that most evidence comes from, and its share; None: from all of the course."""
     if where is None:
         return "throughout"
-    return f"{REGIMES[where.regime]} ({min(where.share, 1.0):.0%} of the evidence)"
+    return f"{REGIME_WORDS[where.regime]} ({min(where.share, 1.0):.0%} of the evidence)"

@@ -8,11 +8,10 @@ because the times of the commands fix them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import SENSOR_COLUMNS
+from cocorosim_ros.diagnosis.catalogue.shown_by import is_shown, own_state
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, SENSOR_COLUMNS
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
@@ -20,22 +19,8 @@ from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
-ALSO_SHOWN_BY: Mapping[str, tuple[str, ...]] = {
-    "pose_x": ("velocity_u", "velocity_v"),
-    "pose_y": ("velocity_u", "velocity_v"),
-    "pose_z": ("pressure", "velocity_w"),
-    "pose_yaw": ("compass", "gyro_z"),
-    "compass": ("pose_yaw", "gyro_z"),
-    "pressure": ("pose_z", "velocity_w"),
-    "gyro_z": ("pose_yaw", "compass"),
-    "accel_x": ("pose_x", "velocity_u"),
-    "accel_y": ("pose_y", "velocity_v"),
-    "accel_z": ("pose_z", "pressure", "velocity_w"),
-    "velocity_u": ("pose_x",),
-    "velocity_v": ("pose_y",),
-    "velocity_w": ("pose_z", "pressure"),
-}
-"""Kinds of readings that show the same state or its rate, by kind."""
+STATE_OF_FORCE = {"accel_x": "u", "accel_y": "v", "accel_z": "w"}
+"""The state of which an accelerometer shows the rate."""
 
 
 def with_fixed_errors(plain: Floats, row: Floats, timeline: Timeline) -> Floats:
@@ -59,4 +44,7 @@ def _kinds_of(column: str) -> list[str]:
 
 
 def _is_fixed(kind: str, timeline: Timeline) -> bool:
-    return timeline.sees(*ALSO_SHOWN_BY[kind])
+    """Tell whether other readings show what readings of this kind show."""
+    present = [name for name in KIND_NAMES if timeline.sees(name)]
+    states = own_state(kind) or (STATE_OF_FORCE[kind],)
+    return all(is_shown(state, (kind,), present) for state in states)

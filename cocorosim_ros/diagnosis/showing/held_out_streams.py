@@ -32,7 +32,7 @@ class Stream(NamedTuple):
     factor: float  # of the reading by that state
 
 
-STREAMS: Mapping[str, Stream] = {
+COMPARED_STREAMS: Mapping[str, Stream] = {
     "compass": Stream(("pose_yaw",), True, YAW, 1.0),
     "pressure": Stream(("pose_z",), True, Z, PASCAL_PER_METRE),
     # A rate that errs leads the course astray by its integral, which the heading does not allow.
@@ -47,6 +47,13 @@ class HeldOutPart(NamedTuple):
     stretch: float  # length [s] of stretches of which the errors count as independent, for intervals
 
 
+class HeldOutStretches(NamedTuple):
+    """Parts of one recording that are held out, cut into stretches."""
+
+    spans: Sequence[tuple[float, float]]  # begin and end of each part [s]
+    length: float  # of a stretch [s]
+
+
 def held_out_streams(
     tracks: Sequence[Track], plain: Floats, models: Mapping[str, Floats], part: HeldOutPart
 ) -> dict[str, HeldOut]:
@@ -56,7 +63,7 @@ def held_out_streams(
     'recalibrated' and 'augmented'. The noise floor is the error of the readings and that of the course.
     """
     table = {}
-    for topic, stream in STREAMS.items():
+    for topic, stream in COMPARED_STREAMS.items():
         kind = KIND_OF_TOPIC[topic]
         seen = [
             number
@@ -66,7 +73,16 @@ def held_out_streams(
         courses = {number: _course(tracks[number], plain[number], topic) for number in seen}
         means = {
             name: np.concatenate(
-                [_stretches(tracks[number], courses[number], rows[number], topic, (part, number)) for number in seen]
+                [
+                    _stretches(
+                        tracks[number],
+                        courses[number],
+                        rows[number],
+                        topic,
+                        HeldOutStretches(part.spans[number], part.stretch),
+                    )
+                    for number in seen
+                ]
             )
             for name, rows in models.items()
             if seen
@@ -83,28 +99,27 @@ def held_out_streams(
 
 def _course(track: Track, row: Floats, topic: str) -> Smoothed:
     """The recalibrated model's course, seen without the stream where that would lead it astray."""
-    return (track.without_stream(topic) if STREAMS[topic].hidden else track).filter.smoothed(row)
+    return (track.without_stream(topic) if COMPARED_STREAMS[topic].hidden else track).filter.smoothed(row)
 
 
 def _noise(track: Track, topic: str, course: Smoothed) -> float:
     """Variance of a stream's averaged readings, by the noise that its differences show, and that of the course."""
     share = track.timeline.share[track.timeline.kind == KIND_OF_TOPIC[topic]]
-    stream = STREAMS[topic]
+    stream = COMPARED_STREAMS[topic]
     spread = stream.factor * course.spread[:, stream.column]
     return float(track.log.streams[topic].noise[0] ** 2 * share.mean() + np.mean(spread**2))
 
 
-def _stretches(track: Track, course: Smoothed, row: Floats, topic: str, place: tuple[HeldOutPart, int]) -> Floats:
-    """Mean squared deviations (n,) of the stretches of a track's held-out parts; place: the parts, and its number."""
-    part, number = place
+def _stretches(track: Track, course: Smoothed, row: Floats, topic: str, held: HeldOutStretches) -> Floats:
+    """Mean squared deviations (n,) of the stretches of a track's held-out parts."""
     chosen = track.timeline.kind == KIND_OF_TOPIC[topic]
     stamp = track.timeline.stamp[chosen]
     squared = deviation(track, chosen, course, row) ** 2
     return np.array(
         [
             squared[inside].mean()
-            for begin, end in part.spans[number]
-            for inside in _in_stretches(stamp, begin, end, part.stretch)
+            for begin, end in held.spans
+            for inside in _in_stretches(stamp, begin, end, held.length)
         ]
     )
 

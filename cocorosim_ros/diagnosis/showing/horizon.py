@@ -38,6 +38,11 @@ def window_length(coasting: float, courses: Sequence[Smoothed]) -> float:
     turned = np.concatenate([course.mean[:, YAW_RATE] for course in courses])
     rate = float(np.sqrt(np.mean(turned**2)))
     wanted = FREE_RUNS.coasted * coasting
-    near = min(FREE_RUNS.lengths, key=lambda seconds: abs(math.log(seconds / min(max(wanted, 1e-3), 1e6))))
+    near = min(FREE_RUNS.lengths, key=lambda seconds: abs(math.log(seconds) - _log(wanted)))
     told = [seconds for seconds in FREE_RUNS.lengths if seconds <= near and seconds * rate <= FREE_RUNS.most_turned]
     return max(told, default=FREE_RUNS.lengths[0])
+
+
+def _log(seconds: float) -> float:
+    """Logarithm of a wanted length [s], that of the shortest or the longest free run where it lies beyond them."""
+    return math.log(min(max(seconds, FREE_RUNS.lengths[0]), FREE_RUNS.lengths[-1]))

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.signal import lfilter
 
 from cocorosim_ros.diagnosis.criteria.showing import NAMELESS_FORCE
-from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, YAW_MOMENT, Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.state.state import YAW, X, Y
@@ -40,7 +40,7 @@ def explained_forces(tracks: Sequence[Track], courses: Sequence[Smoothed], rows:
                               for course, yaw in zip(courses, turned, strict=True)])  # fmt: skip
     terms = np.concatenate([_terms(course) for course in seen])
     size = np.sqrt(np.mean(terms**2, axis=0))
-    terms = terms[:, size > 1e-12 * max(float(size.max()), 1e-300)]
+    terms = terms[:, size > NAMELESS_FORCE.rounding * float(size.max())]
     terms = terms / np.sqrt(np.mean(terms**2, axis=0))
     explained = np.column_stack([foretold(terms, axis) for axis in lacking.T])
     return [
@@ -52,8 +52,8 @@ def explained_forces(tracks: Sequence[Track], courses: Sequence[Smoothed], rows:
 def turn_back(force: Floats, yaw: Floats) -> Floats:
     """Forces (points, 4) in axes that are turned by `yaw` (points,) [rad] against the ones in which they are given."""
     sine, cosine, turned = np.sin(yaw), np.cos(yaw), force.copy()
-    ahead, left = force[:, FORCE_X - FORCE_X], force[:, FORCE_Y - FORCE_X]
-    turned[:, 0], turned[:, 1] = ahead * cosine + left * sine, left * cosine - ahead * sine
+    ahead, left = force[:, X], force[:, Y]
+    turned[:, X], turned[:, Y] = ahead * cosine + left * sine, left * cosine - ahead * sine
     return turned
 
 

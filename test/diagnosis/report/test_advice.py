@@ -7,7 +7,7 @@ from typing import get_args
 import pytest
 
 from cocorosim_ros.diagnosis.findings import Concentration, Regime
-from cocorosim_ros.diagnosis.report.advice import MANOEUVRES, REGIMES, manoeuvre_words, where_words
+from cocorosim_ros.diagnosis.report.advice import MANOEUVRES, REGIME_WORDS, manoeuvre_words, where_words
 
 
 def test_manoeuvres_are_one_sentence_or_none() -> None:
@@ -21,8 +21,8 @@ def test_manoeuvres_are_one_sentence_or_none() -> None:
 
 def test_every_regime_has_words() -> None:
     """One each, all different."""
-    assert set(REGIMES) == set(get_args(Regime))
-    assert len(set(REGIMES.values())) == len(REGIMES)
+    assert set(REGIME_WORDS) == set(get_args(Regime))
+    assert len(set(REGIME_WORDS.values())) == len(REGIME_WORDS)
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.filter.layout import COMPASS, KIND_NAMES, POSE_X, POSE_Y, PRESSURE
-from cocorosim_ros.diagnosis.showing.fixed_errors import ALSO_SHOWN_BY, with_fixed_errors
+from cocorosim_ros.diagnosis.catalogue.shown_by import own_state
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
+from cocorosim_ros.diagnosis.showing.fixed_errors import STATE_OF_FORCE, with_fixed_errors
 from cocorosim_ros.diagnosis.showing.held_out_parts import Span
 from cocorosim_ros.diagnosis.showing.rulers import against, errors_of_course, errors_of_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
@@ -120,9 +121,10 @@ def test_a_law_of_the_only_reading_of_a_state_does_not_count() -> None:
     assert row[COLUMN["compass_distortion.sin"]] == 0.2
 
 
-def test_every_kind_of_reading_has_its_others() -> None:
-    """So that a sensor that is added is not forgotten; none shows itself."""
-    assert set(ALSO_SHOWN_BY) == set(KINDS)
-    for kind, others in ALSO_SHOWN_BY.items():
-        assert set(others) <= set(KINDS) - {kind}
-    assert {KIND_NAMES[code] for code in (POSE_X, POSE_Y, COMPASS, PRESSURE)} <= set(ALSO_SHOWN_BY)
+def test_no_kind_of_reading_is_fixed_by_itself() -> None:
+    """A sensor that is added is not forgotten: each shows a state, which it alone does not fix."""
+    for kind in KINDS:
+        assert own_state(kind) or kind in STATE_OF_FORCE
+        alone: Any = Readings(TIME, **{kind: 0.0})
+        row = with_fixed_errors(NEUTRAL, law_of(kind), alone)
+        assert row[COLUMN["sensor_law_1.coefficient"]] == 0.0
