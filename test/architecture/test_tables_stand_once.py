@@ -22,7 +22,6 @@ ALLOWED = {
     "diagnosis/tracks/vehicle_size.py": "sizes of a vehicle by unit, which are to follow from the units themselves",
     "diagnosis/filter/layout.py": "the order of readings in the filter's arrays, which a test compares with the table",
     "diagnosis/catalogue/shown_by.py": "which readings show each state that an error of a reading may depend on",
-    "diagnosis/catalogue/sensor_laws.py": "which products are tried for each reading",
 }
 TABLES = ((set(REGRESSOR), 3), (UNITS, 3), (set(READING_CODE), 6))
 """Names, and how many of them as keys of a mapping are a table of facts about them; effects have errors of readings."""

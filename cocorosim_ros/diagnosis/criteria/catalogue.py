@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 
 @dataclass(frozen=True)
@@ -46,15 +44,3 @@ class EddyCriteria:
 CATALOGUE = CatalogueCriteria()
 LAWS = LawCriteria()
 EDDIES = EddyCriteria()
-BAD_READING: Mapping[str, float] = MappingProxyType(
-    {
-        "compass": 0.05,
-        "pressure": 200.0,
-        "gyro_z": 0.02,
-        **dict.fromkeys(("accel_x", "accel_y", "accel_z"), 0.03),
-        **dict.fromkeys(("pose_x", "pose_y", "pose_z"), 0.03),
-        "pose_yaw": 0.05,
-        **dict.fromkeys(("velocity_u", "velocity_v", "velocity_w"), 0.005),
-    }
-)
-"""[the unit of the reading] errors of a bad case, by reading. Chosen, not measured."""

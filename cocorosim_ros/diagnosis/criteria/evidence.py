@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 
 @dataclass(frozen=True)
@@ -267,13 +265,3 @@ EXCHANGES = ExchangeCriteria()
 SPEEDS = SpeedCriteria()
 TILT = TiltCriteria()
 SUFFICIENCY = SufficiencyCriteria()
-LEAST_MOTION: Mapping[str, tuple[float, ...]] = MappingProxyType(
-    {
-        "pose": (0.005, 0.005, 0.005, 0.02),
-        "compass": (0.02,),
-        "pressure": (50.0,),
-        "imu": (0.01,),
-        "velocity": (0.002, 0.002, 0.002),
-    }
-)
-"""[m, m, m, rad; rad; Pa; rad/s; m/s] smaller motion is none, however exact the sensor is. Chosen, not measured."""

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.evidence import LEAST_MOTION, SUFFICIENCY
+from cocorosim_ros.diagnosis.criteria.evidence import SUFFICIENCY
 from cocorosim_ros.diagnosis.evidence.streams.excitation import command_use
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, Recording, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.world.sensors import SENSORS
 
 
 def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
@@ -55,10 +56,12 @@ def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> s
         return f"{place} has no commands; record its thruster_command too, because motion is explained by them."
     streams = {topic: stream for topic, stream in robot.streams.items() if len(stream.time) >= SUFFICIENCY.fewest}
     if not streams:
+        *others, last = STREAMS
+        usable = f"{', '.join(others)} or {last}"
         found = ", ".join(f"{len(stream.time)} of {topic}" for topic, stream in robot.streams.items()) or "none"
         return (
-            f"{place} has too few readings in {recording.duration:.1f} s ({found}) of pose, compass, pressure, imu or "
-            f"velocity; {SUFFICIENCY.fewest} of one of them are the least that shows how it moves."
+            f"{place} has too few readings in {recording.duration:.1f} s ({found}) of {usable}; "
+            f"{SUFFICIENCY.fewest} of one of them are the least that shows how it moves."
         )
     common = common_time(robot)
     if common < SUFFICIENCY.shortest:
@@ -90,8 +93,12 @@ def common_time(robot: RobotLog) -> float:
 
 def _moves(topic: str, stream: Stream) -> bool:
     """Tell whether the means over a second of any column spread farther than noise alone makes them."""
-    columns = zip(stream.value.T, stream.noise, LEAST_MOTION[topic], strict=False)
-    return any(_spread(stream.time, column, noise, least) for column, noise, least in columns)
+    columns = zip(SENSORS[topic].kinds, stream.value.T, stream.noise, strict=True)
+    return any(
+        _spread(stream.time, column, noise, kind.least_motion)
+        for kind, column, noise in columns
+        if kind.least_motion is not None
+    )
 
 
 def _spread(time: Floats, column: Floats, noise: float, least: float) -> bool:

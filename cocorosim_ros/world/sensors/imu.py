@@ -10,6 +10,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.influences import MOTORS, PUMP
 from cocorosim_ros.world.sensors.pose import Rates, When
 from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
@@ -18,6 +19,7 @@ from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW_RATE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, HR, HU, HV, VERTICAL, VFZ, VW, VZ
 
 # mypy: disable-error-code="no-any-return"
+_ACCELERATED = (*MOTORS, "z", "t", "u", "r", "r*r", "u*u")
 NOT_ESTIMATED = -1.0  # REP 145: first element of the covariance of what an IMU does not measure
 
 
@@ -133,14 +135,16 @@ IMU = Sensor(
     for_all=True,
     kinds=(
         Kind("gyro_z", "gyro_z", "rad/s", _gyro, _by_gyro, ("angular_rate", 2),
-             noise_words="a reading of the gyroscope", least_noise=1e-3,
+             noise_words="a reading of the gyroscope", least_noise=1e-3, least_motion=0.01, large_error=0.02,
+             error_follows=(*MOTORS, *PUMP, "r", "t", "z", "u", "v", "speed", "sin_yaw", "cos_yaw", "|r|", "|r|*r"),
              most_error=MostError(0.2, 0.2)),  # a cheap gyroscope that is cold
         Kind("accel_x", "accel_x", "m/s^2", _ahead, _by_ahead, ("specific_force", 0), noise="accel",
-             noise_words="a reading of the accelerometer", least_noise=1e-3, most_error=_TILTED),
+             noise_words="a reading of the accelerometer", least_noise=1e-3, large_error=0.03,
+             error_follows=_ACCELERATED, most_error=_TILTED),
         Kind("accel_y", "accel_y", "m/s^2", _left, _by_left, ("specific_force", 1), noise="accel", least_noise=1e-3,
-             most_error=_TILTED),
+             large_error=0.03, error_follows=_ACCELERATED, most_error=_TILTED),
         Kind("accel_z", "accel_z", "m/s^2", _up, _by_up, ("specific_force", 2), upright=True, noise="accel",
-             least_noise=1e-3, most_error=_TILTED),
+             least_noise=1e-3, large_error=0.03, error_follows=_ACCELERATED, most_error=_TILTED),
     ),
     recorded=Recorded(37, _columns, drawn="gyro_z", orientation=_orientation),
 )  # fmt: skip

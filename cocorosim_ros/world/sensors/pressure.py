@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP
 from cocorosim_ros.world.sensors.pose import Rates, When, height
 from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
@@ -51,7 +52,9 @@ PRESSURE = Sensor(
     for_all=True,
     kinds=(
         Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True,
-             noise_words="a reading of the pressure", least_noise=1.0,
+             noise_words="a reading of the pressure", least_noise=1.0, least_motion=50.0, large_error=200.0,
+             error_follows=(*MOTORS, *PUMP, *PLACE, "u", "v", "r", "speed", "u*u", "speed*speed", "z*z", "r*r",
+                            "|w|", "|w|*w", "t*t"),
              most_error=MostError(2000.0, 0.1)),  # weather of a day; a gauge that is ten per cent off is broken
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="pressure", late_with="w"),

@@ -49,6 +49,9 @@ class Kind:
     `row` the reading is, `slope` the derivative of what is shown by the truth (1 without errors), `rates` the flat
     derivatives of the rates of the block by the block (terms.blocks), row by row.
     place: field of Readings and column there; None where a simulation shows the truth.
+    error_follows: products of regressors to one of which an error outside ERRORS may be proportional, written as in
+    laws.law. What an error of ERRORS or a late stream does already is left out: a late stream is off by its own rate.
+    least_motion and large_error are chosen, not measured.
     """
 
     name: str
@@ -64,6 +67,9 @@ class Kind:
     noise_words: str = ""  # of that number, in the report
     least_noise: float = field(kw_only=True)  # [unit] what the filter's steps err by, however exact a reading is
     most_error: MostError = field(kw_only=True)  # beyond it a difference is no error of this instrument
+    least_motion: float | None = None  # [unit] smaller motion is none, however exact; None: motion is not told by it
+    large_error: float = field(kw_only=True)  # [unit] in a bad case
+    error_follows: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

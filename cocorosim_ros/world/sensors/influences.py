@@ -1,0 +1,7 @@
+"""Influences on instruments that several of them have in common, as products of regressors (written as in laws.law)."""
+
+from __future__ import annotations
+
+MOTORS = ("thrust", "yaw_command", "|thrust|")
+PUMP = ("pump", "pump_rate")
+PLACE = ("x", "y", "z")
