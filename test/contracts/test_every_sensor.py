@@ -9,15 +9,20 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.foundation.units.unit_algebra import powers_of
 from cocorosim_ros.scenario.parts.corruption import SENSOR_CHANNELS
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.wire.cdr.packed import PackedMessage
+from cocorosim_ros.wire.cdr.stamped_numbers import numbers_of
 from cocorosim_ros.wire.cdr.type_store import build
 from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.laws.law import Product
 from cocorosim_ros.world.sensors import KINDS, SENSORS, errors
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, changes_of
+from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS
 from cocorosim_ros.world.sensors.readings import FIELDS
-from cocorosim_ros.world.sensors.sensor import PER_CONE
+from cocorosim_ros.world.sensors.sensor import PER_CONE, Elements
+from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.search import Strength
@@ -49,12 +54,26 @@ def test_it_tells_what_it_is(topic: str) -> None:
     sensor = SENSORS[topic]
     assert sensor.meaning and not sensor.meaning.endswith(".")
     assert bool(sensor.kinds) == (sensor.recorded is not None)
-    assert sensor.asked <= (topic in EXTRA_TOPICS)
     assert {name for field in sensor.fields for name in field.channels} <= set(SENSOR_CHANNELS)
     if sensor.recorded is not None:
         picked = sensor.recorded.columns(np.ones((4, sensor.recorded.numbers)))
         assert picked.shape == (4, len(sensor.kinds))
         assert not sensor.recorded.drawn or sensor.recorded.drawn in KINDS
+
+
+def test_what_controllers_may_ask_for_is_there() -> None:
+    """Sensors that are asked for, and what is heard or only the simulation knows; nothing else, and none left out."""
+    asked = {topic for topic, sensor in SENSORS.items() if sensor.asked}
+    assert set(EXTRA_TOPICS) == asked | {"blue_light_rx", "neighbours"}
+
+
+def test_what_controllers_see_is_measured() -> None:
+    """Every field of an observation beside time and talk is a field of a sensor, each of which is seen whole."""
+    talk = {"time", "heard_count", "heard", "light_count", "light"}
+    shown = {name for name in Observation._fields if name not in talk and not name.startswith("neighbour_")}
+    assert shown | {"neighbour_range"} <= set(FIELDS)
+    for sensor in SENSORS.values():
+        assert len({field.name in Observation._fields for field in sensor.fields}) <= 1
 
 
 def test_every_channel_has_a_field() -> None:
@@ -140,3 +159,38 @@ def test_a_reading_has_a_least_noise(name: str) -> None:
     assert {each.least_noise for each in KINDS.values() if kind.noise and each.noise == kind.noise} <= {
         kind.least_noise
     }
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_errors_of_a_reading_are_described(name: str) -> None:
+    """Each product is read as it is written, no two are the same, and its regressors exist for a single robot."""
+    kind = KINDS[name]
+    products = [Product.parse(text) for text in kind.error_follows]
+    assert [product.text for product in products] == list(kind.error_follows)
+    assert len(set(products)) == len(products) > 0
+    regressors = {factor.name for product in products for factor in product.factors}
+    assert not regressors & set(NO_REGRESSORS_OF_READINGS)
+    assert kind.large_error > kind.least_noise
+
+
+@every_sensor
+def test_a_sensor_that_a_diagnosis_reads_shows_motion(topic: str) -> None:
+    """In one of its numbers at least, from a size on that is above the noise of the filter's steps."""
+    kinds = SENSORS[topic].kinds
+    shown = [kind for kind in kinds if kind.least_motion is not None]
+    assert bool(shown) == bool(kinds)
+    assert all(kind.least_motion > kind.least_noise for kind in shown)
+
+
+@every_sensor
+def test_its_messages_are_read(topic: str) -> None:
+    """Of a header and numbers, every column and every place of the layout is one of them; else as named elements."""
+    sensor = SENSORS[topic]
+    numbers = numbers_of(sensor.message)
+    if isinstance(sensor.shown, Elements):
+        assert not numbers and powers_of(sensor.shown.unit) is not None
+        return
+    assert {column.place for column in sensor.shown} | set(sensor.layout(()).places) <= set(numbers)
+    assert len({column.name for column in sensor.shown}) == len(sensor.shown)
+    assert bool(sensor.shown) == bool(sensor.fields)  # places are read as tracks
+    assert sensor.recorded is None or sensor.recorded.numbers == len(numbers)

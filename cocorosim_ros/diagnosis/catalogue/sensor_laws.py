@@ -15,7 +15,7 @@ from cocorosim_ros.world.terms.search import Scene
 SENSOR_LAWS_OF: dict[str, tuple[Product, ...]] = {
     kind.name: tuple(Product.parse(text) for text in kind.error_follows) for kind in KINDS.values()
 }
-"""By reading: the products to which its error may be proportional."""
+"""Products to which the error of each reading may be proportional."""
 
 
 def sensor_law_entries(scene: Scene, place: str) -> list[Entry]:

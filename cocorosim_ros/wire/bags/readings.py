@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,10 +15,12 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
-from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
+from cocorosim_ros.wire.cdr.stamped_numbers import numbers_of, read_stamped_numbers
 from cocorosim_ros.wire.cdr.type_store import deserialize
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors import SENSORS
+from cocorosim_ros.world.sensors.pose import POSE
+from cocorosim_ros.world.sensors.sensor import Column, Elements
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -74,22 +76,6 @@ def _reach(values: Floats) -> tuple[str, str]:
 
 
 @dataclass(frozen=True)
-class _Numbers:
-    """A type that is a header and float64 numbers: how many there are, and which of them are shown."""
-
-    count: int
-    shown: Mapping[str, tuple[int, str]]  # column: its place among the numbers, its unit
-
-
-@dataclass(frozen=True)
-class _Elements:
-    """A type that is a header and a list of named elements."""
-
-    read: Callable[[Any], Named]
-    unit: str
-
-
-@dataclass(frozen=True)
 class _Rows:
     """One row for each of n messages, those that could not be read included."""
 
@@ -101,38 +87,15 @@ class _Rows:
     """(n,) which could be read."""
 
 
-def _with_variance(name: str, unit: str) -> _Numbers:
-    squared = f"({unit})^2" if "/" in unit else f"{unit}^2"
-    return _Numbers(2, {name: (0, unit), "variance": (1, squared)})
-
-
 def _commands(message: Any) -> Named:
     return dict(zip(message.name, message.command.tolist(), strict=True))
 
 
-def _ranges(message: Any) -> Named:
-    ranges = ("neighbour_range", "obstacle_range")
-    return {f"{part.sensor}.{name}": getattr(part, name) for part in message.readings for name in ranges}
-
-
-# An Imu is orientation (4), its covariance (9), angular rate (3), its covariance (9), specific force (3), covariance.
-_IMU = {f"angular_rate_{axis}": (13 + place, "rad/s") for place, axis in enumerate("xyz")} | {
-    f"specific_force_{axis}": (25 + place, "m/s^2") for place, axis in enumerate("xyz")
+READABLE: dict[str, tuple[Column, ...] | Elements] = {
+    **{topic: sensor.shown for topic, sensor in SENSORS.items() if sensor is not POSE},
+    "thruster_command": Elements(_commands, "1"),
 }
-_VELOCITY = {name: (place, "m/s") for place, name in enumerate("uvw")} | {
-    name: (3 + place, "rad/s") for place, name in enumerate("pqr")
-}
-READABLE: dict[str, _Numbers | _Elements] = {
-    "compass": _with_variance("heading", "rad"),
-    "pressure": _with_variance("pressure", "Pa"),
-    "imu": _Numbers(37, _IMU),
-    "velocity": _Numbers(6, _VELOCITY),
-    "blss": _Elements(_ranges, "m"),
-    "illuminance": _with_variance("illuminance", "lx"),
-    "concentration": _with_variance("concentration", "kg/m^3"),
-    "thruster_command": _Elements(_commands, "1"),
-}
-"""The topics that are numbers, by name."""
+"""The topics that are numbers, by name, but for poses, which are tracks (`bags.tracks`)."""
 
 
 def read_readings(bag: Bag) -> tuple[dict[str, dict[str, TopicReadings]], list[str]]:
@@ -157,17 +120,17 @@ def read_readings(bag: Bag) -> tuple[dict[str, dict[str, TopicReadings]], list[s
 
 def topic_readings(robot: str, topic: str, messages: Sequence[bytes]) -> TopicReadings:
     """The readings in the CDR bytes of the messages of one topic, a name in READABLE."""
-    layout = READABLE[topic]
-    if isinstance(layout, _Numbers):
-        read = read_stamped_numbers(messages, layout.count)
-        places = [place for place, _ in layout.shown.values()]
-        units = tuple(unit for _, unit in layout.shown.values())
-        rows = _Rows(read.stamp_ns, read.numbers[:, places], read.readable)
-        return _kept(robot, topic, rows, tuple(layout.shown), units)
-    stamps, named, readable = _named_rows(topic, messages, layout)
+    shown = READABLE[topic]
+    if not isinstance(shown, Elements):
+        paths = numbers_of(ROBOT_TOPICS[topic].type_name)
+        read = read_stamped_numbers(messages, len(paths))
+        values = read.numbers[:, [paths.index(column.place) for column in shown]]
+        names, units = tuple(column.name for column in shown), tuple(column.unit for column in shown)
+        return _kept(robot, topic, _Rows(read.stamp_ns, values, read.readable), names, units)
+    stamps, named, readable = _named_rows(topic, messages, shown)
     columns = tuple(dict.fromkeys(name for row in named for name in row))
     values = np.array([[row.get(name, np.nan) for name in columns] for row in named]).reshape(len(named), len(columns))
-    return _kept(robot, topic, _Rows(stamps, values, readable), columns, (layout.unit,) * len(columns))
+    return _kept(robot, topic, _Rows(stamps, values, readable), columns, (shown.unit,) * len(columns))
 
 
 def readable_topics(bag: Bag) -> tuple[list[str], list[str]]:
@@ -175,26 +138,28 @@ def readable_topics(bag: Bag) -> tuple[list[str], list[str]]:
     wanted, findings = [], []
     for recorded in bag.summary.topics:
         name = split_topic(recorded.topic)[1]
-        if name in SENSORS and name not in (*READABLE, "pose"):
-            findings.append(f"{recorded.topic} is left out: no line of READABLE says how its numbers are laid out.")
         if name not in READABLE:
             continue
         right = ROBOT_TOPICS[name].type_name
-        if recorded.type_name == right:
+        if recorded.type_name != right:
+            findings.append(f"{recorded.topic} is of type {recorded.type_name} instead of {right} and is not read.")
+        elif isinstance(READABLE[name], Elements) or numbers_of(right):
             wanted.append(recorded.topic)
         else:
-            findings.append(f"{recorded.topic} is of type {recorded.type_name} instead of {right} and is not read.")
+            findings.append(
+                f"{recorded.topic} is left out: {right} is more than numbers, and no file says how it is read."
+            )
     return wanted, findings
 
 
-def _named_rows(topic: str, messages: Sequence[bytes], layout: _Elements) -> tuple[Integers, list[Named], Flags]:
+def _named_rows(topic: str, messages: Sequence[bytes], elements: Elements) -> tuple[Integers, list[Named], Flags]:
     """(n,) stamps [ns], the elements of each message by name, and (n,) which messages could be read."""
     stamps, readable = np.zeros(len(messages), np.int64), np.ones(len(messages), np.bool_)
     rows: list[Named] = []
     for index, data in enumerate(messages):
         try:
             message = deserialize(ROBOT_TOPICS[topic].type_name, data)
-            rows.append(layout.read(message))
+            rows.append(elements.read(message))
             stamps[index] = message.header.stamp.sec * NANOSECONDS + message.header.stamp.nanosec
         except (CocorosimError, ValueError):
             readable[index] = False

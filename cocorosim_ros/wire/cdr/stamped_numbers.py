@@ -7,12 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 import numpy as np
+from rosbags.interfaces import Nodetype
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.wire.cdr.kernels.places import BODY, LENGTH_BYTES, NUMBER_BYTES, STAMP_BYTES, aligned
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS, ByteOrder, byte_order
+from cocorosim_ros.wire.cdr.type_store import type_store
 
 FRAME_LENGTH = BODY + STAMP_BYTES  # byte offsets in the CDR bytes
 FRAME = FRAME_LENGTH + LENGTH_BYTES
@@ -32,6 +36,28 @@ class StampedNumbers:
     numbers: Floats
     readable: Flags
     frames: tuple[str, ...]
+
+
+@cache
+def numbers_of(type_name: str) -> tuple[str, ...]:
+    """Paths (`field_paths`) of the numbers of a type that is a header and float64 numbers, in order; () for another."""
+    fields = type_store().fielddefs[type_name][1]
+    if not fields or fields[0] != ("header", (Nodetype.NAME, "std_msgs/msg/Header")):
+        return ()
+    paths = [_paths(*field) for field in fields[1:]]
+    return () if any(None in part for part in paths) else tuple(str(path) for part in paths for path in part)
+
+
+def _paths(name: str, description: Any) -> list[str | None]:
+    """Paths of the numbers in a field; None for what is no float64."""
+    kind, detail = description
+    if kind == Nodetype.NAME:
+        inner = [path for field in type_store().fielddefs[detail][1] for path in _paths(*field)]
+        return [f"{name}.{path}" if path else None for path in inner]
+    element, count = (detail, 0) if kind == Nodetype.BASE else detail
+    if kind == Nodetype.ARRAY and element == (Nodetype.BASE, ("float64", 0)):
+        return [f"{name}[#{index}]" for index in range(count)]
+    return [name if kind == Nodetype.BASE and element[0] == "float64" else None]
 
 
 def read_stamped_numbers(messages: Sequence[bytes], count: int) -> StampedNumbers:

@@ -30,12 +30,13 @@ from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.world.sensors.cones import AXIS, COSINE, HALVES, REACH
 from cocorosim_ros.world.sensors.instruments import Instruments
-from cocorosim_ros.world.sensors.sensor import PER_CONE, Field, Layout, Sensor
+from cocorosim_ros.world.sensors.sensor import PER_CONE, Elements, Field, Layout, Sensor
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank, is_open_water, ray_range
 
 Robots = NDArray[np.int32]
+RANGES = ("neighbour_range", "obstacle_range")
 NOWHERE, NOBODY = math.inf, -1.0
 
 
@@ -142,8 +143,12 @@ def measure(sight: Sight, neighbour_range: Floats, obstacle_range: Floats) -> No
 def _layout(sensors: tuple[BlueLightSensor, ...]) -> Layout:
     """Neighbour ranges of all sensors, then obstacle ranges [m]."""
     readings = [{"sensor": part.name, "azimuth": part.azimuth, "elevation": part.elevation} for part in sensors]
-    places = [f"readings[{part.name}].{field}" for field in ("neighbour_range", "obstacle_range") for part in sensors]
+    places = [f"readings[{part.name}].{field}" for field in RANGES for part in sensors]
     return Layout(tuple(places), {"readings": readings})
+
+
+def _ranges(message: Any) -> dict[str, float]:
+    return {f"{part.sensor}.{name}": getattr(part, name) for part in message.readings for name in RANGES}
 
 
 BLUE_LIGHT = Sensor(
@@ -151,11 +156,9 @@ BLUE_LIGHT = Sensor(
     message="cocorosim_msgs/msg/BlssScan",
     meaning="what the blue-light sensors see",
     layout=_layout,
-    fields=(
-        Field("neighbour_range", "m", PER_CONE, channels={"neighbour_range": slice(None)}),
-        Field("obstacle_range", "m", PER_CONE, channels={"obstacle_range": slice(None)}),
-    ),
+    fields=tuple(Field(name, "m", PER_CONE, channels={name: slice(None)}) for name in RANGES),
     measure=measure,
     optional=False,
     for_all=True,
+    elements=Elements(_ranges, "m"),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.sensor import Field, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Column, Field, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 
 
@@ -21,4 +21,5 @@ CHEMICAL = Sensor(
     fields=(Field("concentration", "kg/m^3", channels={"concentration": None}),),
     measure=measure,
     asked=True,
+    columns=(Column("concentration", "concentration", "kg/m^3"), Column("variance", "variance", "(kg/m^3)^2")),
 )

@@ -9,7 +9,7 @@ from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP
 from cocorosim_ros.world.sensors.pose import by_heading, heading
-from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import YAW
 
@@ -30,6 +30,7 @@ COMPASS = Sensor(
     measure=measure,
     optional=False,
     for_all=True,
+    columns=(Column("heading", "heading", "rad"), Column("variance", "variance", "rad^2")),
     kinds=(
         Kind("compass", "heading", "rad", heading, by_heading, ("compass", None), angle=True,
              noise_words="a reading of the compass", least_noise=1e-3, least_motion=0.02, large_error=0.05,

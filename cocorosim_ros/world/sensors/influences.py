@@ -5,3 +5,4 @@ from __future__ import annotations
 MOTORS = ("thrust", "yaw_command", "|thrust|")
 PUMP = ("pump", "pump_rate")
 PLACE = ("x", "y", "z")
+HEADING = ("sin_yaw", "cos_yaw")

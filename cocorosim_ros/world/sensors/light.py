@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.sensor import Field, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Column, Field, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import X, Z
 from cocorosim_ros.world.surroundings.lamps import illuminance_at
@@ -24,4 +24,5 @@ LIGHT = Sensor(
     fields=(Field("illuminance", "lx", channels={"illuminance": None}),),
     measure=measure,
     asked=True,
+    columns=(Column("illuminance", "illuminance", "lx"), Column("variance", "variance", "lx^2")),
 )

@@ -9,7 +9,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP
 from cocorosim_ros.world.sensors.pose import Rates, When, height
-from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import Z
@@ -50,6 +50,7 @@ PRESSURE = Sensor(
     measure=measure,
     optional=False,
     for_all=True,
+    columns=(Column("pressure", "fluid_pressure", "Pa"), Column("variance", "variance", "Pa^2")),
     kinds=(
         Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True,
              noise_words="a reading of the pressure", least_noise=1.0, least_motion=50.0, large_error=200.0,

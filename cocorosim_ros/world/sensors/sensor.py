@@ -98,12 +98,33 @@ class Layout:
 
 
 @dataclass(frozen=True)
+class Column:
+    """One number of a message as tables of recordings show it."""
+
+    name: str
+    place: str  # field of the message, as in Layout
+    unit: str  # SI, "1" for none
+
+
+@dataclass(frozen=True)
+class Elements:
+    """How tables show a message that is a list of named elements.
+
+    read(message) returns its numbers by column; unit: of all of them, "1" for none.
+    """
+
+    read: Callable[[Any], dict[str, float]]
+    unit: str
+
+
+@dataclass(frozen=True)
 class Sensor:
     """One sensor of a robot, which has a topic of its own.
 
     fields: of Readings, in the order in which their numbers fill the message. layout: of the message, from the robot's
     blue-light sensors. measure(sight, *fields): for one robot (sensors.sight); the result is the reading where there is
     one field without a last axis, else each field (numbers,) is an argument and is written into.
+    columns, elements: what tables of recordings show of the message; without either, the places of the layout.
     kinds: what a diagnosis knows of it; recorded: how it reads it.
     """
 
@@ -117,8 +138,21 @@ class Sensor:
     optional: bool = True
     asked: bool = False  # a robot has it where its controller asks for it; else where its platform says so
     for_all: bool = False  # measured in robots, too, that do not publish it
+    columns: tuple[Column, ...] = ()
+    elements: Elements | None = None
     kinds: tuple[Kind, ...] = ()
     recorded: Recorded | None = None
+
+    @property
+    def shown(self) -> tuple[Column, ...] | Elements:
+        """What tables of recordings show of its messages."""
+        if self.elements is not None:
+            return self.elements
+        if self.columns or not self.fields:
+            return self.columns
+        units = [each.unit for each in self.fields for _ in range(each.width or 1)]
+        places = zip(self.layout(()).places, units, strict=True)
+        return tuple(Column(place, place, unit) for place, unit in places)
 
     def is_on(self, sensors: Sensors, needs: tuple[str, ...]) -> bool:
         """Whether a robot with these sensors and a controller that asks for `needs` publishes it."""

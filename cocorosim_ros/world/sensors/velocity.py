@@ -5,7 +5,7 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.pose import Rates, When
-from cocorosim_ros.world.sensors.sensor import Field, Kind, MostError, Recorded, Sensor, fixed
+from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.terms.blocks import HU, HV, VW
 
@@ -60,6 +60,10 @@ VELOCITY = Sensor(
         Field("velocity", "m/s", 4, channels={"velocity": slice(0, 3), "yaw_rate_estimate": slice(3, 4)}),
     ),
     measure=measure,
+    columns=(
+        *(Column(name, f"twist.linear.{axis}", "m/s") for name, axis in zip("uvw", "xyz", strict=True)),
+        *(Column(name, f"twist.angular.{axis}", "rad/s") for name, axis in zip("pqr", "xyz", strict=True)),
+    ),
     kinds=(
         Kind("velocity_u", "u", "m/s", _ahead, _by_ahead, ("velocity", 0), of_water=True, noise="velocity",
              noise_words="a reading of the velocity", least_noise=1e-4, least_motion=0.002, large_error=0.005,
