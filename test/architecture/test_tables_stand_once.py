@@ -20,7 +20,6 @@ PLACE = {"x", "y", "z", "yaw", "t", "1"}  # names of axes and of time, which muc
 ALLOWED = {
     "diagnosis/showing/nameless_force.py": "the regressors whose products a force without a name is made of",
     "diagnosis/tracks/vehicle_size.py": "sizes of a vehicle by unit, which are to follow from the units themselves",
-    "diagnosis/filter/layout.py": "the order of readings in the filter's arrays, which a test compares with the table",
     "diagnosis/catalogue/shown_by.py": "which readings show each state that an error of a reading may depend on",
 }
 TABLES = ((set(REGRESSOR), 3), (UNITS, 3), (set(READING_CODE), 6))

@@ -15,14 +15,17 @@ from cocorosim_ros.diagnosis.evidence.streams.filled_in import filled_in
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
 from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import HEADING, PLANE, YAW
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
 from cocorosim_ros.diagnosis.evidence.streams.turning import period_of, turned_by_gyro, unwrapped
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
+from cocorosim_ros.world.sensors import SENSORS
 
-HEADINGS = {"pose": YAW, "compass": HEADING}
-"""Column of the angle, by topic."""
+HEADINGS = {
+    topic: column for topic, sensor in SENSORS.items() for column, kind in enumerate(sensor.kinds) if kind.angle
+}
+"""Column of the angle of each stream that has one."""
 
 
 @dataclass(frozen=True)

@@ -6,26 +6,11 @@ from cocorosim_ros.world.sensors import KINDS as KIND_TABLE
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS
 
-# Kinds of single readings, in the order of streams.log.STREAMS.
-(
-    POSE_X,
-    POSE_Y,
-    POSE_Z,
-    POSE_YAW,
-    COMPASS,
-    PRESSURE,
-    GYRO,
-    ACCEL_X,
-    ACCEL_Y,
-    ACCEL_Z,
-    VELOCITY_U,
-    VELOCITY_V,
-    VELOCITY_W,
-) = (list(KIND_TABLE).index(name) for name in (
-    "pose_x", "pose_y", "pose_z", "pose_yaw", "compass", "pressure", "gyro_z", "accel_x", "accel_y", "accel_z",
-    "velocity_u", "velocity_v", "velocity_w",
-))  # fmt: skip
 KIND_NAMES = tuple(KIND_TABLE)
+"""Kinds of single readings; the place is the code, in the order of streams.log.STREAMS."""
+POSE_X, POSE_Y, POSE_Z, POSE_YAW, COMPASS, PRESSURE, GYRO = (
+    KIND_NAMES.index(name) for name in ("pose_x", "pose_y", "pose_z", "pose_yaw", "compass", "pressure", "gyro_z")
+)
 KINDS = len(KIND_NAMES)
 KINDS_OF_STREAM = {
     topic: tuple(KIND_NAMES.index(kind.name) for kind in sensor.kinds)
@@ -33,6 +18,7 @@ KINDS_OF_STREAM = {
     if sensor.kinds
 }
 ANGLES = tuple(code for code, kind in enumerate(KIND_TABLE.values()) if kind.angle)
+UPRIGHT = tuple(code for code, kind in enumerate(KIND_TABLE.values()) if kind.upright)
 
 # Numbers of the sensors' errors, by the contract's names.
 SENSOR_COLUMNS = tuple(ERROR_COLUMNS)

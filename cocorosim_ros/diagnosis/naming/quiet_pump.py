@@ -13,14 +13,12 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from cocorosim_ros.diagnosis.criteria.naming import PUMP
-from cocorosim_ros.diagnosis.filter.layout import ACCEL_Z, POSE_Z, PRESSURE, VELOCITY_W
+from cocorosim_ros.diagnosis.filter.layout import UPRIGHT
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
-
-UPRIGHT = (POSE_Z, PRESSURE, ACCEL_Z, VELOCITY_W)
 
 
 def quiet_gain(base: Fit, more: Fit) -> float:

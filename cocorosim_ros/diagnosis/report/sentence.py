@@ -39,10 +39,9 @@ def _effect(effect: FoundEffect, *, named: bool) -> str:
 
 
 def _gain(table: Mapping[str, HeldOut]) -> str:
-    """Words for the gain of the effects on the first channel where they gain anything."""
-    for channel in ("position", "heading", "depth", "compass", "pressure", "imu"):
-        row = table.get(channel)
-        if row is not None and row.augmented < REPORT.clear_gain * row.recalibrated:
+    """Words for the gain of the effects on the first channel of the table where they gain anything."""
+    for channel, row in table.items():
+        if row.augmented < REPORT.clear_gain * row.recalibrated:
             after, before, floor = (
                 quantity_words(value, row.unit) for value in (row.augmented, row.recalibrated, row.noise_floor)
             )
