@@ -35,7 +35,7 @@ __all__ = [
     "Integrator",
     "LockStep",
     "Radio",
-    "Recording",
+    "RecordedTopics",
     "RobotDescription",
     "Scenario",
     "Sphere",
@@ -103,7 +103,7 @@ class LockStep:
 
 
 @dataclass(frozen=True)
-class Recording:
+class RecordedTopics:
     """Which topics are recorded: all, or those with these names."""
 
     topics: Literal["all"] | tuple[str, ...] = field(
@@ -144,7 +144,7 @@ class Scenario(Shown):
     light: Light = field(default_factory=Light, metadata=nested(Light))
     corruption: tuple[Corruption, ...] = field(default=(), metadata=stored(read_corruptions, corruptions_tree))
     lockstep: LockStep = field(default_factory=LockStep, metadata=nested(LockStep))
-    recording: Recording = field(default_factory=Recording, metadata=nested(Recording))
+    recording: RecordedTopics = field(default_factory=RecordedTopics, metadata=nested(RecordedTopics))
     water: Water | None = field(default=None, metadata=nested(Water))
     origin: str = field(default="", compare=False)
 
