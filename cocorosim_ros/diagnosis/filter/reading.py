@@ -91,8 +91,11 @@ def deviation(kind: int, value: float, expected: float) -> float:
 
 
 @allocating_kernel
-def expected_along(kind: int, states: Floats, stamps: Floats, sensor: Floats, shown: Floats) -> None:
-    """Write into `shown` (n,) what readings of one kind show in the states (n, STATE_SIZE or more) at `stamps` [s]."""
-    rates, water = Rates(np.zeros(STATE_SIZE), np.zeros(STATE_SIZE)), np.zeros(4)
+def expected_along(kind: int, states: Floats, water: Floats, stamps: Floats, sensor: Floats, shown: Floats) -> None:
+    """Write into `shown` (n,) what readings of one kind show in the states (n, STATE_SIZE or more) at `stamps` [s].
+
+    water: velocities through the water (n, 4), for kinds that are `of_water` alone.
+    """
+    rates = Rates(np.zeros(STATE_SIZE), np.zeros(STATE_SIZE))
     for index in range(len(stamps)):
-        shown[index] = expected(kind, When(stamps[index], 0.0, 0.0, 0.0), states[index], rates, sensor, water)
+        shown[index] = expected(kind, When(stamps[index], 0.0, 0.0, 0.0), states[index], rates, sensor, water[index])

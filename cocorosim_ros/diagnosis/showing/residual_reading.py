@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.tracks.reading_laws import factor_at
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.laws.law import Factor, Product
+from cocorosim_ros.world.motion.dynamics import relative_velocity
 from cocorosim_ros.world.sensors import KINDS, SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.regressors import HEADING
@@ -114,12 +115,27 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     stamp = track.timeline.stamp[chosen]
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
-    deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - _shown(kind, state, stamp, row)
+    water = _through_water(track, kind, moment, state, row)
+    shown = _shown(kind, state, water, stamp, row)
+    deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - shown
     return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind in ANGLES else deviation
 
 
-def _shown(kind: int, state: Floats, stamp: Floats, row: Floats) -> Floats:
+def _through_water(track: Track, kind: int, moment: Floats, state: Floats, row: Floats) -> Floats:
+    """Velocities through the water (n, 4) [m/s, rad/s; body] in states (n, 8 or more) at moments (n,) [s].
+
+    Zero for kinds of readings that do not depend on them.
+    """
+    water = np.zeros((len(moment), 4))
+    if KINDS[KIND_NAMES[kind]].of_water:
+        body = track.actuation.vehicle.body(row)
+        for time, each, relative in zip(moment, np.ascontiguousarray(state), water, strict=True):
+            relative_velocity(each, time, body, relative)
+    return water
+
+
+def _shown(kind: int, state: Floats, water: Floats, stamp: Floats, row: Floats) -> Floats:
     """Readings (n,) of one kind that a sensor with the numbers in `row` shows in the states (n, 8 or more)."""
     shown = np.empty(len(stamp))
-    expected_along(kind, state, stamp, row[SENSORS_IN_ROW], shown)
+    expected_along(kind, state, water, stamp, row[SENSORS_IN_ROW], shown)
     return shown
