@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 from .documents import ROOT, fenced
 
@@ -28,6 +33,28 @@ def copy_of_this_tree(folder: Path) -> Path:
         else:
             shutil.copy(source, folder / name)
     return folder
+
+
+def python_with(recipes: Sequence[str], tree: Path) -> Callable[..., str]:
+    """Follow recipes of one file and one line each in a new copy with its tests, and give a function of words.
+
+    That runs Python with the copy first on its path and a cache of its own, and returns what Python prints.
+    """
+    copy = copy_of_this_tree(tree)
+    shutil.copytree(ROOT / "test", copy / "test", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "pyproject.toml", copy)
+    for title in recipes:
+        assert len(follow(title, copy)) == 2, f"{title}: one file, one line"
+    environment = os.environ | {"PYTHONPATH": str(copy), "NUMBA_CACHE_DIR": str(copy / "compiled")}
+
+    def run(*words: Any) -> str:
+        done = subprocess.run(
+            [sys.executable, *map(str, words)], cwd=copy, env=environment, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    return run
 
 
 def follow(title: str, tree: Path) -> list[str]:

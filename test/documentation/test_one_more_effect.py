@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
-import subprocess
-import sys
 from collections.abc import Callable
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
-from .documents import ROOT
-from .recipes import copy_of_this_tree, follow
+from .recipes import python_with
 
 pytestmark = pytest.mark.timeout(1800)  # s; everything is compiled anew
 RATE = 2e-5  # N/s
@@ -48,24 +42,12 @@ recording: {topics: all}
 
 
 @pytest.fixture(scope="module")
-def python(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., None]:
+def python(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., str]:
     """Function of words: Python with the copy first on its path, and with a cache of its own."""
-    copy = copy_of_this_tree(tmp_path_factory.mktemp("copy"))
-    shutil.copytree(ROOT / "test", copy / "test", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copy(ROOT / "pyproject.toml", copy)
-    assert len(follow("Add an effect", copy)) == 2, "one file, one line"
-    environment = os.environ | {"PYTHONPATH": str(copy), "NUMBA_CACHE_DIR": str(copy / "compiled")}
-
-    def run(*words: Any) -> None:
-        done = subprocess.run(
-            [sys.executable, *map(str, words)], cwd=copy, env=environment, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
-
-    return run
+    return python_with(["Add an effect"], tmp_path_factory.mktemp("copy"))
 
 
-def test_what_every_effect_has_to_keep_is_tested_on_it_unasked(python: Callable[..., None]) -> None:
+def test_what_every_effect_has_to_keep_is_tested_on_it_unasked(python: Callable[..., str]) -> None:
     """The tests over the tables pick it up: motion, innovations, units, a platform file."""
     files = (
         "contracts/test_every_effect.py",
@@ -78,7 +60,7 @@ def test_what_every_effect_has_to_keep_is_tested_on_it_unasked(python: Callable[
 
 @pytest.fixture(scope="module", params=["leaky", "tight"])
 def diagnosed(
-    request: pytest.FixtureRequest, python: Callable[..., None], tmp_path_factory: pytest.TempPathFactory
+    request: pytest.FixtureRequest, python: Callable[..., str], tmp_path_factory: pytest.TempPathFactory
 ) -> SimpleNamespace:
     """A run of a Lily with or without the leak, recorded, and what a diagnosis says of it that has a plain Lily."""
     folder = tmp_path_factory.mktemp(request.param)
@@ -109,7 +91,7 @@ def test_it_is_simulated_recorded_and_found(diagnosed: SimpleNamespace) -> None:
     assert rate["ci95"][1] - rate["ci95"][0] < 0.5 * RATE
 
 
-def test_it_is_drawn_and_written_down(diagnosed: SimpleNamespace, python: Callable[..., None]) -> None:
+def test_it_is_drawn_and_written_down(diagnosed: SimpleNamespace, python: Callable[..., str]) -> None:
     """The page says what to check on the robot; the model is a platform that has the effect."""
     assert ("look for water" in diagnosed.page) == diagnosed.leaks
     assert ("hull that leaks" in diagnosed.page) == diagnosed.leaks
