@@ -41,7 +41,7 @@ def swim() -> Callable[..., Any]:
 
     blur: times the usual noise of the readings.
     """
-    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 
     def make(
         platform: Any, seconds: float, seed: int = 0, disturbance: float = 0.005, base: Any = None, blur: float = 1.0
@@ -64,7 +64,7 @@ def swim() -> Callable[..., Any]:
             value = truth + np.where(np.isnan(noise), 0.0, noise) * rng.standard_normal(truth.shape)
             streams[name] = Stream(time, value, noise)
         log = RobotLog("lily_01", np.arange(len(commands)) * TICK, commands, streams)
-        return Evidence(base or platform, (Recording("simulated", seconds, (log,)),))
+        return Evidence(base or platform, (RecordingLog("simulated", seconds, (log,)),))
 
     return make
 

@@ -16,7 +16,7 @@ FORCE_RMS, Z_NOISE, PRESSURE_NOISE = 3e-4, 0.002, 7.0
 @pytest.fixture(scope="module")
 def heaving() -> Any:
     """Evidence of a Lily without drag, of whom depth alone is seen, twice."""
-    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     rng = np.random.default_rng(5)
@@ -32,7 +32,7 @@ def heaving() -> Any:
     commands = np.column_stack([np.zeros(60), np.zeros(60), rng.uniform(-0.02, 0.02, 60)])
     log = RobotLog("lily_01", 0.5 * np.arange(60.0), commands, streams)
     platform = replace(load_platform("lily"), drag=0.0, yaw_drag=0.0)
-    return Evidence(platform, (Recording("heaving", 30.0, (log,)),))
+    return Evidence(platform, (RecordingLog("heaving", 30.0, (log,)),))
 
 
 def random_force() -> tuple[Any, Any]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import SUFFICIENCY
 from cocorosim_ros.diagnosis.evidence.streams.excitation import command_use
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, Recording, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -48,7 +48,7 @@ def without_unusable(evidence: Evidence) -> Evidence:
     return replace(evidence, recordings=tuple(recordings))
 
 
-def why_unusable(robot: RobotLog, recording: Recording, platform: Platform) -> str:
+def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform) -> str:
     """The reason, as a sentence, for which a robot of a recording cannot be used; empty if it can."""
     actuators = platform.actuator_names
     place = f"{recording.origin}: {robot.name}"

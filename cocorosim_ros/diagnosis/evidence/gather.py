@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, s
 from cocorosim_ros.diagnosis.evidence.holes import hole_sentences
 from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
 from cocorosim_ros.diagnosis.evidence.robot_logs import ClockedRows, robot_log, seconds
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, Recording, Stream, told_apart
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, Stream, told_apart
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -39,7 +39,7 @@ def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
     return Evidence(platform, told_apart(recordings))
 
 
-def _is_same(one: Recording, other: Recording) -> bool:
+def _is_same(one: RecordingLog, other: RecordingLog) -> bool:
     """Tell whether two recordings hold the same robots with the same commands and readings."""
     return [robot.name for robot in one.robots] == [robot.name for robot in other.robots] and all(
         np.array_equal(mine.command, theirs.command)
@@ -53,7 +53,7 @@ def _is_same_stream(one: Stream, other: Stream) -> bool:
     return np.array_equal(one.time, other.time) and np.array_equal(one.value, other.value, equal_nan=True)
 
 
-def gather_recording(path: Path, platform: Platform) -> Recording:
+def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     """Read one recording of robots of a platform. Raises CocorosimError as `gather_evidence` does."""
     bag = read_bag(path)
     try:
@@ -84,7 +84,7 @@ def gather_recording(path: Path, platform: Platform) -> Recording:
     robots, identity_remarks = with_true_identities(robots, platform)
     remarks += identity_remarks
     remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]
-    return Recording(str(path), duration, tuple(robots), tuple(remarks))
+    return RecordingLog(str(path), duration, tuple(robots), tuple(remarks))
 
 
 def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:

@@ -9,7 +9,7 @@ from cocorosim_ros.diagnosis.evidence.abstention import reasons_to_abstain, with
 from cocorosim_ros.diagnosis.evidence.consistency import speed_sentence
 from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, corrected
 from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, told_apart
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, told_apart
 from cocorosim_ros.scenario.parts.platform import Platform
 
 
@@ -55,16 +55,16 @@ def take_in(evidence: Evidence) -> Intake:
     return Intake(replace(evidence, recordings=told_apart(recordings)), _together(found), ())
 
 
-def _with_speeds(recording: Recording, platform: Platform) -> Recording:
+def _with_speeds(recording: RecordingLog, platform: Platform) -> RecordingLog:
     sentences = [speed_sentence(robot, platform) for robot in recording.robots]
     return replace(recording, remarks=(*recording.remarks, *(sentence for sentence in sentences if sentence)))
 
 
-def _robot(recording: Recording, name: str) -> RobotLog | None:
+def _robot(recording: RecordingLog, name: str) -> RobotLog | None:
     return next((robot for robot in recording.robots if robot.name == name), None)
 
 
-def _put_right(recordings: list[Recording], places: Sequence[int], name: str, platform: Platform) -> list[Mixup]:
+def _put_right(recordings: list[RecordingLog], places: Sequence[int], name: str, platform: Platform) -> list[Mixup]:
     """Correct some recordings of a robot by what they show together, in place, and give the mix-ups."""
     logs = [log for log in (_robot(recordings[number], name) for number in places) if log]
     corrections = needed_corrections(logs, platform)
@@ -74,7 +74,7 @@ def _put_right(recordings: list[Recording], places: Sequence[int], name: str, pl
     return [Mixup((name,), correction) for correction in corrections]
 
 
-def _corrected(recording: Recording, name: str, corrections: Sequence[FrameCorrection]) -> Recording:
+def _corrected(recording: RecordingLog, name: str, corrections: Sequence[FrameCorrection]) -> RecordingLog:
     robots = tuple(_without(corrected(robot, corrections), corrections) if robot.name == name else robot
                    for robot in recording.robots)  # fmt: skip
     remarks = [

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.evidence.abstention import reasons_to_abstain, without_unusable
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.scenario.parts.platform import Platform
 
 Swum = Callable[[Any], RobotLog]
@@ -18,7 +18,7 @@ Swum = Callable[[Any], RobotLog]
 
 def evidence(platform: Platform, *robots: RobotLog) -> Evidence:
     """One recording of these robots."""
-    return Evidence(platform, (Recording("tank/bag", 60.0, robots),))
+    return Evidence(platform, (RecordingLog("tank/bag", 60.0, robots),))
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_five_seconds(swum: Swum, swim: Any, lily_platform: Platform) -> None:
 
 def test_short_recordings_add_up(swum: Swum, swim: Any, lily_platform: Platform) -> None:
     """Four time constants of coasting are the least, m / (k v) = 0.44 / (1.7778 * 0.075) = 3.3 s for a Lily."""
-    short = Recording("tank/short", 8.0, (swum(swim(22, 8.0)),))
+    short = RecordingLog("tank/short", 8.0, (swum(swim(22, 8.0)),))
     (reason,) = reasons_to_abstain(Evidence(lily_platform, (short,)))
     assert "make 8.0 s in all; 13 s are the least for a lily" in reason
     assert reasons_to_abstain(Evidence(lily_platform, (short, short))) == ()

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.evidence.intake import take_in
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog
 from cocorosim_ros.scenario.parts.platform import Platform
 
 Swum = Callable[[Any], RobotLog]
@@ -25,7 +25,7 @@ def clockwise(log: RobotLog) -> RobotLog:
 
 def evidence(platform: Platform, *recordings: tuple[RobotLog, ...]) -> Evidence:
     """Recordings of these robots."""
-    return Evidence(platform, tuple(Recording(f"bag{k}", 300.0, robots) for k, robots in enumerate(recordings)))
+    return Evidence(platform, tuple(RecordingLog(f"bag{k}", 300.0, robots) for k, robots in enumerate(recordings)))
 
 
 def test_clean_evidence_is_left_alone(swum: Swum, swim: Any, lily_platform: Platform) -> None:

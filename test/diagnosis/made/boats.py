@@ -97,7 +97,7 @@ def drive(seconds: float, seed: int) -> Any:
 
 def recorded(boat: Any, truth: Truth, seconds: float, seed: int) -> Any:
     """Evidence of one drive: poses every 0.1 s."""
-    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 
     commands = drive(seconds, seed)
     rows = course(truth, commands)[::2, :4]
@@ -105,4 +105,4 @@ def recorded(boat: Any, truth: Truth, seconds: float, seed: int) -> Any:
     value = rows + np.array(NOISE) * rng.standard_normal(rows.shape)
     pose = Stream(2 * STEP * np.arange(len(value)), value, np.array(NOISE))
     log = RobotLog("boat", TICK * np.arange(len(commands)), commands, {"pose": pose})
-    return Evidence(boat, (Recording("made", seconds, (log,)),))
+    return Evidence(boat, (RecordingLog("made", seconds, (log,)),))

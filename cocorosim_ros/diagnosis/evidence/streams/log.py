@@ -55,7 +55,7 @@ class RobotLog:
 
 
 @dataclass(frozen=True)
-class Recording:
+class RecordingLog:
     """One bag: its robots, its duration [s], and remarks about it, as sentences."""
 
     origin: str
@@ -69,10 +69,10 @@ class Evidence:
     """The whole input of a diagnosis: recordings of robots of one platform."""
 
     platform: Platform
-    recordings: tuple[Recording, ...]
+    recordings: tuple[RecordingLog, ...]
 
 
-def told_apart(recordings: Sequence[Recording]) -> tuple[Recording, ...]:
+def told_apart(recordings: Sequence[RecordingLog]) -> tuple[RecordingLog, ...]:
     """Begin every remark with the name of its recording, where there are several recordings."""
     if len(recordings) < 2:
         return tuple(recordings)
@@ -80,6 +80,6 @@ def told_apart(recordings: Sequence[Recording]) -> tuple[Recording, ...]:
                  for each in recordings)  # fmt: skip
 
 
-def _with_origin(recording: Recording, remark: str) -> str:
+def _with_origin(recording: RecordingLog, remark: str) -> str:
     place = f"{recording.origin}: "
     return remark if remark.startswith(place) else place + remark
