@@ -18,7 +18,6 @@ CRITERIA = sorted(path for path in (DIAGNOSIS / "criteria").glob("*.py") if path
 NO_THRESHOLDS = {
     "catalogue/eddies.py": {"_AROUND": "follows from the form of a vortex"},
     "catalogue/laws.py": {"LAWS_OF": "the powers of the laws themselves"},
-    "catalogue/sensor_laws.py": {"_SPREAD": "the powers of the laws themselves"},
     "evidence/frames/orientation.py": {"USUAL_ANGLES": "numbers of quarter turns"},
     "evidence/frames/units.py": {"DEGREE": "a unit"},
     "evidence/streams/noise.py": {
