@@ -48,6 +48,9 @@ class HardStopCriteria:
     correlated: float = 0.5
     """[1] correlation of an innovation with the next of its kind: half of what is foretold wrongly is foretold wrongly
     again. Chosen, not measured."""
+    material: float = 0.5
+    """[of what the filter expects] of the standard deviation of innovations; below it they harm no interval, however
+    regular they are. Chosen, not measured: exact readings of exact simulations are at 0.2 and less."""
     scale: float = 2.0
     """[of what the filter expects] of the standard deviation of innovations, beyond which its intervals are none.
     Chosen, not measured."""

@@ -20,9 +20,9 @@ from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.residual_reading import deviation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
-from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.world.laws.readings import READING
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 
 _OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
@@ -123,39 +123,53 @@ _LEAST = {"position": "pose_x", "heading": "pose_yaw", "depth": "pose_z"}
 def strayed_course(case: Case) -> Iterator[Objection]:
     """Object to a most likely course that leaves the readings by more than their noise."""
     for number, (track, course) in enumerate(zip(case.final.tracks, case.courses, strict=True)):
-        row = case.final.filled[number]
-        for kind in np.unique(track.timeline.kind).tolist():
-            name = KIND_NAMES[kind]
-            if name in _OF_RATES or KINDS[name].of_water:
-                continue
-            chosen = track.timeline.kind == kind
-            off = float(np.quantile(np.abs(deviation(track, chosen, course, row)), HARD_STOPS.most))
-            noise = _noise(track, kind)
-            if off > HARD_STOPS.strayed * noise:
-                yield Objection(
-                    f"The most likely course of {track.name} leaves its {_reading(name)} by {off:.3g} "
-                    f"{KINDS[name].unit}, {off / noise:.3g} times their noise.",
-                    (track.name,),
-                )
+        left = list(_left(track, course, case.final.filled[number]))
+        if left:
+            yield Objection(
+                f"The most likely course of {track.name} leaves its readings by more than their noise: "
+                f"{'; '.join(left)}.",
+                (track.name,),
+            )
+
+
+def _left(track: Track, course: Smoothed, row: Floats) -> Iterator[str]:
+    """Kinds of readings that a course leaves, each with how far."""
+    for kind in np.unique(track.timeline.kind).tolist():
+        name = KIND_NAMES[kind]
+        if name in _OF_RATES or KINDS[name].of_water:
+            continue
+        chosen = track.timeline.kind == kind
+        off = float(np.quantile(np.abs(deviation(track, chosen, course, row)), HARD_STOPS.most))
+        noise = _noise(track, kind)
+        if off > HARD_STOPS.strayed * noise:
+            yield f"{name} by {off:.3g} {KINDS[name].unit}, {off / noise:.3g} times their noise"
 
 
 def coloured_innovations(case: Case) -> Iterator[Objection]:
-    """Object to predictions that err again and again to the same side, or not as far as the filter expects."""
+    """Object to predictions that err again and again to the same side, or much farther than the filter expects.
+
+    What errs by a small share of what the filter expects is not looked at, however regular it is.
+    """
     for track, passed in zip(case.final.tracks, case.final.passes, strict=True):
-        for kind in np.unique(track.timeline.kind).tolist():
-            chosen = (track.timeline.kind == kind) & passed.believed
-            if np.count_nonzero(chosen) < HARD_STOPS.fewest:
-                continue
-            sizes = passed.innovation[chosen] / np.sqrt(passed.variance[chosen])
-            scale = float(np.sqrt(np.mean(sizes**2)))
-            related = float(np.mean(sizes[1:] * sizes[:-1])) / scale**2 if scale > 0.0 else 0.0
-            if related > HARD_STOPS.correlated or scale > HARD_STOPS.scale:
-                yield Objection(
-                    f"The {_reading(KIND_NAMES[kind])} of {track.name} differ from what the model foretells not at "
-                    f"random but by {scale:.2g} times what it expects, each like the one before (correlation "
-                    f"{related:.2f}).",
-                    (track.name,),
-                )
+        coloured = list(_coloured(track, passed))
+        if coloured:
+            yield Objection(
+                f"What the model foretells of {track.name} errs not at random: {'; '.join(coloured)}.", (track.name,)
+            )
+
+
+def _coloured(track: Track, passed: Pass) -> Iterator[str]:
+    """Kinds of readings whose innovations are not white, each with their size and correlation."""
+    for kind in np.unique(track.timeline.kind).tolist():
+        chosen = (track.timeline.kind == kind) & passed.believed
+        if np.count_nonzero(chosen) < HARD_STOPS.fewest:
+            continue
+        sizes = passed.innovation[chosen] / np.sqrt(passed.variance[chosen])
+        scale = float(np.sqrt(np.mean(sizes**2)))
+        related = float(np.mean(sizes[1:] * sizes[:-1])) / scale**2 if scale > 0.0 else 0.0
+        one_sided = related > HARD_STOPS.correlated and scale > HARD_STOPS.material
+        if one_sided or scale > HARD_STOPS.scale:
+            yield f"{KIND_NAMES[kind]} by {scale:.2g} times what the filter expects, correlation {related:.2f}"
 
 
 def unknown_noise(case: Case) -> Iterator[Objection]:
@@ -216,11 +230,6 @@ def _noise(track: Track, kind: int) -> float:
     share = float(np.median(track.timeline.share[track.timeline.kind == kind]))
     least = KINDS[KIND_NAMES[kind]].least_noise
     return max(single * np.sqrt(share), least) if np.isfinite(single) else np.inf
-
-
-def _reading(kind: str) -> str:
-    """A kind of reading in words."""
-    return f"readings of {READING[kind].topic} ({kind})"
 
 
 def _listed(robots: Sequence[str]) -> str:
