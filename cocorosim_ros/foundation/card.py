@@ -34,7 +34,10 @@ class Shown(ABC):
         """What there is to be shown."""
 
     def __repr__(self) -> str:
-        return card_text(self.card())
+        try:
+            return card_text(self.card())
+        except (TypeError, ValueError, LookupError, AttributeError):  # made by hand of what it cannot hold
+            return object.__repr__(self)
 
     def _repr_html_(self) -> str:
         return card_html(self.card())
