@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.foundation.card import Card, card_html, card_text, digits
+from cocorosim_ros.foundation.card import Card, Shown, card_html, card_text, digits
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.foundation.errors import CocorosimError
 
@@ -49,3 +49,13 @@ def test_without_pandas_a_frame_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(CocorosimError, match="needs pandas, which is not installed here; run `pip install"):
         data_frame({"time": [0.0]})
+
+
+def test_a_record_of_what_it_cannot_hold_still_shows_itself() -> None:
+    """A debugger and a failing test ask for the text of anything."""
+
+    class Wrong(Shown):
+        def card(self) -> Card:
+            return Card("wrong", {"sum": [1] + 1})  # type: ignore[dict-item, operator]
+
+    assert "Wrong object at" in repr(Wrong())
