@@ -59,6 +59,23 @@ def test_what_is_hidden_is_named(swim: Any, effect: str, numbers: dict[str, floa
     assert said
 
 
+FIVE: dict[str, dict[str, float]] = {
+    "linear_drag": {"surge": 0.02, "sway": 0.02, "heave": 0.02, "yaw": 0.0},
+    "thruster_lag": {"time_constant": 0.6},
+    "torque_bias": {"torque": 1.2e-5},
+    "buoyancy_trim": {"force": -2e-3},
+    "thruster_deadband": {"width": 0.12},
+}
+
+
+def test_five_effects_are_all_named(swim: Any) -> None:
+    """There is no limit on how many are missing: what earns its place is named."""
+    diagnosis, _ = diagnosed(swim, FIVE, seed=4, seconds=300.0)
+    assert {part.id for part in diagnosis.effects} == set(FIVE)
+    lag = next(part for part in diagnosis.effects if part.id == "thruster_lag").parameters["time_constant"]
+    assert abs(lag.value - 0.6) <= lag.high - lag.low
+
+
 def test_nothing_is_accused_where_nothing_is_hidden(swim: Any) -> None:
     """A recording of the very model is called consistent, or insufficient for some effects, never a mismatch."""
     diagnosis, _ = diagnosed(swim, {}, seed=2)

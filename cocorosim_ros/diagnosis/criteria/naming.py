@@ -27,8 +27,12 @@ class SearchCriteria:
     """[candidates] that are refined as leaders: each costs a fit. Chosen, not measured."""
     most_refined: int = 8
     """[candidates] that are refined in a round, leaders and their groups: each costs a fit. Chosen, not measured."""
-    most_effects: int = 4
-    """[effects] that are named at most: each costs a round of fits. Chosen, not measured."""
+    most_rounds: int = 16
+    """[rounds] of the search at most, each of which adds one effect that earns its place: a stop for a search that adds
+    and takes back the same. Chosen, not measured."""
+    pruned_from: int = 4
+    """[effects] from which on every addition is followed by a look at which of the earlier ones it has made
+    superfluous; before, a look at the end suffices. Chosen, not measured."""
     settling: int = 4
     """[turns of noise and laws] after each addition. Measured: in one sealed recording an unfinished fit was taken for
     the next effect; the number of turns was chosen."""

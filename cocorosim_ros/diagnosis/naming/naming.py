@@ -40,8 +40,8 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
     first_laws: tuple[Screened, ...] = ()
     entries_of_catalogue = _undeclared(base)
     known = known_effects(base)
-    for round_number in range(SEARCH.most_effects):
-        progress("looking for what is missing", round_number / SEARCH.most_effects)
+    for round_number in range(SEARCH.most_rounds):
+        progress("looking for what is missing", round_number / (round_number + SEARCH.pruned_from))
         scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(base))
         screen = Screen(fit, scene)
         taken = {key for effect in named for key in _keys(effect.candidate)}
@@ -57,6 +57,8 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         if best is None:
             break
         fit, named = settled(best[0], SEARCH.settling), (*named, best[1])
+        if len(named) >= SEARCH.pruned_from:
+            fit, named = pruned(fit, named, base, known)
     fit, named = pruned(fit, named, base, known)
     return Naming(base, fit, named, first, first_laws)
 
