@@ -25,7 +25,7 @@ from cocorosim_ros.diagnosis.naming.pruning import without_weakest
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
-from cocorosim_ros.diagnosis.showing.exactness import is_exact
+from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up
 from cocorosim_ros.diagnosis.showing.free_runs import Unseen, held_out_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
@@ -103,7 +103,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
 def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
     """Take back named effects that make free runs on unseen data worse, the weakest first; return what is left."""
     table, runs = held_out_free_runs(unseen, naming.fit)
-    while naming.named and any(_is_worse(row) for row in table.values()):
+    while naming.named and any(_is_worse(channel, row) for channel, row in table.items()):
         naming = without_weakest(naming)
         table, runs = held_out_free_runs(unseen, naming.fit)
     return naming, table, runs
@@ -131,8 +131,10 @@ def _of_form(form: ChosenForm | None) -> tuple[str, ...]:
     )
 
 
-def _is_worse(row: HeldOut) -> bool:
-    """Tell whether the model with its effects errs clearly more than the model without."""
+def _is_worse(channel: str, row: HeldOut) -> bool:
+    """Tell whether the model with its effects errs clearly more than the model without, and by more than steps make."""
+    if not is_beyond_steps(channel, row.augmented):
+        return False
     clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
     return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
 

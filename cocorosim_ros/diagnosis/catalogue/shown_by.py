@@ -11,25 +11,23 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS
 
 Kinds = Collection[str]
 _PLACE = (("velocity_u", "velocity_v"),)
-_HEIGHT = (("pose_z",), ("pressure",), ("velocity_w",))
-_COURSE = (("pose_yaw",), ("compass",), ("gyro_z",))
 _SPEED = (("pose_x", "pose_y", "pose_yaw"), ("pose_x", "pose_y", "compass"))
-SHOWN_BY: dict[str, tuple[tuple[str, ...], ...]] = {
-    "x": (("pose_x",), *_PLACE),
-    "y": (("pose_y",), *_PLACE),
-    "z": _HEIGHT,
-    "w": _HEIGHT,
-    "yaw": _COURSE,
-    "sin_yaw": _COURSE,
-    "cos_yaw": _COURSE,
-    "r": _COURSE,
-    "u": (("velocity_u",), *_SPEED),
-    "v": (("velocity_v",), *_SPEED),
+_TOGETHER: dict[str, tuple[tuple[str, ...], ...]] = {
+    "x": _PLACE,
+    "y": _PLACE,
+    "u": _SPEED,
+    "v": _SPEED,
     "speed": (("velocity_u", "velocity_v"), *_SPEED),
+}
+_STATES = ("x", "y", "z", "w", "yaw", "sin_yaw", "cos_yaw", "r", "u", "v", "speed")
+SHOWN_BY: dict[str, tuple[tuple[str, ...], ...]] = {
+    state: (*((name,) for name, kind in KINDS.items() if state in kind.shows), *_TOGETHER.get(state, ()))
+    for state in _STATES
 }
 """Sets of kinds of readings, by the state that each of them shows. What is not listed is known without readings."""
 

@@ -46,5 +46,5 @@ def _kinds_of(column: str) -> list[str]:
 def _is_fixed(kind: str, timeline: Timeline) -> bool:
     """Tell whether other readings show what readings of this kind show."""
     present = [name for name in KIND_NAMES if timeline.sees(name)]
-    states = own_state(kind) or (STATE_OF_FORCE[kind],)
-    return all(is_shown(state, (kind,), present) for state in states)
+    state = next(iter(own_state(kind)), STATE_OF_FORCE.get(kind))
+    return state is not None and is_shown(state, (kind,), present)

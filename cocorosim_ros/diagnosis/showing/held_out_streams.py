@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, devi
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.world.sensors.pose import POSE
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 from cocorosim_ros.world.state.state import YAW, YAW_RATE, Z
 
@@ -26,13 +27,14 @@ from cocorosim_ros.world.state.state import YAW, YAW_RATE, Z
 class Stream(NamedTuple):
     """A stream that is not a channel of the free runs."""
 
-    shown_by: tuple[str, ...]  # kinds of other readings, of which one at least has to be there
+    shown_by: tuple[str, ...]  # kinds of other readings, of which one at least has to be there; () for any
     hidden: bool  # whether the course is made without the stream
     column: int  # of the state that it shows
-    factor: float  # of the reading by that state
+    factor: float  # of the reading by that state, 0 for one that no single state shows
 
 
 COMPARED_STREAMS: Mapping[str, Stream] = {
+    **dict.fromkeys((topic for topic in KIND_OF_TOPIC if topic != POSE.topic), Stream((), False, Z, 0.0)),
     "compass": Stream(("pose_yaw",), True, YAW, 1.0),
     "pressure": Stream(("pose_z",), True, Z, PASCAL_PER_METRE),
     # A rate that errs leads the course astray by its integral, which the heading does not allow.
@@ -68,7 +70,7 @@ def held_out_streams(
         seen = [
             number
             for number, track in enumerate(tracks)
-            if np.any(track.timeline.kind == kind) and track.timeline.sees(*stream.shown_by) and part.spans[number]
+            if np.any(track.timeline.kind == kind) and _is_shown(track, stream) and part.spans[number]
         ]
         courses = {number: _course(tracks[number], plain[number], topic) for number in seen}
         means = {
@@ -95,6 +97,10 @@ def held_out_streams(
         unit = unit_of_kind(kind)
         table[topic] = HeldOut(**values, noise_floor=floor, unit=unit, intervals=intervals, against="course")
     return table
+
+
+def _is_shown(track: Track, stream: Stream) -> bool:
+    return not stream.shown_by or track.timeline.sees(*stream.shown_by)
 
 
 def _course(track: Track, row: Floats, topic: str) -> Smoothed:

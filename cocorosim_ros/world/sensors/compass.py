@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP
+from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP, TURN
 from cocorosim_ros.world.sensors.pose import by_heading, heading
 from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
@@ -36,7 +36,7 @@ COMPASS = Sensor(
              noise_words="a reading of the compass", least_noise=1e-3, least_motion=0.02, large_error=0.05,
              error_follows=(*MOTORS, *PUMP, *PLACE, "t", "u", "v", "w", "speed", "|r|", "|r|*r",
                             "|thrust|*sin_yaw", "|thrust|*cos_yaw", "sin_yaw*cos_yaw", "cos_yaw*cos_yaw"),
-             most_error=MostError(0.5)),  # iron in the hull; more is another frame
+             most_error=MostError(0.5), shows=TURN),  # iron in the hull; more is another frame
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="compass", late_with="r"),
 )  # fmt: skip

@@ -6,3 +6,5 @@ MOTORS = ("thrust", "yaw_command", "|thrust|")
 PUMP = ("pump", "pump_rate")
 PLACE = ("x", "y", "z")
 HEADING = ("sin_yaw", "cos_yaw")
+TURN = ("yaw", "sin_yaw", "cos_yaw", "r")
+"""What a heading or its rate shows."""

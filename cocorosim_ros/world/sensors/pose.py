@@ -7,7 +7,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.influences import HEADING, PLACE
+from cocorosim_ros.world.sensors.influences import HEADING, PLACE, TURN
 from cocorosim_ros.world.sensors.sensor import Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.blocks import HR, HU, HV, HX, HY, HYAW, VW, VZ
@@ -110,14 +110,17 @@ POSE = Sensor(
     for_all=True,
     kinds=(
         Kind("pose_x", "x", "m", _x, _by_x, noise="pose_xy", noise_words="a reading of pose, x and y", least_noise=1e-4,
-             least_motion=0.005, large_error=0.03, error_follows=("y", "z", *_BENT, "|x|^2*x"), most_error=_LENGTH),
+             least_motion=0.005, large_error=0.03, error_follows=("y", "z", *_BENT, "|x|^2*x"),
+             most_error=_LENGTH, shows=("x",)),
         Kind("pose_y", "y", "m", _y, _by_y, noise="pose_xy", least_noise=1e-4,
-             least_motion=0.005, large_error=0.03, error_follows=("x", "z", *_BENT, "|y|^2*y"), most_error=_LENGTH),
+             least_motion=0.005, large_error=0.03, error_follows=("x", "z", *_BENT, "|y|^2*y"),
+             most_error=_LENGTH, shows=("y",)),
         Kind("pose_z", "z", "m", height, _by_height, upright=True, noise_words="a reading of pose, z", least_noise=1e-4,
-             least_motion=0.005, large_error=0.03, error_follows=(*PLACE, "x*x", "y*y", "z*z"), most_error=_LENGTH),
+             least_motion=0.005, large_error=0.03, error_follows=(*PLACE, "x*x", "y*y", "z*z"),
+             most_error=_LENGTH, shows=("z", "w")),
         Kind("pose_yaw", "yaw", "rad", heading, by_heading, angle=True, noise_words="a reading of pose, yaw",
              least_noise=1e-3, least_motion=0.02, large_error=0.05, error_follows=(*PLACE, "t"),
-             most_error=MostError(0.5)),
+             most_error=MostError(0.5), shows=TURN),
     ),
     recorded=Recorded(7, _columns, drawn="pose_x", late_with="u", orientation=_orientation),
 )  # fmt: skip

@@ -56,6 +56,7 @@ PRESSURE = Sensor(
              noise_words="a reading of the pressure", least_noise=1.0, least_motion=50.0, large_error=200.0,
              error_follows=(*MOTORS, *PUMP, *PLACE, "u", "v", "r", "speed", "u*u", "speed*speed", "z*z", "r*r",
                             "|w|", "|w|*w", "t*t"),
+             shows=("z", "w"),
              most_error=MostError(2000.0, 0.1)),  # weather of a day; a gauge that is ten per cent off is broken
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="pressure", late_with="w"),

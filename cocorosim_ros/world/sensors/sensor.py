@@ -68,6 +68,7 @@ class Kind:
     least_noise: float = field(kw_only=True)  # [unit] what the filter's steps err by, however exact a reading is
     most_error: MostError = field(kw_only=True)  # beyond it a difference is no error of this instrument
     least_motion: float | None = None  # [unit] smaller motion is none, however exact; None: motion is not told by it
+    shows: tuple[str, ...] = ()  # regressors that follow from this reading alone
     large_error: float = field(kw_only=True)  # [unit] in a bad case
     error_follows: tuple[str, ...] = ()
 

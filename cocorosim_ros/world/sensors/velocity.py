@@ -67,11 +67,14 @@ VELOCITY = Sensor(
     kinds=(
         Kind("velocity_u", "u", "m/s", _ahead, _by_ahead, ("velocity", 0), of_water=True, noise="velocity",
              noise_words="a reading of the velocity", least_noise=1e-4, least_motion=0.002, large_error=0.005,
-             error_follows=("u", "t", "|thrust|", "|r|*r", "|u|*u"), most_error=_MOST),
+             error_follows=("u", "t", "|thrust|", "|r|*r", "|u|*u"), most_error=_MOST,
+             shows=("u",)),
         Kind("velocity_v", "v", "m/s", _left, _by_left, ("velocity", 1), of_water=True, noise="velocity",
-             least_noise=1e-4, least_motion=0.002, large_error=0.005, error_follows=("v", "r", "t"), most_error=_MOST),
+             least_noise=1e-4, least_motion=0.002, large_error=0.005, error_follows=("v", "r", "t"), most_error=_MOST,
+             shows=("v",)),
         Kind("velocity_w", "w", "m/s", _up, _by_up, ("velocity", 2), upright=True, of_water=True, noise="velocity",
-             least_noise=1e-4, least_motion=0.002, large_error=0.005, error_follows=("w", "t"), most_error=_MOST),
+             least_noise=1e-4, least_motion=0.002, large_error=0.005, error_follows=("w", "t"), most_error=_MOST,
+             shows=("z", "w")),
     ),
     recorded=Recorded(6, lambda numbers: numbers[:, :3]),
 )  # fmt: skip
