@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -169,3 +169,17 @@ def test_what_is_objected_to_is_suspected_at_most() -> None:
     assert stopped((one,), (Objection("Of all."),))[0].because == ("Of all.",)
     assert stopped((one,), ())[0] is one
     assert HARD_STOPS.worse > 1.0
+
+
+def test_objections_to_an_effect_are_said_once(sound: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An effect has parameters, which no set can hold; the same sentence of two stops is one."""
+    effect = FoundEffect(
+        "torque_bias", "", "", ("lily_01",), "confirmed", {"torque": Estimate(1.0, 0.9, 1.1, "N m")}, 9.0
+    )
+
+    def stop(case: Case) -> Iterator[Objection]:
+        yield Objection("Its size may as well be nothing.", effect=effect)
+
+    monkeypatch.setattr(hard_stops, "STOPS", (stop, stop))
+    (objection,) = objections(sound)
+    assert objection.concerns(effect)

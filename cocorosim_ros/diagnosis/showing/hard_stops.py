@@ -197,7 +197,11 @@ STOPS: tuple[Stop, ...] = (
 
 def objections(case: Case) -> tuple[Objection, ...]:
     """All objections of all stops, each sentence once."""
-    return tuple(dict.fromkeys(each for stop in STOPS for each in stop(case)))
+    found: list[Objection] = []
+    for each in (objection for stop in STOPS for objection in stop(case)):
+        if each not in found:
+            found.append(each)
+    return tuple(found)
 
 
 def stopped(found: Sequence[FoundEffect], against: Sequence[Objection]) -> tuple[FoundEffect, ...]:
