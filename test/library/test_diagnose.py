@@ -102,7 +102,7 @@ def test_what_cannot_be_used_is_refused_before_the_work(shipped: Path, seen: lis
     calls: list[tuple[Any, dict[str, Any], str]] = [
         (shipped, {"out": tmp_path / "out"}, "exists already"),
         (tmp_path / "absent", {}, "absent does not exist"),
-        ([], {}, "There is no recording to diagnose"),
+        ([], {}, "'bags' has no recording; give one at least"),
         ([shipped, shipped], {}, "says the same as"),
     ]
     for bags, options, words in calls:

@@ -92,14 +92,17 @@ def _drag_form(platform: Platform) -> dict[str, float]:
 def _check_drag_form(platform: Platform) -> None:
     """Refuse a form of the drag that an effect of the same platform contradicts."""
     form = platform.effects.get("anisotropic_drag", {}).get("form")
-    if form is None or platform.drag_form is None:
+    if form is None:
         return
-    whole = FORM_BY_NAME[platform.drag_form]
-    allowed = [whole] if whole in REPLACING else [*ADDING]
+    declared = platform.drag_form
+    whole = None if declared is None else FORM_BY_NAME[declared]
+    allowed = [*ADDING, *REPLACING] if whole is None else [whole] if whole in REPLACING else [*ADDING]
     if form not in allowed:
+        of_what = "drag" if declared is None else f"'drag_form: {declared}'"
+        numbers = " or ".join(f"{each:g}" for each in allowed)
         raise CocorosimError(
-            f"{platform.origin}: 'effects.anisotropic_drag.form' has '{form:g}', which is no form of "
-            f"'drag_form: {platform.drag_form}'; write {' or '.join(f'{each:g}' for each in allowed)}, or leave it out."
+            f"{platform.origin}: 'effects.anisotropic_drag.form' has '{form:g}', which is no form of {of_what}; write "
+            f"{numbers}, or leave it out."
         )
 
 

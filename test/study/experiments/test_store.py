@@ -173,7 +173,7 @@ def test_errors_on_the_command_line(design_file: Write, tmp_path: Path) -> None:
         (["--row", "8", "--replicates", "4"], "has no row 8; choose from 0 to 7"),
         (["--group", "Van"], "has no group 'Van'"),
         (["--numerics", "exact"], "has no kind of numerics 'exact'"),
-        (["--replicates", "0"], "'replicates' has '0'"),
+        (["--replicates", "0"], "--replicates has 0"),
     ):
         result = run(design_file(), tmp_path / "a", *options)
         assert result.returncode == 2 and told in result.stderr and result.stderr.count("\n") == 1

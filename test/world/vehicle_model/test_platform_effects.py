@@ -55,6 +55,8 @@ def column(platform: Platform, name: str) -> float:
 def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) -> None:
     """All parameters in their own units are read, applied where they belong, and written back the same."""
     values = {name: part.neutral + 1.0 + index for index, (name, part) in enumerate(KNOWN_EFFECTS[effect].items())}
+    if effect == "anisotropic_drag":
+        values["form"] = 2.0  # one that adds to the drag by total speed, which Lily has
     parts = [
         f"{name}: {number(value, '1' if KNOWN_EFFECTS[effect][name].unit == '*' else KNOWN_EFFECTS[effect][name].unit)}"
         for name, value in values.items()
@@ -69,6 +71,13 @@ def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) 
     of_robot = effect in ERRORS and any(is_simulated(effect, part) for part in ERRORS[effect].parameters)
     assert (faults is not None) == of_robot
     assert bool(not_simulated({"lily_01": platform})) == (effect in RECORDING_EFFECTS)
+
+
+def test_a_form_of_drag_that_does_not_exist(tmp_path: Path) -> None:
+    """Forms are numbered; what is no number of one is refused with the numbers there are."""
+    platform = effects(tmp_path, f"anisotropic_drag: {{form: {number(2.5, '1')}}}")
+    with pytest.raises(CocorosimError, match=r"'effects\.anisotropic_drag\.form' has '2\.5'.*write 0 or 1 or 2"):
+        build_vehicles([platform])
 
 
 def test_a_sensor_that_does_not_exist(tmp_path: Path) -> None:
