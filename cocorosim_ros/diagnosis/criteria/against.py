@@ -1,0 +1,51 @@
+"""Thresholds of the comparison with recordings of the same vehicle when it was well: what is learned, what is alike."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class LearningCriteria:
+    """Numbers that a vehicle is given of its own (`against.learning`)."""
+
+    worth: float = 1.0
+    """[nats] from which an effect of the catalogue is a part of the learned vehicle. It is not named, so little
+    evidence is enough: what is left out would be looked for as a difference. Chosen, not measured."""
+    most: int = 8
+    """[effects] that are learned beside those of the contest: each costs a screening. Chosen, not measured."""
+    alone: float = 0.05
+    """[of its rms] a thruster's command that the others do not share, so that its own gain shows. Chosen, not
+    measured."""
+
+
+@dataclass(frozen=True)
+class AlikeCriteria:
+    """The control: how much recordings that should be alike differ (`against.control`)."""
+
+    quantile: float = 0.25
+    """[probability] of a spread greater than the one that is taken, given what the recordings show: few recordings tell
+    their spread badly, and less evidence is safer than more. Chosen, not measured."""
+    parts: int = 6
+    """[parts] of all recordings together that a spread is taken from; fewer recordings are cut. Chosen, not
+    measured."""
+    shortest: float = 20.0
+    """[s] of a part into which a recording is cut. Chosen, not measured."""
+    weighed: int = 16
+    """[candidates] of the best in a round whose spread is looked at: each costs slopes. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class SameVehicleCriteria:
+    """Signs that two sets of recordings are of different vehicles (`against.comparable`)."""
+
+    command_quantile: float = 0.95
+    """[probability] of commands that are compared by size, so that single pulses do not count. Chosen, not measured."""
+    command_ratio: float = 5.0
+    """[1] quotient of the sizes of commands on both sides, from which they are not of one use of one vehicle: laws that
+    were learned at one fifth of the thrust say little. Chosen, not measured."""
+
+
+LEARNING = LearningCriteria()
+ALIKE = AlikeCriteria()
+SAME_VEHICLE = SameVehicleCriteria()

@@ -1,0 +1,140 @@
+"""The comparison of recordings with those of the same vehicle when it was well: only differences are named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from cocorosim_ros.diagnosis.against.comparable import comparable, in_parts, taken_in
+from cocorosim_ros.diagnosis.against.control import Alike
+from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
+from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
+from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.diagnose import abstained
+from cocorosim_ros.diagnosis.evidence.intake import Intake
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
+from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+from cocorosim_ros.diagnosis.report.sentence import difference_sentence
+from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
+from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+from cocorosim_ros.diagnosis.showing.framing import mixed_up
+from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
+from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+
+Progress = Callable[[str, float], None]
+
+
+def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
+    """Name what differs between recordings and those of the same vehicle when it was well.
+
+    bad: what is to be judged; good: what it is compared with. Raises CocorosimError where nothing can be compared.
+    """
+    progress("checking the recordings", 0.0)
+    bad, good = comparable(bad, good)
+    intake, well = taken_in(bad, good)
+    if well.reasons or intake.reasons:
+        return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), good)
+    progress("learning the vehicle", 0.05)
+    base = base_fit(in_parts(well.evidence))
+    thrusters = _thrusters(bad.platform)
+    learned = learned_vehicle(base, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    alike = Alike(learned)
+    progress("comparing the recordings of --against with each other", 0.4)
+    control = _control(learned, alike, thrusters)
+    progress("fitting both together", 0.5)
+    joint = joint_fit(learned, intake.evidence)
+    if not finite(joint):
+        reason = f"The vehicle of --against cannot be run through these recordings of '{bad.platform.name}'."
+        return _with_files(abstained(bad, (reason,)), good)
+    judged = Judged(tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
+    naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
+    progress("writing down", 0.95)
+    return _told(naming, judged, intake, _against(good, learned, control, naming))
+
+
+def _thrusters(platform: Platform) -> tuple[str, ...]:
+    return tuple(each.name for each in platform.actuators if isinstance(each, Thruster))
+
+
+def _of_good(reasons: Sequence[str]) -> tuple[str, ...]:
+    return tuple(f"--against: {reason}" for reason in reasons)
+
+
+def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of what every second track of the learned vehicle differs in from the others; () if in nothing."""
+    half = tuple(range(1, len(learned.tracks), 2))
+    if not half:
+        return ()
+    fit = replace(learned, rows=below(learned))
+    found = name_differences(fit, Judged(half, alike, thrusters), lambda words, share: None)
+    return tuple(effect.candidate.entry.id for effect in found.named)
+
+
+def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
+    spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
+    every, _ = recalibrated(learned)
+    origins = tuple(recording.origin for recording in good.recordings)
+    return Comparison(origins, learned_effects(learned), control, spreads, every)
+
+
+def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
+    return replace(diagnosis, against=Comparison(tuple(each.origin for each in good.recordings), (), ()))
+
+
+def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -> Diagnosis:
+    """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
+    moved = differing_numbers(naming)
+    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, judged.thrusters))
+    if against.control:
+        effects = tuple(replace(effect, tier="suspected") for effect in effects)
+    base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
+    table, runs = held_out_free_runs(base, final)
+    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
+    tried = {each.candidate.entry.id for each in naming.screened}
+    courses = smoothed_tracks(base), smoothed_tracks(final)
+    verdict = _verdict(effects, moved, unseen)
+    return Diagnosis(
+        verdict,
+        difference_sentence(verdict, effects, moved, against),
+        moved,
+        (),
+        effects,
+        unseen,
+        advised(effects, [name for name in unseen if name in tried]),
+        table,
+        (),
+        screened_effects(naming.screened),
+        residual_forces(base, courses[0]),
+        residual_forces(final, courses[1]),
+        readings=residual_readings(base, final, courses, effects),
+        free_runs=runs,
+        remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
+        needed_nats=NAMING.threshold,
+        noise=noise_levels(final),
+        against=against,
+    )
+
+
+def _judged_part(naming: Naming, fit: Fit, judged: Judged) -> Fit:
+    """Take the judged tracks out of a fit; only what differs there goes on being fitted."""
+    own = [unknown for unknown in fit.unknowns if any(each.candidate.owns(unknown) for each in naming.named)]
+    return part_of(fit, judged.numbers, own)
+
+
+def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str]) -> Verdict:
+    if effects:
+        return "mismatch"
+    if moved:
+        return "recalibrate"
+    return "insufficient" if is_blind(unseen) else "consistent"
