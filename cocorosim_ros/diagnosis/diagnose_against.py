@@ -10,7 +10,9 @@ from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
 from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
+from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.diagnose import abstained
 from cocorosim_ros.diagnosis.evidence.intake import Intake
@@ -18,7 +20,7 @@ from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
+from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
@@ -137,4 +139,4 @@ def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unse
         return "mismatch"
     if moved:
         return "recalibrate"
-    return "insufficient" if is_blind(unseen) else "consistent"
+    return "insufficient" if len(IDS) - len(unseen) < COMPARISON.least_shown else "consistent"

@@ -28,8 +28,6 @@ from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
 from cocorosim_ros.foundation.arrays import Floats
 
-TOLD = 1e-6  # of the prior's information: a track with less tells nothing of an amplitude
-
 
 class Alike:
     """The tracks of a learned vehicle, which should be alike, as a measure of evidence found in others."""
@@ -62,7 +60,7 @@ class Alike:
         own = float(np.trace(screened.information)) / max(count, 1)
         mine = [float(np.trace(matrix)) / len(matrix) for matrix, _ in told]
         unknown_there = 0.0 if self._is_shared(candidate) else own / (sum(mine) + 1.0)
-        if not told or not sum(mine) > TOLD:
+        if not told or not sum(mine) > ALIKE.told:
             return 1.0 + unknown_there
         tracks = len(candidate.everybody) / max(len(candidate.sharers), 1)
         return 1.0 + unknown_there + (overdispersion(told) - 1.0) * (own / tracks) / (sum(mine) / len(mine))
@@ -101,7 +99,7 @@ def overdispersion(told: Sequence[tuple[Floats, Floats]]) -> float:
     """
     squares, freedom = 0.0, 0
     for matrix, score in told:
-        seen = np.diag(matrix) > TOLD
+        seen = np.diag(matrix) > ALIKE.told
         if seen.any():
             squares += float(score[seen] @ solve(matrix[np.ix_(seen, seen)], score[seen]))
             freedom += int(seen.sum())

@@ -11,13 +11,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.stats import norm, wilcoxon
+from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.numbers import number_entries
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
@@ -32,7 +33,6 @@ from cocorosim_ros.world.terms.search import Scene
 
 _NOTHING: tuple[NamedEffect, ...] = ()
 _Found = tuple[Fit, tuple[NamedEffect, ...]] | None
-Z95 = float(norm.ppf(0.975))
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def _holds_neutral(found: tuple[Fit, tuple[NamedEffect, ...]]) -> bool:
     candidate = named[-1].candidate
     amplitudes = {each.column for each in candidate.entry.amplitudes}
     own = [place for place in candidate.places_among(fit.unknowns) if fit.unknowns[place].column in amplitudes]
-    return any(abs(float(fit.q[place])) < Z95 * float(spread[place]) for place in own)
+    return any(abs(float(fit.q[place])) < COMPARISON.apart * float(spread[place]) for place in own)
 
 
 def _scene(fit: Fit, judged: Judged) -> Scene:

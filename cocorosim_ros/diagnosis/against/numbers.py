@@ -47,11 +47,11 @@ def number_entries(tracks: Sequence[Track], rows: Floats, thrusters: Sequence[st
 
 def thruster_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[Entry]:
     """Make an entry of the gain of every single thruster whose commands differ from those of the others."""
-    shown = _commanded_alone(tracks)
+    numbered = zip(range(1, MOST_THRUSTERS + 1), thrusters, _commanded_alone(tracks), strict=False)
     return [
         _factor(f"{ONE_THRUSTER}:{name}", f"own_gain.{number}", "yaw", TURN, name)
-        for number, (name, alone) in enumerate(zip(thrusters, shown, strict=False), start=1)
-        if alone and number <= MOST_THRUSTERS
+        for number, name, alone in numbered
+        if alone
     ]
 
 

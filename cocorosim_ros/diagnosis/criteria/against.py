@@ -31,6 +31,8 @@ class AlikeCriteria:
     measured."""
     shortest: float = 20.0
     """[s] of a part into which a recording is cut. Chosen, not measured."""
+    told: float = 1e-6
+    """[information of the prior] a part that has less on a candidate tells nothing of it. Chosen, not measured."""
     weighed: int = 16
     """[candidates] of the best in a round whose spread is looked at: each costs slopes. Chosen, not measured."""
 
@@ -46,6 +48,20 @@ class SameVehicleCriteria:
     were learned at one fifth of the thrust say little. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class ComparisonCriteria:
+    """Limits of what a comparison says (`diagnose_against`, `against.differences`)."""
+
+    apart: float = 1.96
+    """[standard deviations] from neutral, below which a number of a difference may be nothing: then a rival with fewer
+    numbers, an offset for a drift, is named in its place. The usual 95 %. Chosen, not measured."""
+    least_shown: int = 3
+    """[effects of the catalogue] that would have shown at medium size; with fewer, silence tells nothing. A recording
+    need not show as much as for a diagnosis of a platform's file, since only changes are asked for. Chosen, not
+    measured."""
+
+
 LEARNING = LearningCriteria()
 ALIKE = AlikeCriteria()
 SAME_VEHICLE = SameVehicleCriteria()
+COMPARISON = ComparisonCriteria()

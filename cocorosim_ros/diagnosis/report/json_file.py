@@ -34,7 +34,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
 
 
 def _against(against: Comparison | None) -> dict[str, Any]:
-    """What the recordings were compared with, if it was not the platform's file alone."""
+    """Keys about the recordings that others were compared with; none where there are no such recordings."""
     if against is None:
         return {}
     return {
