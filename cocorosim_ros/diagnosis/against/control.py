@@ -22,6 +22,7 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
+from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.solving import solve
@@ -34,7 +35,7 @@ class Alike:
 
     def __init__(self, learned: Fit) -> None:
         self._fit = learned
-        self._screen = Screen(learned, scene_of(learned.tracks, smoothed_tracks(learned)))
+        self._screen = Screen(learned, scene_of(learned.tracks, smoothed_tracks(learned), drag_form_of(learned)))
         self._over = frozenset(unknown.column for unknown in learned.unknowns)
 
     def weighed(self, screened: Sequence[Screened]) -> tuple[Screened, ...]:

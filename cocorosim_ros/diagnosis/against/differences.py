@@ -22,6 +22,7 @@ from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.held_out import BLOCKS, HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
@@ -111,7 +112,7 @@ def _scene(fit: Fit, judged: Judged) -> Scene:
     filled = fit.filled
     tracks = [fit.tracks[number] for number in judged.numbers]
     courses = [fit.tracks[number].filter.smoothed(filled[number]) for number in judged.numbers]
-    return scene_of(tracks, courses)
+    return scene_of(tracks, courses, drag_form_of(fit))
 
 
 def _entries(joint: Fit, judged: Judged) -> list[Entry]:

@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.against import LEARNING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
@@ -54,7 +55,7 @@ def _nameless(unknown: Unknown) -> Unknown:
 
 def _richer(fit: Fit, thrusters: Sequence[str]) -> Fit | None:
     """Add the effect that explains most, of those without shapes, to all robots; None if none explains enough."""
-    scene = scene_of(fit.tracks, smoothed_tracks(fit))
+    scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(fit))
     screen = Screen(fit, scene)
     taken = {unknown.column for unknown in fit.unknowns}
     tested = [screen.test(each) for each in _candidates(fit, thrusters) if not taken & _columns(each)]
