@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_ve
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.diagnose import abstained
 from cocorosim_ros.diagnosis.evidence.intake import Intake
@@ -20,7 +21,7 @@ from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
-from cocorosim_ros.diagnosis.fitting.recalibration import MOST_ROUNDS, base_fit
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
@@ -51,7 +52,7 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     progress("learning the vehicle", 0.05)
     base = base_fit(in_parts(well.evidence))
     if bad.platform.drag_form is None:
-        base, _ = with_best_form(base, MOST_ROUNDS)
+        base, _ = with_best_form(base, RECALIBRATION.most_rounds)
     thrusters = _thrusters(bad.platform)
     learned = learned_vehicle(base, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
     alike = Alike(learned)

@@ -50,7 +50,7 @@ def diagnose(
     model = _platform(platform, "platform")
     model = model if known is None else knowing(model, _platform(known, "known"))
     progress("reading", 0.0)
-    judged, well = _paths(bags), [] if against is None else _paths(against)
+    judged, well = _paths(bags, "bags"), [] if against is None else _paths(against, "against")
     whole = gather_evidence([*judged, *well], model)
     evidence = replace(whole, recordings=whole.recordings[: len(judged)])
     # Loaded here: recordings that cannot be used are refused before the filter is.
@@ -73,8 +73,8 @@ def _platform(platform: Place | Platform, name: str) -> Platform:
     return platform if isinstance(platform, Platform) else load_platform(place_text(platform, name))
 
 
-def _paths(bags: Source | Sequence[Source]) -> list[Path]:
+def _paths(bags: Source | Sequence[Source], name: str) -> list[Path]:
     several = list(bags) if isinstance(bags, Sequence) and not isinstance(bags, str) else [bags]
     if not several:
-        raise ArgumentError("The argument 'bags' has no recording; give one at least.", "bags")
-    return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, "bags")) for bag in several]
+        raise ArgumentError(f"The argument '{name}' has no recording; give one at least.", name)
+    return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, name)) for bag in several]

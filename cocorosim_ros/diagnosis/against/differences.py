@@ -19,12 +19,13 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
+from cocorosim_ros.diagnosis.criteria.fitting import HELD_OUT
 from cocorosim_ros.diagnosis.criteria.naming import SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
-from cocorosim_ros.diagnosis.fitting.held_out import BLOCKS, HeldOutGain
+from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 from cocorosim_ros.diagnosis.naming.naming import best_addition, keys_of, ranked
@@ -151,6 +152,6 @@ def _placed(candidate: Candidate, numbers: Sequence[int], shared: set[str]) -> C
 
 def _foretold(effect: NamedEffect, judged: Judged) -> NamedEffect:
     """Take the held-out gain of an effect on the judged tracks alone; the others have no part in it."""
-    nats = effect.held_out.nats.reshape(-1, BLOCKS)[list(judged.numbers)].ravel()
+    nats = effect.held_out.nats.reshape(-1, HELD_OUT.blocks)[list(judged.numbers)].ravel()
     p = 1.0 if np.allclose(nats, 0.0) else float(wilcoxon(nats, alternative="greater").pvalue)
     return replace(effect, held_out=HeldOutGain(nats, p))
