@@ -24,7 +24,6 @@ from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
 
 LEARNED = "learned"
 """Owner of the numbers that the vehicle has beside the platform's: an effect's name and number are its parameter."""
-TURNS = 3  # of noise and unknowns, after all effects have been added
 
 
 def learned_vehicle(base: Fit, thrusters: Sequence[str], progress: Callable[[str, float], None]) -> Fit:
@@ -36,7 +35,7 @@ def learned_vehicle(base: Fit, thrusters: Sequence[str], progress: Callable[[str
         if richer is None:
             break
         fit = replace(richer, unknowns=tuple(map(_nameless, richer.unknowns)))
-    return settled(fit, TURNS)
+    return settled(fit, LEARNING.turns)
 
 
 def learned_effects(fit: Fit) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
-from cocorosim_ros.diagnosis.criteria.against import LEARNING
+from cocorosim_ros.diagnosis.criteria.against import CHANGES, LEARNING
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, COMMAND_DELAY, MOST_THRUSTERS
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -15,8 +15,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.groups import DRAG, LATE, TURN, WEIGHT
 from cocorosim_ros.world.terms.search import DELAYS
 
-LARGE_FACTOR = 0.3  # of a logarithm: a number that is a third more or less in a bad case
-LARGE_DELAY = 0.3  # s, as of a lag of thrust
 ONE_THRUSTER = "thruster_gain"
 THRUST, DELAY = "thrust_gain", "command_delay"
 # By column: identifier, channel and group. The gain of all thrusters together is a number of its own.
@@ -58,15 +56,16 @@ def thruster_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[
 def _factor(identifier: str, column: str, channel: str, group: str, name: str = "") -> Entry:
     """Make the entry of a number that is a factor of what it is in other recordings."""
     words = f"thrust of {name}" if name else identifier.replace("_", " ")
+    least, most = CHANGES.bounds
     amplitude = Amplitude(
-        column, name or identifier, "1", LARGE_FACTOR, neutral=1.0, factor=True, least=-10.0, most=5.0
-    )  # fmt: skip
+        column, name or identifier, "1", CHANGES.large_factor, neutral=1.0, factor=True, least=least, most=most
+    )
     return Entry(identifier, f"{words} that differs", f"{words} = factor * before", channel, (amplitude,), group=group)
 
 
 def _delay() -> Entry:
     ends = tuple(-each for each in reversed(DELAYS))
-    amplitude = Amplitude(COMMAND_DELAY, "delay", "s", LARGE_DELAY, searched=(*ends, *DELAYS))
+    amplitude = Amplitude(COMMAND_DELAY, "delay", "s", CHANGES.large_delay, searched=(*ends, *DELAYS))
     return Entry(DELAY, "commands that act later than they are logged", "F(t) = F_command(t - delay)", "surge",
                  (amplitude,), group=LATE)  # fmt: skip
 
