@@ -32,7 +32,7 @@ from cocorosim_ros.diagnosis.showing.framing import mixed_up
 from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
-from cocorosim_ros.diagnosis.showing.residual_reading import residual_readings
+from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 
@@ -123,7 +123,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         screened_effects(naming.screened),
         residual_forces(base, courses[0]),
         residual_forces(final, courses[1]),
-        readings=residual_readings(base, final, courses, effects),
+        readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
         free_runs=runs,
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
         needed_nats=NAMING.threshold,
