@@ -29,7 +29,8 @@ from cocorosim_ros.diagnosis.report.sentence import difference_sentence
 from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up
-from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
@@ -105,10 +106,12 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
-    table, runs = held_out_free_runs(base, final)
+    table, runs = held_out_free_runs(unseen_parts(base), final)
     unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     tried = {each.candidate.entry.id for each in naming.screened}
     courses = smoothed_tracks(base), smoothed_tracks(final)
+    stops = objections(Case(final, naming.named, effects, courses[1], table))
+    effects = stopped(effects, stops)
     verdict = _verdict(effects, moved, unseen)
     return Diagnosis(
         verdict,
@@ -128,6 +131,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
+        warnings=tuple(each.sentence for each in stops if each.effect is None),
         against=against,
     )
 

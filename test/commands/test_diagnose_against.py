@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.diagnosis.findings import Against, Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 Command = Callable[..., SimpleNamespace]
@@ -29,7 +29,7 @@ def found(bad: Any, good: Any) -> Diagnosis:
     weak = FoundEffect("thruster_asymmetry", "thrust of left that differs", "T = f T", robots, "confirmed", left, 90.0)
     late = {"delay": Estimate(0.2, 0.19, 0.21, "s")}
     delay = FoundEffect("command_delay", "commands that act later", "F(t) = F(t - d)", robots, "confirmed", late, 50.0)
-    against = Against(
+    against = Comparison(
         tuple(each.origin for each in good.recordings), ("linear_drag",), (), {"command_delay": 1.2}, before
     )
     return Diagnosis("mismatch", "These differ.", (drag,), (), (weak, delay), (), (), {}, against=against)

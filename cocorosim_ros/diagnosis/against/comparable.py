@@ -10,7 +10,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.against import ALIKE, SAME_VEHICLE
 from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
 from cocorosim_ros.diagnosis.evidence.intake import Intake, take_in
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, Recording, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.foundation.arrays import Flags
 from cocorosim_ros.foundation.errors import CocorosimError
 
@@ -65,7 +65,7 @@ def in_parts(good: Evidence) -> Evidence:
     return replace(good, recordings=tuple(part for each in good.recordings for part in _parts(each, wanted)))
 
 
-def _parts(recording: Recording, wanted: int) -> list[Recording]:
+def _parts(recording: RecordingLog, wanted: int) -> list[RecordingLog]:
     count = max(1, min(wanted, int(recording.duration / ALIKE.shortest)))
     ends = np.linspace(0.0, recording.duration, count + 1)
     ends[-1] = np.inf
@@ -110,7 +110,7 @@ def _streams(evidence: Evidence, name: str) -> set[str]:
     return {topic for log in logs for topic, stream in log.streams.items() if len(stream.time)}
 
 
-def _with_streams(recording: Recording, streams: dict[str, set[str]]) -> Recording:
+def _with_streams(recording: RecordingLog, streams: dict[str, set[str]]) -> RecordingLog:
     """Leave out the robots and streams of which GOOD has nothing, and say so."""
     robots, remarks = [], list(recording.remarks)
     for log in recording.robots:

@@ -34,7 +34,7 @@ from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
 _NOTHING: tuple[NamedEffect, ...] = ()
-_Found = tuple[Fit, tuple[NamedEffect, ...]] | None
+_Found = tuple[Fit, NamedEffect] | None
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             first, first_laws = tested, laws
         if found is None:
             break
-        fit, named = settled(found[0], SEARCH.settling), found[1]
+        fit, named = settled(found[0], SEARCH.settling), (*named, found[1])
     fit, named = pruned(fit, named, joint)
     return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws)
 
@@ -87,23 +87,23 @@ def _simpler(
     """
     if found is None or not _holds_neutral(found):
         return found
-    best = found[1][-1]
+    best = found[1]
     rivals = {rival.candidate.key for rival in best.rivals}
     count = len(best.candidate.entry.amplitudes)
     fewer = [each for each in tested if each.candidate.key in rivals and len(each.candidate.entry.amplitudes) < count]
     other = best_addition(*before, screen, fewer, ()) if fewer else None
     if other is None or _holds_neutral(other):
         return found
-    simple = other[1][-1]
+    simple = other[1]
     others = tuple(rival for rival in best.rivals if rival.candidate.key != simple.candidate.key)
-    return other[0], (*other[1][:-1], replace(simple, rivals=others))
+    return other[0], replace(simple, rivals=others)
 
 
-def _holds_neutral(found: tuple[Fit, tuple[NamedEffect, ...]]) -> bool:
-    """Tell whether the 95 % interval of any amplitude of the last named candidate holds its neutral value."""
+def _holds_neutral(found: tuple[Fit, NamedEffect]) -> bool:
+    """Tell whether the 95 % interval of any amplitude of a named candidate holds its neutral value."""
     fit, named = found
     spread = np.sqrt(np.diag(covariance(fit)))
-    candidate = named[-1].candidate
+    candidate = named.candidate
     amplitudes = {each.column for each in candidate.entry.amplitudes}
     own = [place for place in candidate.places_among(fit.unknowns) if fit.unknowns[place].column in amplitudes]
     return any(abs(float(fit.q[place])) < COMPARISON.apart * float(spread[place]) for place in own)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from cocorosim_ros.diagnosis.findings import Against, Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 
@@ -36,7 +36,7 @@ def _plain(effect: FoundEffect) -> FoundEffect:
     return replace(effect, parameters={"difference": effect.parameters["difference"]})
 
 
-def _numbers(against: Against, diagnosis: Diagnosis) -> tuple[Recalibrated, ...]:
+def _numbers(against: Comparison, diagnosis: Diagnosis) -> tuple[Recalibrated, ...]:
     """Numbers of the learned vehicle, times what has changed in them."""
     changed = {(each.parameter, each.robots): each for each in diagnosis.recalibrated}
     found = []

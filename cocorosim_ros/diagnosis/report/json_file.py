@@ -6,7 +6,15 @@ import json
 import math
 from typing import Any
 
-from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, HeldOut, Located, Recalibrated
+from cocorosim_ros.diagnosis.findings import (
+    Comparison,
+    Diagnosis,
+    Estimate,
+    FoundEffect,
+    HeldOut,
+    Located,
+    Recalibrated,
+)
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 
 

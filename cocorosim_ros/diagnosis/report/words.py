@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.findings import Against, Diagnosis
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law, subject_and_product
 from cocorosim_ros.world.sensors import KINDS
@@ -102,7 +102,7 @@ def verdict_words(diagnosis: Diagnosis) -> tuple[str, str]:
     return (VERDICTS if diagnosis.against is None else DIFFERENCES)[diagnosis.verdict]
 
 
-def control_words(against: Against | None) -> str:
+def control_words(against: Comparison | None) -> str:
     """Sentence about the recordings that others are compared with: whether one half of them differs from the other."""
     if against is None:
         return ""
