@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
 from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.against.running import runnable, runs_away
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
@@ -20,7 +21,7 @@ from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
-from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
+from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
@@ -56,18 +57,19 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
         base, _ = with_best_form(base, RECALIBRATION.most_rounds)
     thrusters = _thrusters(bad.platform)
     learned = learned_vehicle(base, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
-    alike = Alike(learned)
-    progress("comparing the recordings of --against with each other", 0.4)
-    control = _control(learned, alike, thrusters)
-    progress("fitting both together", 0.5)
-    joint = joint_fit(learned, intake.evidence)
-    if not finite(joint):
+    progress("fitting both together", 0.4)
+    learned, joint, taken_back = runnable(learned, lambda vehicle: joint_fit(vehicle, intake.evidence))
+    if runs_away(joint):
         reason = f"The vehicle of --against cannot be run through these recordings of '{bad.platform.name}'."
         return _with_files(abstained(bad, (reason,)), good)
+    alike = Alike(learned)
+    progress("comparing the recordings of --against with each other", 0.5)
+    control = _control(learned, alike, thrusters)
     judged = Judged(tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
     naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
     progress("writing down", 0.95)
-    return _told(naming, judged, intake, _against(good, learned, control, naming))
+    against = _against(good, learned, control, naming)
+    return _told(naming, judged, intake, replace(against, taken_back=taken_back))
 
 
 def _thrusters(platform: Platform) -> tuple[str, ...]:
@@ -76,6 +78,15 @@ def _thrusters(platform: Platform) -> tuple[str, ...]:
 
 def _of_good(reasons: Sequence[str]) -> tuple[str, ...]:
     return tuple(f"--against: {reason}" for reason in reasons)
+
+
+def _of_taken_back(taken_back: Sequence[str]) -> tuple[str, ...]:
+    """Remarks on what was learned from --against and does not hold in the recordings to be judged."""
+    return tuple(
+        f"'{name}' was learned from the recordings of --against, but with it the model runs away from the readings "
+        "that are judged; it was taken back."
+        for name in taken_back
+    )
 
 
 def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[str, ...]:
@@ -128,7 +139,10 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         residual_forces(final, courses[1]),
         readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
         free_runs=runs,
-        remarks=tuple(remark for recording in intake.evidence.recordings for remark in recording.remarks),
+        remarks=(
+            *(remark for recording in intake.evidence.recordings for remark in recording.remarks),
+            *_of_taken_back(against.taken_back),
+        ),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=tuple(each.sentence for each in stops if each.effect is None),

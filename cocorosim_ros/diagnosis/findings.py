@@ -192,6 +192,7 @@ class Comparison:
     control: what one half of these recordings differs in from the other, by the same comparison; () if in nothing.
     spreads: by difference, how often its evidence was divided because alike recordings differ too.
     before: the learned vehicle's numbers.
+    taken_back: effects that were learned, but with which the model ran away from the recordings to be judged.
     """
 
     recordings: tuple[str, ...]
@@ -199,6 +200,7 @@ class Comparison:
     control: tuple[str, ...]
     spreads: Mapping[str, float] = field(default_factory=dict)
     before: tuple[Recalibrated, ...] = ()
+    taken_back: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from cocorosim_ros.diagnosis.against.numbers import thruster_entries
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.against import LEARNING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
-from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.screening import Screen
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.contest import begin
@@ -42,6 +44,19 @@ def learned_effects(fit: Fit) -> tuple[str, ...]:
     """Names of the effects that a learned vehicle has beside the platform's own numbers, in the order of learning."""
     owners = [unknown.owner for unknown in fit.unknowns if unknown.owner.effect == LEARNED]
     return tuple(dict.fromkeys(owner.parameter.rpartition(".")[0] for owner in owners))
+
+
+def without_last(fit: Fit) -> Fit:
+    """Take the effect that was learned last out of a learned vehicle, and fit the rest anew."""
+    gone = f"{learned_effects(fit)[-1]}."
+    stays = np.array([not _is_of(unknown, gone) for unknown in fit.unknowns], dtype=bool)
+    unknowns = tuple(unknown for unknown in fit.unknowns if not _is_of(unknown, gone))
+    return settled(evaluated(replace(fit, unknowns=unknowns, q=fit.q[stays])), LEARNING.turns)
+
+
+def _is_of(unknown: Unknown, effect: str) -> bool:
+    owner = unknown.owner
+    return owner.effect == LEARNED and owner.parameter.startswith(effect)
 
 
 def _nameless(unknown: Unknown) -> Unknown:

@@ -53,6 +53,7 @@ def _against(against: Comparison | None) -> dict[str, Any]:
         },
         "against_learned": {
             "effects": list(against.learned),
+            "taken_back": list(against.taken_back),
             "numbers": [_recalibrated(each) for each in against.before],
         },
         "against_spread": {name: _finite(each) for name, each in against.spreads.items()},
