@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from scipy.stats import chi2
@@ -28,6 +29,13 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
 from cocorosim_ros.foundation.arrays import Floats
+
+
+class Told(NamedTuple):
+    """What one track alone tells of a candidate's n amplitudes."""
+
+    matrix: Floats  # (n, n) information
+    score: Floats  # (n,)
 
 
 class Alike:
@@ -70,8 +78,8 @@ class Alike:
         """Tell whether all of the candidate's numbers are fitted for the learned vehicle too."""
         return all(each.factor or each.column in self._over for each in candidate.entry.amplitudes)
 
-    def _by_track(self, candidate: Candidate, values: dict[str, float]) -> list[tuple[Floats, Floats]]:
-        """Information (n, n) and score (n,) of the candidate's n amplitudes for each track as if for it alone."""
+    def _by_track(self, candidate: Candidate, values: dict[str, float]) -> list[Told]:
+        """What each track tells of the candidate's amplitudes, as if it were alone."""
         numbers = [number for number, track in enumerate(self._fit.tracks) if _has(candidate, track.log.streams)]
         if not numbers:
             return []
@@ -79,24 +87,26 @@ class Alike:
         whole = replace(candidate, robots=("alike",), tracks=(tuple(numbers),), known=known)
         moved = self._screen.slopes(whole, values, whole.amplitudes())
         found = [self._orthogonal(number, moved[number]) for number in numbers]
-        return [(matrix, score) for matrix, score in found if np.isfinite(matrix).all() and np.isfinite(score).all()]
+        return [each for each in found if np.isfinite(each.matrix).all() and np.isfinite(each.score).all()]
 
-    def _orthogonal(self, number: int, moved: Floats) -> tuple[Floats, Floats]:
-        """Information (n, n) and score (n,) by slopes (m, n) on one track, the learned numbers' part taken out."""
+    def _orthogonal(self, number: int, moved: Floats) -> Told:
+        """What slopes (m, n) on one track tell, the learned numbers' part taken out."""
         known, passed = self._screen.known, self._fit.passes[number]
         felt = known.own[number]
         cross = np.zeros((len(known.matrix), moved.shape[1]))
         cross[felt.unknowns] = weighted_products(felt.slopes, moved, passed.variance)
         absorbed = solve(known.matrix, cross)
         matrix = weighted_products(moved, moved, passed.variance) - cross.T @ absorbed
-        score = -weighted_products(moved, passed.innovation[:, None], passed.variance)[:, 0] - absorbed.T @ known.score
-        return 0.5 * (matrix + matrix.T), score
+        score = (
+            -weighted_products(moved, passed.innovation[:, None], passed.variance).ravel() - absorbed.T @ known.score
+        )
+        return Told(0.5 * (matrix + matrix.T), score)
 
 
-def overdispersion(told: Sequence[tuple[Floats, Floats]]) -> float:
+def overdispersion(told: Sequence[Told]) -> float:
     """Quotient, at least 1, of the spread of amplitudes among tracks and the one that their noise explains.
 
-    told: information (n, n) and score (n,) by track. It is cautious: the spread may be smaller, by ALIKE.quantile.
+    told: by track. It is cautious: the spread may be smaller, by ALIKE.quantile.
     """
     squares, freedom = 0.0, 0
     for matrix, score in told:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from scipy.stats import wilcoxon
@@ -34,7 +35,20 @@ from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
 _NOTHING: tuple[NamedEffect, ...] = ()
-_Found = tuple[Fit, NamedEffect] | None
+
+
+class Stage(NamedTuple):
+    """A fit of a contest, and the effects that it has been named with."""
+
+    fit: Fit
+    named: tuple[NamedEffect, ...]
+
+
+class Addition(NamedTuple):
+    """A fit with one more effect, and this effect."""
+
+    fit: Fit
+    effect: NamedEffect
 
 
 @dataclass(frozen=True)
@@ -57,53 +71,55 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     fit, named = joint, _NOTHING
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
-    found: _Found
-    for number in range(SEARCH.most_effects):
-        progress("looking for what differs", number / SEARCH.most_effects)
+    for number in range(SEARCH.most_rounds):
+        progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
         screen = Screen(fit, scene)
         tested = _tested(screen, judged, _entries(joint, judged), named)
-        found = _simpler(best_addition(fit, named, screen, tested, ()), (fit, named), screen, tested)
+        found = _simplest(Stage(fit, named), screen, tested)
         laws: tuple[Screened, ...] = ()
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
-            found = best_addition(fit, named, screen, (), laws)
+            found = _best(Stage(fit, named), screen, (), laws)
         if number == 0:
             first, first_laws = tested, laws
         if found is None:
             break
-        fit, named = settled(found[0], SEARCH.settling), (*named, found[1])
+        fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)
+        if len(named) >= SEARCH.pruned_from:
+            fit, named = pruned(fit, named, joint)
     fit, named = pruned(fit, named, joint)
     return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws)
 
 
-def _simpler(
-    found: _Found, before: tuple[Fit, tuple[NamedEffect, ...]], screen: Screen, tested: Sequence[Screened]
-) -> _Found:
-    """Prefer a rival with fewer numbers to a candidate of which a number may as well be zero, as of a drift an offset.
+def _best(stage: Stage, screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened] = ()) -> Addition | None:
+    found = best_addition(stage.fit, stage.named, screen, tested, laws)
+    return None if found is None else Addition(*found)
 
-    before: the fit and the named effects to which the candidate was added.
+
+def _simplest(stage: Stage, screen: Screen, tested: Sequence[Screened]) -> Addition | None:
+    """Find the best addition to a stage, or in its place a rival with fewer numbers where one of its own may be zero.
+
+    So an offset is named for a drift whose rate may be nothing.
     """
+    found = _best(stage, screen, tested)
     if found is None or not _holds_neutral(found):
         return found
-    best = found[1]
-    rivals = {rival.candidate.key for rival in best.rivals}
-    count = len(best.candidate.entry.amplitudes)
+    rivals = {rival.candidate.key for rival in found.effect.rivals}
+    count = len(found.effect.candidate.entry.amplitudes)
     fewer = [each for each in tested if each.candidate.key in rivals and len(each.candidate.entry.amplitudes) < count]
-    other = best_addition(*before, screen, fewer, ()) if fewer else None
-    if other is None or _holds_neutral(other):
+    simple = _best(stage, screen, fewer) if fewer else None
+    if simple is None or _holds_neutral(simple):
         return found
-    simple = other[1]
-    others = tuple(rival for rival in best.rivals if rival.candidate.key != simple.candidate.key)
-    return other[0], replace(simple, rivals=others)
+    others = tuple(rival for rival in found.effect.rivals if rival.candidate.key != simple.effect.candidate.key)
+    return Addition(simple.fit, replace(simple.effect, rivals=others))
 
 
-def _holds_neutral(found: tuple[Fit, NamedEffect]) -> bool:
-    """Tell whether the 95 % interval of any amplitude of a named candidate holds its neutral value."""
-    fit, named = found
+def _holds_neutral(found: Addition) -> bool:
+    """Tell whether the 95 % interval of any amplitude of an added effect holds its neutral value."""
+    fit, candidate = found.fit, found.effect.candidate
     spread = np.sqrt(np.diag(covariance(fit)))
-    candidate = named.candidate
     amplitudes = {each.column for each in candidate.entry.amplitudes}
     own = [place for place in candidate.places_among(fit.unknowns) if fit.unknowns[place].column in amplitudes]
     return any(abs(float(fit.q[place])) < COMPARISON.apart * float(spread[place]) for place in own)

@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
-NOISE = [COLUMN[name] for name in (*WATER_NOISE, *READING_NOISE)]
+NOISE_COLUMNS = [COLUMN[name] for name in (*WATER_NOISE, *READING_NOISE)]
 
 
 def joint_fit(learned: Fit, bad: Evidence) -> Fit:
@@ -25,7 +25,7 @@ def joint_fit(learned: Fit, bad: Evidence) -> Fit:
     tracks, first = make_tracks(bad), len(learned.tracks)
     known = _rows_of(learned, tracks)
     rows = known.copy()
-    rows[:, NOISE] = base_rows(tracks)[:, NOISE]
+    rows[:, NOISE_COLUMNS] = base_rows(tracks)[:, NOISE_COLUMNS]
     unknowns = tuple(_extended(unknown, tracks, first) for unknown in learned.unknowns)
     noise = noise_unknowns(tracks, rows)
     water = [_as_learned(unknown, known) for unknown in noise]

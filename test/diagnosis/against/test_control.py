@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from cocorosim_ros.diagnosis.against.control import overdispersion
+from cocorosim_ros.diagnosis.against.control import Told, overdispersion
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
 
 
-def told(sizes: list[float], information: float = 4.0) -> list[tuple[np.ndarray, np.ndarray]]:
+def told(sizes: list[float], information: float = 4.0) -> list[Told]:
     """One amplitude in as many parts, each so many standard deviations from what the others show."""
-    return [(np.array([[information]]), np.array([size * np.sqrt(information)])) for size in sizes]
+    return [Told(np.array([[information]]), np.array([size * np.sqrt(information)])) for size in sizes]
 
 
 def test_parts_that_differ_by_noise_are_nearly_alike() -> None:
@@ -33,5 +33,5 @@ def test_the_unit_of_an_amplitude_does_not_matter() -> None:
 
 def test_parts_that_tell_nothing_leave_evidence_as_it_is() -> None:
     """No information, or very calm parts, never make evidence stronger."""
-    assert overdispersion([(np.zeros((2, 2)), np.zeros(2))]) == 1.0
+    assert overdispersion([Told(np.zeros((2, 2)), np.zeros(2))]) == 1.0
     assert overdispersion(told([0.01, 0.02])) == 1.0
