@@ -32,7 +32,7 @@ from cocorosim_ros.foundation.arrays import Floats
 
 
 class Told(NamedTuple):
-    """What one track alone tells of a candidate's n amplitudes."""
+    """Information of one track alone on a candidate's n amplitudes, and their score."""
 
     matrix: Floats  # (n, n) information
     score: Floats  # (n,)
@@ -79,7 +79,7 @@ class Alike:
         return all(each.factor or each.column in self._over for each in candidate.entry.amplitudes)
 
     def _by_track(self, candidate: Candidate, values: dict[str, float]) -> list[Told]:
-        """What each track tells of the candidate's amplitudes, as if it were alone."""
+        """List what each track tells of the candidate's amplitudes, as if it were alone."""
         numbers = [number for number, track in enumerate(self._fit.tracks) if _has(candidate, track.log.streams)]
         if not numbers:
             return []
@@ -90,7 +90,7 @@ class Alike:
         return [each for each in found if np.isfinite(each.matrix).all() and np.isfinite(each.score).all()]
 
     def _orthogonal(self, number: int, moved: Floats) -> Told:
-        """What slopes (m, n) on one track tell, the learned numbers' part taken out."""
+        """Compute what slopes (m, n) on one track tell, the learned numbers' part taken out."""
         known, passed = self._screen.known, self._fit.passes[number]
         felt = known.own[number]
         cross = np.zeros((len(known.matrix), moved.shape[1]))
