@@ -14,15 +14,40 @@ from cocorosim_ros.commands.terminal import say, show_table
 
 ShowProgress = Callable[[str, float], None]
 _MOST_REMARKS = 8
+_AGAINST = "--against"
 
 
-@click.command("diagnose", short_help="where a recording and the model disagree, and why")
+class _WithSeveral(click.Command):
+    """Lets --against take several recordings, all up to the next option."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Write the option before each of its recordings."""
+        spread: list[str] = []
+        following = False
+        for word in args:
+            if following and spread[-1] != _AGAINST and not word.startswith("-"):
+                spread.append(_AGAINST)
+            following = word == _AGAINST or (following and not word.startswith("-"))
+            spread.append(word)
+        return super().parse_args(ctx, spread)
+
+
+@click.command("diagnose", cls=_WithSeveral, short_help="where a recording and the model disagree, and why")
 @click.argument("bags", metavar="BAG...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--platform", "platform_name", required=True, help="name in config/platforms, or a file")
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="folder for the results")
 @click.option("--known", help="platform file whose effects are taken as known")
+@click.option(
+    _AGAINST,
+    metavar="GOOD...",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    help="recordings of the same vehicle when it was well: only what differs from these is named",
+)
 @click.option("--force", is_flag=True, help="replace results that are there")
-def command(bags: tuple[Path, ...], platform_name: str, out: Path, known: str | None, force: bool) -> None:
+def command(
+    bags: tuple[Path, ...], platform_name: str, out: Path, known: str | None, against: tuple[Path, ...], force: bool
+) -> None:
     """Compare recordings of robots of one platform, one BAG or several, with what the simulator makes of the commands.
 
     Writes report.html (to read), diagnosis.json (the same for programs) and model.yaml (a platform with what was
@@ -34,7 +59,9 @@ def command(bags: tuple[Path, ...], platform_name: str, out: Path, known: str | 
 
     console = Console(highlight=False)
     with _progress(console) as show:
-        result = diagnose(bags, platform_name, known=known, out=out, force=force, progress=show)
+        result = diagnose(
+            bags, platform_name, known=known, against=against or None, out=out, force=force, progress=show
+        )
     say(console, result.sentence, "bold")
     show_table(console, terminal_tables(result.diagnosis))
     _show_remarks(console, result.remarks)

@@ -44,12 +44,12 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     progress("checking the recordings", 0.0)
     intake = take_in(evidence)
     if intake.reasons:
-        return _abstained(evidence, intake.reasons)
+        return abstained(evidence, intake.reasons)
     progress("fitting the platform's own numbers", 0.05)
     base = base_fit(intake.evidence)
     if not finite(base):
         name = evidence.platform.name
-        return _abstained(
+        return abstained(
             evidence,
             (f"The model of '{name}' cannot be run through these recordings; check the numbers of its platform file.",),
         )
@@ -139,7 +139,7 @@ def _is_worse(channel: str, row: HeldOut) -> bool:
     return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
 
 
-def _abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
+def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     """The diagnosis of evidence to which no model can be fitted."""
     everything = ("frame_mixup", *IDS)
     return Diagnosis(

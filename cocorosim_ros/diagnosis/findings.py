@@ -185,6 +185,25 @@ class FreeRun:
 
 
 @dataclass(frozen=True)
+class Comparison:
+    """The recordings of the same vehicle that a diagnosis compares with, and the control that they are alike.
+
+    learned: effects of the catalogue, and laws, that the vehicle was given beside the platform's own numbers.
+    control: what one half of these recordings differs in from the other, by the same comparison; () if in nothing.
+    spreads: by difference, how often its evidence was divided because alike recordings differ too.
+    before: the learned vehicle's numbers.
+    taken_back: effects that were learned, but with which the model ran away from the recordings to be judged.
+    """
+
+    recordings: tuple[str, ...]
+    learned: tuple[str, ...]
+    control: tuple[str, ...]
+    spreads: Mapping[str, float] = field(default_factory=dict)
+    before: tuple[Recalibrated, ...] = ()
+    taken_back: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Diagnosis:
     """All findings of a diagnosis."""
 
@@ -208,3 +227,4 @@ class Diagnosis:
     drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best
     warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
     untold: tuple[str, ...] = ()  # sentences: errors of readings that no other reading tells
+    against: Comparison | None = None  # what was compared with, if it was not the platform's file

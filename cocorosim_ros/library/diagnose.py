@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from cocorosim_ros.foundation.errors import ArgumentError
@@ -21,6 +22,7 @@ def diagnose(
     platform: Place | Platform,
     *,
     known: Place | Platform | None = None,
+    against: Source | Sequence[Source] | None = None,
     out: Place | None = None,
     force: bool = False,
     progress: Progress = lambda words, share: None,
@@ -29,7 +31,8 @@ def diagnose(
 
     bags: one recording or several, as paths or as records of `read_recording`. platform: a name in config/platforms, a
     file (a model.yaml too), or a record of `load_platform`. known: a platform whose effects, axes and units are taken
-    as given. out: folder for the files, written as `save` does; whether it may be written is asked first.
+    as given. against: recordings of the same vehicle when it was well; only what differs from these is named. out:
+    folder for the files, written as `save` does; whether it may be written is asked first.
     progress(words, share): told what is being done, and the share (0..1) that is done.
 
     Returns verdict, effects with intervals, moved numbers, and the texts of all files. Raises CocorosimError if the
@@ -47,11 +50,19 @@ def diagnose(
     model = _platform(platform, "platform")
     model = model if known is None else knowing(model, _platform(known, "known"))
     progress("reading", 0.0)
-    evidence = gather_evidence(_paths(bags), model)
+    judged, well = _paths(bags, "bags"), [] if against is None else _paths(against, "against")
+    whole = gather_evidence([*judged, *well], model)
+    evidence = replace(whole, recordings=whole.recordings[: len(judged)])
     # Loaded here: recordings that cannot be used are refused before the filter is.
-    from cocorosim_ros.diagnosis.diagnose import diagnose as diagnose_evidence
+    if well:
+        from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
 
-    result = DiagnosisResult(diagnose_evidence(evidence, progress), evidence)
+        found = diagnose_against(evidence, replace(whole, recordings=whole.recordings[len(judged) :]), progress)
+    else:
+        from cocorosim_ros.diagnosis.diagnose import diagnose as diagnose_evidence
+
+        found = diagnose_evidence(evidence, progress)
+    result = DiagnosisResult(found, evidence)
     if out is not None:
         progress("writing", 1.0)
         result.save(out, force=force)
@@ -62,8 +73,8 @@ def _platform(platform: Place | Platform, name: str) -> Platform:
     return platform if isinstance(platform, Platform) else load_platform(place_text(platform, name))
 
 
-def _paths(bags: Source | Sequence[Source]) -> list[Path]:
+def _paths(bags: Source | Sequence[Source], name: str) -> list[Path]:
     several = list(bags) if isinstance(bags, Sequence) and not isinstance(bags, str) else [bags]
     if not several:
-        raise ArgumentError("The argument 'bags' has no recording; give one at least.", "bags")
-    return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, "bags")) for bag in several]
+        raise ArgumentError(f"The argument '{name}' has no recording; give one at least.", name)
+    return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, name)) for bag in several]

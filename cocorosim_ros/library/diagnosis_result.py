@@ -139,6 +139,7 @@ def _interval(estimate: Estimate) -> tuple[float, float, float, str]:
 
 def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
     """The files by name."""
+    from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
     from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
     from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
     from cocorosim_ros.diagnosis.report.report import render_report
@@ -146,14 +147,14 @@ def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
     recordings = tuple(recording.origin for recording in evidence.recordings)
     recorded = [robot.name for recording in evidence.recordings for robot in recording.robots]
     # Robots that could not be fitted at all say nothing about what the others have in common.
-    fitted = [robot for found in diagnosis.all_recalibrated for robot in found.robots]
+    fitted = [robot for found in as_platform(diagnosis).all_recalibrated for robot in found.robots]
     robots = dict.fromkeys(fitted or recorded)
     duration = max(recording.duration for recording in evidence.recordings)
     origin = Origin(evidence.platform, recordings, tuple(robots), duration)
     return {
         **_next_manoeuvre(diagnosis, evidence.platform),
         JSON: diagnosis_json(diagnosis),
-        MODEL: model_yaml(diagnosis, origin),
+        MODEL: model_yaml(as_platform(diagnosis), origin),
         REPORT: render_report(diagnosis, origin),
     }
 

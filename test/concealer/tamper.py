@@ -119,6 +119,37 @@ def gyro_change(bias: float) -> Change:
     return change
 
 
+def gyro_scale_change(factor: float) -> Change:
+    """A gyroscope that shows turns too large by a factor."""
+
+    def change(message: Message, _time: float) -> Message:
+        message.angular_velocity.z *= factor
+        return message
+
+    return change
+
+
+def offset_change(amount: float) -> Change:
+    """A pressure that reads too high."""
+
+    def change(message: Message, _time: float) -> Message:
+        message.fluid_pressure += amount
+        return message
+
+    return change
+
+
+def heading_change(amount: float) -> Change:
+    """A compass mounted askew: reading + amount."""
+
+    def change(message: Message, _time: float) -> Message:
+        heading = message.heading + amount
+        message.heading = math.atan2(math.sin(heading), math.cos(heading))
+        return message
+
+    return change
+
+
 def drift_change(rate: float) -> Change:
     """A pressure that creeps."""
 
@@ -141,6 +172,9 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
     mirror       reading of the compass with its sign changed; the amount says nothing
     gyro         turn rate about the vertical plus amount [rad/s]
     drift        pressure plus amount [Pa/s] times the time
+    pressure     pressure plus amount [Pa]
+    gyroscale    turn rate about the vertical times (1 + amount)
+    heading      reading of the compass plus amount [rad]
     """
     kind, _, detail = how.partition(":")
     ways: dict[str, Callable[[], tuple[str, Change, dict[str, Any]]]] = {
@@ -157,6 +191,11 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
         ),
         "mirror": lambda: ("compass", mirror_change(amount), _told("frame_mixup", correction="negate the reading")),
         "gyro": lambda: ("imu", gyro_change(amount), _told("imu_bias", gyro_z=amount)),
+        "pressure": lambda: ("pressure", offset_change(amount), _told("pressure_offset", offset=amount)),
+        "gyroscale": lambda: ("imu", gyro_scale_change(1.0 + amount), _told("unknown:gyro_z~r", coefficient=amount)),
+        "heading": lambda: (
+            "compass", heading_change(amount), _told("compass_distortion", offset=amount, sin=0.0, cos=0.0),
+        ),
         "drift": lambda: ("pressure", drift_change(amount), _told("pressure_drift", rate=amount)),
     }  # fmt: skip
     if kind not in ways:

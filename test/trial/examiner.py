@@ -30,6 +30,7 @@ class Task:
     bags: tuple[Path, ...]
     out: Path
     platform: str = "lily"
+    against: tuple[Path, ...] = ()  # recordings of the same vehicle when it was well
 
     @property
     def outcome(self) -> Path:
@@ -40,7 +41,8 @@ class Task:
     def words(self) -> list[str]:
         """The command line."""
         bags = map(str, self.bags)
-        return [str(COMMAND), "diagnose", *bags, "--platform", self.platform, "--out", str(self.out)]
+        compared = ["--against", *map(str, self.against)] if self.against else []
+        return [str(COMMAND), "diagnose", *bags, *compared, "--platform", self.platform, "--out", str(self.out)]
 
 
 @dataclass(frozen=True)

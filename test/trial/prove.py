@@ -1,4 +1,4 @@
-"""`python test/trial/prove.py sealed | tampered | real`: the proof that `cocorosim diagnose` keeps its word."""
+"""`python test/trial/prove.py sealed | tampered | real | against`: proof that `cocorosim diagnose` keeps its word."""
 
 from __future__ import annotations
 
@@ -78,6 +78,17 @@ def _real(options: argparse.Namespace) -> int:
     return prove(options.data, options.out, options.pages, terms_of(options), noted(options.out, _command(options)))
 
 
+def _against(options: argparse.Namespace) -> int:
+    from trial.against import prove
+    from trial.provenance import note, noted, seed_of
+
+    source = noted(options.out, _command(options))
+    word = source.setdefault("seed_word", options.seed_word or source["commit"])
+    source |= {"seed": seed_of(word), "count": options.count}
+    note(options.out, source)
+    return prove(options.data, options.out, options.pages, terms_of(options), source)
+
+
 def parser() -> argparse.ArgumentParser:
     """The parser of the command line."""
     whole = argparse.ArgumentParser(prog="prove.py", description=__doc__)
@@ -102,6 +113,11 @@ def parser() -> argparse.ArgumentParser:
         other = commands.add_parser(name, parents=[common], help=f"real recordings: {words}")
         other.add_argument("--data", type=Path, required=True, help="folder with hovercraft_epfl and haizhe_auv")
         other.set_defaults(run=run)
+    four = commands.add_parser("against", parents=[common], help="altered logs against unaltered ones")
+    four.add_argument("--data", type=Path, required=True, help="folder with hovercraft_epfl and haizhe_auv")
+    four.add_argument("--count", type=int, default=200, help="altered logs, beside a control for each group")
+    four.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
+    four.set_defaults(run=_against)
     return whole
 
 

@@ -22,7 +22,8 @@ class Amplitude(Limits):
     """A number in which an effect is linear near `neutral`, its value where the effect is absent.
 
     `large` is its size in a bad case. A fit counts it in q = (number - neutral) / large; its prior is a normal
-    distribution around neutral with standard deviation `large`.
+    distribution around neutral with standard deviation `large`. A `factor` is looked for as a difference alone, of what
+    the model has of the number: neutral is then 1, and q the logarithm over `large`.
     """
 
     column: str
@@ -30,6 +31,7 @@ class Amplitude(Limits):
     unit: str
     large: float
     neutral: float = 0.0
+    factor: bool = False
 
 
 @dataclass(frozen=True)

@@ -39,6 +39,8 @@ class Candidate:
     sizes: Mapping[str, float] = field(default_factory=lambda: LILY_SIZES)  # by unit: the vehicle relative to a Lily
     duration: float = math.inf  # of the longest recording [s]
     known: tuple[tuple[float, ...], ...] = ()  # by sharer: amplitudes of the base model, if any acts; shapes then stay
+    over: frozenset[str] = frozenset()  # columns whose numbers other tracks share: the candidate is a difference there
+    spread: float = 1.0  # its nats are divided by that: it differs so much among recordings that should be alike
 
     @property
     def key(self) -> tuple[str, str | None, tuple[str, ...]]:
@@ -83,11 +85,20 @@ class Candidate:
         ]
 
     def _amplitude(self, amplitude: Amplitude, robots: Robots, base: float) -> Unknown:
-        """Make one amplitude into an unknown around `base`, in units of its `large`."""
+        """Make one amplitude into an unknown around `base`, in units of its `large`; on top in columns of `over`."""
         large, step = self.large(amplitude), amplitude.step
         shift = (amplitude.neutral - base) / large
         bounds = (amplitude.least + shift, amplitude.most + shift)
         owner = self._owner(amplitude, robots.names)
+        if amplitude.factor:
+            return Unknown(
+                owner, amplitude.column, robots.tracks, 1.0, large, logarithmic=True, prior=1.0, step=step,
+                bounds=(amplitude.least, amplitude.most), on_top=True,
+            )  # fmt: skip
+        if amplitude.column in self.over:
+            return Unknown(
+                owner, amplitude.column, robots.tracks, 0.0, large, prior=1.0, step=step, bounds=bounds, on_top=True
+            )
         return Unknown(owner, amplitude.column, robots.tracks, base, large, prior=1.0, step=step, bounds=bounds)
 
     def _owner(self, number: Amplitude | Shape, robots: tuple[str, ...]) -> Owner:

@@ -82,7 +82,7 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
     They are 0 for readings beyond the gate. At q the unknowns must leave the model as the fit has it: they are those of
     the fit, or new ones that are still neutral.
     """
-    filled = write_values(fit.filled, unknowns, q)
+    filled = fit.filled if unknowns is fit.unknowns else write_values(fit.filled, unknowns, q)
     steps = [unknown.inward_step(float(place)) for unknown, place in zip(unknowns, q, strict=True)]
 
     def of_track(number: int) -> Floats:
@@ -90,7 +90,7 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
         found = np.zeros((len(unknowns), len(passed.innovation)))
         for unknown, place, step, slope in zip(unknowns, q, steps, found, strict=True):
             if number in unknown.tracks:
-                passing.slope(nudged(filled[number], unknown, float(place) + step), passed, step, slope)
+                passing.slope(nudged(filled[number], unknown, float(place), step), passed, step, slope)
         return found.T
 
     return tuple(of_each_track(of_track, len(fit.tracks)))

@@ -33,7 +33,7 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
     def of_track(number: int) -> tuple[Floats, Floats]:
         row = filled[number]
         others = [
-            nudged(row, unknown, float(fit.q_noise[index]) + STEPS.noise_difference)
+            nudged(row, unknown, float(fit.q_noise[index]), STEPS.noise_difference)
             if number in unknown.tracks
             else None
             for index, unknown in zip(chosen, unknowns, strict=True)

@@ -38,14 +38,18 @@ def first_fit(evidence: Evidence) -> Fit:
 
 
 def base_fit(evidence: Evidence) -> Fit:
-    """Fit the recalibrated model: the platform's numbers and the noise at their most likely values.
+    """Fit the recalibrated model: the platform's numbers and the noise at their most likely values."""
+    return climbed(first_fit(evidence))
+
+
+def climbed(first: Fit) -> Fit:
+    """Fit unknowns and noise to their most likely values, from a first guess that may be far off.
 
     Under the first guess of the noise, many readings of a sensor may lie beyond the gate. Then much is wrong, and a
     climb may end at a local optimum. So a second climb starts from strong random forces, which explain nearly all
     motion, and a third from inertial sensors that hardly count, because the model leans on them at every step and they
     may be the ones in error. The best of the three goes on by leaps (`leaps`).
     """
-    first = first_fit(evidence)
     if not any(_is_shut(first, unknown) for unknown in first.noise):
         return settled(first, RECALIBRATION.most_rounds)
     starts = [first, _at_random(first)]

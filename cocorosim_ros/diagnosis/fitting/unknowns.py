@@ -28,8 +28,10 @@ class Owner:
 
 @dataclass(frozen=True)
 class Unknown:
-    """One number of some tracks, fitted as q: value = base * exp(q) where logarithmic, base + scale * q else.
+    """One number of some tracks, fitted as q: value = base * exp(scale * q) where logarithmic, base + scale * q else.
 
+    One `on_top` does not replace the number that other unknowns give these tracks: it is a factor of that number where
+    logarithmic, and is added to it else. So it is the difference of these tracks from others that share the number.
     `prior` is the standard deviation of q around 0 (around `centre`); `step` of q for slopes; q stays in `bounds`.
     """
 
@@ -43,14 +45,15 @@ class Unknown:
     centre: float = 0.0
     step: float = 0.01
     bounds: tuple[float, float] = (-math.inf, math.inf)
+    on_top: bool = False
 
     def value(self, q: float) -> float:
         """Value of the number at q."""
-        return self.base * math.exp(q) if self.logarithmic else self.base + self.scale * q
+        return self.base * math.exp(self.scale * q) if self.logarithmic else self.base + self.scale * q
 
     def slope(self, q: float) -> float:
         """Derivative of the number by q."""
-        return self.value(q) if self.logarithmic else self.scale
+        return self.scale * self.value(q) if self.logarithmic else self.scale
 
     def clipped(self, q: float) -> float:
         """Clip q to its bounds."""
@@ -62,17 +65,28 @@ class Unknown:
 
 
 def write_values(rows: Floats, unknowns: Sequence[Unknown], q: Floats) -> Floats:
-    """Copy rows (tracks, columns), with the values of the unknowns at q (n,) written in."""
+    """Copy rows (tracks, columns), with the values of the unknowns at q (n,) written in, those on top last."""
     filled = rows.copy()
+    tops = []
     for unknown, number in zip(unknowns, q, strict=True):
-        filled[list(unknown.tracks), COLUMN[unknown.column]] = unknown.value(float(number))
+        if unknown.on_top:
+            tops.append((unknown, unknown.value(float(number))))
+        else:
+            filled[list(unknown.tracks), COLUMN[unknown.column]] = unknown.value(float(number))
+    for unknown, value in tops:
+        place = np.ix_(unknown.tracks, [COLUMN[unknown.column]])
+        filled[place] = filled[place] * value if unknown.logarithmic else filled[place] + value
     return filled
 
 
-def nudged(row: Floats, unknown: Unknown, q: float) -> Floats:
-    """Copy one track's row (columns,), with the value at q of an unknown of that track written in."""
+def nudged(row: Floats, unknown: Unknown, q: float, step: float) -> Floats:
+    """Copy one track's row (columns,), an unknown of that track moved from q to q + step."""
     other = row.copy()
-    other[COLUMN[unknown.column]] = unknown.value(q)
+    place, before, after = COLUMN[unknown.column], unknown.value(q), unknown.value(q + step)
+    if not unknown.on_top and row[place] == before:
+        other[place] = after
+    else:  # what stands on top of the number, or below it, stays
+        other[place] = row[place] * (after / before) if unknown.logarithmic else row[place] + (after - before)
     return other
 
 

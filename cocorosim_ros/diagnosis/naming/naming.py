@@ -44,16 +44,16 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         progress("looking for what is missing", round_number / (round_number + SEARCH.pruned_from))
         scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(base))
         screen = Screen(fit, scene)
-        taken = {key for effect in named for key in _keys(effect.candidate)}
-        entries = [each for each in expand(entries_of_catalogue, fit.tracks, fit.rows) if not taken & _keys(each)]
-        tested = _ranked(screen, entries)
+        taken = {key for effect in named for key in keys_of(effect.candidate)}
+        entries = [each for each in expand(entries_of_catalogue, fit.tracks, fit.rows) if not taken & keys_of(each)]
+        tested = ranked(screen, entries)
         water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
         found = [effect.candidate.entry for effect in named]
         laws = expand(open_set(scene, found, base.rows, water=water), fit.tracks, base.rows)
-        tested_laws = _ranked(screen, [each for each in laws if not taken & _keys(each)])
+        tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each)])
         if round_number == 0:
             first, first_laws = tested, tested_laws
-        best = _best(fit, (*known, *named), screen, tested, tested_laws)
+        best = best_addition(fit, (*known, *named), screen, tested, tested_laws)
         if best is None:
             break
         fit, named = settled(best[0], SEARCH.settling), (*named, best[1])
@@ -69,17 +69,17 @@ def _undeclared(base: Fit) -> list[Entry]:
     return [entry for entry in ENTRIES if not declared & {amplitude.column for amplitude in entry.amplitudes}]
 
 
-def _keys(candidate: Candidate) -> set[tuple[str, str | None, str]]:
+def keys_of(candidate: Candidate) -> set[tuple[str, str | None, str]]:
     """Effect, topic and robot, for each robot of a candidate: two candidates that share one exclude each other."""
     return {(candidate.entry.id, candidate.entry.topic, robot) for robot in candidate.robots}
 
 
-def _ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, ...]:
+def ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, ...]:
     """Screen candidates, and order them by evidence, the best first."""
     return tuple(sorted((screen.test(each) for each in candidates), key=lambda screened: -screened.nats))
 
 
-def _best(
+def best_addition(
     fit: Fit, named: tuple[NamedEffect, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
 ) -> tuple[Fit, NamedEffect] | None:
     """Find the best addition: the fit with it and all named effects, or None if no candidate may be named.

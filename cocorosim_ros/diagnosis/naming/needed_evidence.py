@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS, Amplitude
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.naming.contest import Refined
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
@@ -18,9 +19,13 @@ from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 def held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
     """Nats that count against a candidate: the odds of its prior, and gains that the water may have caused.
 
+    Of what it gains, the share counts against it that it would gain among recordings that should be alike.
     without, fit: the model without and with the candidate.
     """
-    return candidate.entry.prior_nats + (quiet_gain(without, fit) if candidate.entry.of_pump else 0.0)
+    against = candidate.entry.prior_nats + (quiet_gain(without, fit) if candidate.entry.of_pump else 0.0)
+    if candidate.spread > 1.0:
+        against += max(fit.objective - without.objective, 0.0) * (1.0 - 1.0 / candidate.spread)
+    return against
 
 
 def standing(refined: Refined) -> float:
@@ -36,11 +41,17 @@ def is_tiny(refined: Refined) -> bool:
     candidate, fit = refined.candidate, refined.fit
     amplitudes = {amplitude.name: amplitude for amplitude in candidate.entry.amplitudes}
     values = [
-        (amplitudes[fit.unknowns[place].owner.parameter], fit.unknowns[place].value(float(fit.q[place])))
-        for place in candidate.places_among(fit.unknowns)
-        if fit.unknowns[place].owner.parameter in amplitudes
+        (amplitudes[unknown.owner.parameter], unknown, float(fit.q[place]))
+        for place, unknown in enumerate(fit.unknowns)
+        if candidate.owns(unknown) and unknown.owner.parameter in amplitudes
     ]
-    return all(is_negligible(candidate, amplitude, value) for amplitude, value in values)
+    return all(is_negligible(candidate, amplitude, _value(amplitude, unknown, q)) for amplitude, unknown, q in values)
+
+
+def _value(amplitude: Amplitude, unknown: Unknown, q: float) -> float:
+    """Value of an amplitude's unknown at q, in SI units; of one on top of another number as if that were neutral."""
+    below = amplitude.neutral if unknown.on_top and not unknown.logarithmic else 0.0
+    return unknown.value(q) + below
 
 
 def is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:

@@ -6,7 +6,15 @@ import json
 import math
 from typing import Any
 
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, HeldOut, Located, Recalibrated
+from cocorosim_ros.diagnosis.findings import (
+    Comparison,
+    Diagnosis,
+    Estimate,
+    FoundEffect,
+    HeldOut,
+    Located,
+    Recalibrated,
+)
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 
 
@@ -29,6 +37,26 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "warnings": list(diagnosis.warnings),
         "cannot_be_told": list(diagnosis.untold),
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
+        **_against(diagnosis.against),
+    }
+
+
+def _against(against: Comparison | None) -> dict[str, Any]:
+    """Keys about the recordings that others were compared with; none where there are no such recordings."""
+    if against is None:
+        return {}
+    return {
+        "against": list(against.recordings),
+        "against_control": {
+            "verdict": "mismatch" if against.control else "consistent",
+            "differs": list(against.control),
+        },
+        "against_learned": {
+            "effects": list(against.learned),
+            "taken_back": list(against.taken_back),
+            "numbers": [_recalibrated(each) for each in against.before],
+        },
+        "against_spread": {name: _finite(each) for name, each in against.spreads.items()},
     }
 
 

@@ -40,12 +40,13 @@ from cocorosim_ros.diagnosis.report.words import (
     CHANNEL_WORDS,
     NOISES,
     TIERS,
-    VERDICTS,
     check_words,
+    control_words,
     effect_words,
     nothing_missing_words,
     odds_words,
     parameter_unit,
+    verdict_words,
 )
 from cocorosim_ros.study.pictures.page import page_template
 from cocorosim_ros.world.terms.regressors import REGRESSOR
@@ -60,7 +61,8 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         diagnosis=diagnosis,
         origin=origin,
         version=__version__,
-        verdict=VERDICTS[diagnosis.verdict],
+        verdict=verdict_words(diagnosis),
+        control=control_words(diagnosis.against),
         manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),
         **_what(diagnosis),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.findings import Comparison, FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, quantity_words
 
 
@@ -27,6 +27,27 @@ def sentence_of(
     common = f" of {', '.join(effects[0].robots)}" if len(groups) == 1 and effects[0].robots else ""
     missing = ", and ".join(_effect(effect, named=not common) for effect in effects)
     return f"Missing from the model{common}: {missing}{_gain(table)}"
+
+
+def difference_sentence(
+    verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], against: Comparison
+) -> str:
+    """One sentence about what differs from the recordings that are compared with, and whether those are alike."""
+    count = len(against.recordings)
+    begin = f"Compared with {count} recording{'s' if count > 1 else ''} of when it was well"
+    if verdict == "insufficient":
+        return f"{begin}: these recordings do not excite the vehicle enough to tell what differs."
+    doubt = ""
+    if against.control:
+        doubt = f" These recordings differ among themselves too ({', '.join(map(_plain, against.control))})."
+    if verdict == "consistent":
+        return f"{begin}, nothing differs that these recordings could show.{doubt}"
+    numbers = [
+        f"{_plain(part.parameter)} {estimate_words(part.estimate)[0]} for {in_unit_of(part.nominal, part.estimate)}"
+        for part in moved
+    ]
+    differing = [*numbers, *(_effect(effect, named=False) for effect in effects)]
+    return f"{begin}, these differ: {', and '.join(differing)}.{doubt}"
 
 
 def _effect(effect: FoundEffect, *, named: bool) -> str:

@@ -31,7 +31,8 @@ def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
 
 
 def _effects(diagnosis: Diagnosis) -> Table:
-    table = _table("what is missing", ("effect", "robots", "parameter", "value", "95 % interval", "nats", "rivals"))
+    title = "what is missing" if diagnosis.against is None else "what differs"
+    table = _table(title, ("effect", "robots", "parameter", "value", "95 % interval", "nats", "rivals"))
     for found in diagnosis.effects:
         rivals = ", ".join(f"{rival.id} (\u2212{plain_number(rival.nats_behind, 2)})" for rival in found.ambiguous_with)
         first = [f"{_name(found)}, {found.tier}", ", ".join(found.robots)]
@@ -45,7 +46,8 @@ def _effects(diagnosis: Diagnosis) -> Table:
 
 
 def _parameters(diagnosis: Diagnosis) -> Table:
-    table = _table("recalibrated", ("parameter", "robots", "platform", "fitted", "95 % interval"))
+    before = "platform" if diagnosis.against is None else "before"
+    table = _table("recalibrated", ("parameter", "robots", before, "fitted", "95 % interval"))
     for found in diagnosis.recalibrated:
         nominal = in_unit_of(found.nominal, found.estimate)
         cells = (found.parameter, ", ".join(found.robots), nominal, *estimate_words(found.estimate))

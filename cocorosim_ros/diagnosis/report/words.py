@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.findings import Diagnosis
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law, subject_and_product
 from cocorosim_ros.world.sensors import KINDS
@@ -32,6 +32,22 @@ VERDICTS = {
         "against the model.",
     ),
 }
+DIFFERENCES = {
+    "consistent": (
+        "Nothing differs",
+        "These recordings are what the vehicle of the compared ones would do, within noise and spread.",
+    ),
+    "recalibrate": (
+        "Numbers have changed",
+        "Numbers of the vehicle differ from those of the compared recordings; no further effect does.",
+    ),
+    "mismatch": (
+        "Something differs",
+        "No change of the vehicle's own numbers explains the difference from the compared recordings; effects do.",
+    ),
+    "insufficient": VERDICTS["insufficient"],
+}
+"""Words of the verdicts about recordings that are compared with others of the same vehicle."""
 TIERS = {
     "confirmed": "confirmed: it also improves data that its fit did not see",
     "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
@@ -81,6 +97,21 @@ def parameter_unit(effect: str, parameter: str) -> str:
     return known.get(parameter, "1")
 
 
+def verdict_words(diagnosis: Diagnosis) -> tuple[str, str]:
+    """Heading and sentence of a verdict."""
+    return (VERDICTS if diagnosis.against is None else DIFFERENCES)[diagnosis.verdict]
+
+
+def control_words(against: Comparison | None) -> str:
+    """Sentence about the recordings that others are compared with: whether one half of them differs from the other."""
+    if against is None:
+        return ""
+    if against.control:
+        names = ", ".join(map(effect_words, against.control))
+        return f"one half of these recordings differs from the other in {names}: nothing here is more than suspected"
+    return "one half of these recordings does not differ from the other"
+
+
 def odds_words(nats: float) -> str:
     """Words for the odds of a rival that is `nats` behind."""
     if not math.isfinite(nats):
@@ -93,4 +124,6 @@ def nothing_missing_words(diagnosis: Diagnosis) -> str:
     """The reason, as a sentence, for a diagnosis without effects."""
     if diagnosis.verdict == "insufficient":
         return "Nothing could be tested, because the recording holds too little information."
+    if diagnosis.against is not None:
+        return "No effect of the catalogue, and no law outside it, differs from the compared recordings."
     return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."

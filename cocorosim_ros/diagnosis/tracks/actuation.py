@@ -10,7 +10,7 @@ from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
 from cocorosim_ros.diagnosis.filter.commands import mean_forces
 from cocorosim_ros.diagnosis.filter.records import Drive, Grid
-from cocorosim_ros.diagnosis.tracks.columns import ACTUATING
+from cocorosim_ros.diagnosis.tracks.columns import ACTUATING, COLUMN, COMMAND_DELAY
 from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
@@ -43,15 +43,20 @@ class Actuation:
             body = body._replace(active=body.active | LAW_BITS)
         force, rate = self._lately.once(
             (body.active & ACTUATION_BITS, row[ACTUATING].tobytes()),
-            lambda: self._tilted(*self._forces(body)),
+            lambda: self._tilted(*self._forces(row, body)),
         )
         return Drive(force, rate, self.vehicle.surroundings.around)
 
-    def _forces(self, body: Body) -> tuple[Floats, Floats]:
+    def _forces(self, row: Floats, body: Body) -> tuple[Floats, Floats]:
         begin, step, points = self.grid
         whole = Grid(begin - self._before * step, step, points + self._before)
-        force, rate = mean_forces(self._log.command_time, self._log.command, body, whole)
+        force, rate = mean_forces(self._times(row), self._log.command, body, whole)
         return force[self._before :], rate[self._before :]
+
+    def _times(self, row: Floats) -> Floats:
+        """Moments [s] from which the commands act, each later than recorded by the delay that a row (columns,) has."""
+        delay = row[COLUMN[COMMAND_DELAY]]
+        return self._log.command_time if delay == 0.0 else self._log.command_time + delay
 
     def _tilted(self, force: Floats, rate: Floats) -> tuple[Floats, Floats]:
         """Forces and rates (points, acting): the actuators', then what roll and pitch add to the thrust's x, y, z."""

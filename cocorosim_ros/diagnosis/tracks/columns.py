@@ -28,9 +28,17 @@ LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
 READING_LAWS = {f"{place}.{each.name}": each.neutral for place, numbers in SENSOR_LAWS.items() for each in numbers}
 
+MOST_THRUSTERS = 8  # that have a gain of their own; more are looked at together alone
+# Gains of the thrusters' maximum forces, of all and of single ones by number, and the delay of the commands [s].
+ALL_THRUSTERS, COMMAND_DELAY = "own_gain.all", "command_delay.delay"
+OWN_GAINS = (ALL_THRUSTERS, *(f"own_gain.{number}" for number in range(1, MOST_THRUSTERS + 1)))
+
 COLUMN: dict[str, int] = numbered(
-    [*PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS]
-)
+    [
+        *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS, *OWN_GAINS,
+        COMMAND_DELAY,
+    ]
+)  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
 NAMES: tuple[str, ...] = tuple(COLUMN)
 PHYSICS = stretch_of(COLUMN, list(PARAMETER_COLUMNS))
@@ -40,10 +48,14 @@ READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_
 ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
 BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
-ACTUATING = np.flatnonzero(((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, GAINS))
+THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
+ACTUATING = np.flatnonzero(
+    ((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, (*GAINS, *OWN_GAINS, COMMAND_DELAY))
+)
 NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law or error acts
 NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
+NEUTRAL[THRUSTERS] = 1.0
 for _name, _value in READING_LAWS.items():
     NEUTRAL[COLUMN[_name]] = _value
 

@@ -9,7 +9,15 @@ from functools import cached_property
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
-from cocorosim_ros.diagnosis.tracks.columns import ALWAYS_ACTIVE, COLUMN, NEUTRAL, PHYSICS, active_effects
+from cocorosim_ros.diagnosis.tracks.columns import (
+    ALWAYS_ACTIVE,
+    COLUMN,
+    MOST_THRUSTERS,
+    NEUTRAL,
+    PHYSICS,
+    THRUSTERS,
+    active_effects,
+)
 from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -90,7 +98,7 @@ class VehicleModel:
             row[PHYSICS].copy(),
             self.active | active_effects(row),
             self.actuator_wrench,
-            self.actuator_limit,
+            self._limit(row),
             self.is_pump,
             STILL,
             around.lower,
@@ -98,6 +106,17 @@ class VehicleModel:
             np.zeros((around.around.shape[1], NEIGHBOUR_SIZE)),
             around.own,
         )
+
+    def _limit(self, row: Floats) -> Floats:
+        """Force (actuators, 2) at command +1 and -1 [N], with the thrusters' own gains of a row (columns,)."""
+        gains = row[THRUSTERS]
+        if (gains == 1.0).all():
+            return self.actuator_limit
+        limit = self.actuator_limit.copy()
+        single = np.flatnonzero(~self.is_pump)[:MOST_THRUSTERS]
+        limit[~self.is_pump] *= gains[0]
+        limit[single] *= gains[1 : 1 + len(single), None]
+        return limit
 
 
 def vehicle_model(platform: Platform) -> VehicleModel:

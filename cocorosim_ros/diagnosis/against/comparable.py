@@ -1,0 +1,151 @@
+"""Recordings made comparable: the same robots with the same streams on both sides, and parts enough for a control."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.against import ALIKE, SAME_VEHICLE
+from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
+from cocorosim_ros.diagnosis.evidence.intake import Intake, take_in
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
+from cocorosim_ros.foundation.arrays import Flags
+from cocorosim_ros.foundation.errors import CocorosimError
+
+
+def comparable(bad: Evidence, good: Evidence) -> tuple[Evidence, Evidence]:
+    """Keep the robots and streams that both sides have; remarks of the recordings to be judged say what is left out.
+
+    A single robot is compared with a single one, whatever their names. Raises CocorosimError where nothing can be
+    compared: other robots, no common stream, or commands of another size.
+    """
+    good = _renamed(bad, good)
+    streams = {name: _streams(good, name) for name in _names(good)}
+    shared = [name for name in _names(bad) if name in streams]
+    if not shared:
+        raise CocorosimError(
+            f"--against has the robots {_listed(_names(good))}, and the recordings to be judged have "
+            f"{_listed(_names(bad))}; give recordings of the same robots, by the same names."
+        )
+    if not any(_streams(bad, name) & streams[name] for name in shared):
+        raise CocorosimError(
+            f"--against has the streams {_listed(set().union(*streams.values()))}; the recordings to be judged have "
+            f"{_listed(set().union(*(_streams(bad, name) for name in shared)))}; nothing can be compared without a "
+            "common stream."
+        )
+    _check_commands(bad, good)
+    kept = tuple(_with_streams(recording, streams) for recording in bad.recordings)
+    return replace(bad, recordings=kept), good
+
+
+def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
+    """Bring both sides into frames and units of the contract, the judged one first by the corrections of the other.
+
+    So the mix-ups of the judged side are those that the other does not have.
+    """
+    well = take_in(good)
+    recordings = tuple(
+        replace(
+            recording,
+            robots=tuple(
+                corrected(log, [mixup.correction for mixup in well.mixups if log.name in mixup.robots])
+                for log in recording.robots
+            ),
+        )
+        for recording in bad.recordings
+    )
+    return take_in(replace(bad, recordings=recordings)), well
+
+
+def in_parts(good: Evidence) -> Evidence:
+    """Cut the recordings, if there are few, into parts of equal length, so that their spread can be told."""
+    wanted = -(-ALIKE.parts // max(len(good.recordings), 1))
+    return replace(good, recordings=tuple(part for each in good.recordings for part in _parts(each, wanted)))
+
+
+def _parts(recording: RecordingLog, wanted: int) -> list[RecordingLog]:
+    count = max(1, min(wanted, int(recording.duration / ALIKE.shortest)))
+    ends = np.linspace(0.0, recording.duration, count + 1)
+    ends[-1] = np.inf
+    return [
+        replace(recording, robots=tuple(_between(log, begin, end) for log in recording.robots))
+        for begin, end in zip(ends[:-1].tolist(), ends[1:].tolist(), strict=True)
+    ]
+
+
+def _between(log: RobotLog, begin: float, end: float) -> RobotLog:
+    """Take the readings of a log from `begin` to before `end` [s]; commands stay, as earlier ones may hold on."""
+    streams = {
+        topic: _cut(stream, (stream.time >= begin) & (stream.time < end)) for topic, stream in log.streams.items()
+    }
+    return replace(log, streams={topic: stream for topic, stream in streams.items() if len(stream.time)})
+
+
+def _cut(stream: Stream, chosen: Flags) -> Stream:
+    return replace(stream, time=stream.time[chosen], value=stream.value[chosen])
+
+
+def _names(evidence: Evidence) -> list[str]:
+    return sorted({robot.name for recording in evidence.recordings for robot in recording.robots})
+
+
+def _renamed(bad: Evidence, good: Evidence) -> Evidence:
+    """Give a single robot of GOOD the name of the single robot that is compared with it."""
+    mine, theirs = _names(bad), _names(good)
+    if len(mine) != 1 or len(theirs) != 1 or mine == theirs:
+        return good
+    return replace(
+        good,
+        recordings=tuple(
+            replace(each, robots=tuple(replace(log, name=mine[0]) for log in each.robots)) for each in good.recordings
+        ),
+    )
+
+
+def _streams(evidence: Evidence, name: str) -> set[str]:
+    """Topics of a robot that have readings in any of the recordings."""
+    logs = [log for recording in evidence.recordings for log in recording.robots if log.name == name]
+    return {topic for log in logs for topic, stream in log.streams.items() if len(stream.time)}
+
+
+def _with_streams(recording: RecordingLog, streams: dict[str, set[str]]) -> RecordingLog:
+    """Leave out the robots and streams of which GOOD has nothing, and say so."""
+    robots, remarks = [], list(recording.remarks)
+    for log in recording.robots:
+        if log.name not in streams:
+            remarks.append(f"{recording.origin}: {log.name} is in no recording of --against; it is left out.")
+            continue
+        missing = sorted(topic for topic in log.streams if topic not in streams[log.name])
+        if missing:
+            remarks.append(
+                f"{recording.origin}: {log.name} has no {_listed(missing)} in the recordings of --against; nothing is "
+                "compared with these readings, and they are left out."
+            )
+        kept = {topic: stream for topic, stream in log.streams.items() if topic not in missing}
+        robots.append(replace(log, streams=kept))
+    return replace(recording, robots=tuple(robots), remarks=tuple(remarks))
+
+
+def _check_commands(bad: Evidence, good: Evidence) -> None:
+    mine, theirs = _command_size(bad), _command_size(good)
+    low, high = sorted((mine, theirs))
+    if high > SAME_VEHICLE.command_ratio * low > 0.0:
+        raise CocorosimError(
+            f"--against has commands up to {theirs:.3g} of full, and the recordings to be judged up to {mine:.3g} "
+            f"({SAME_VEHICLE.command_quantile:.0%} are below); give recordings of the same vehicle in similar use."
+        )
+
+
+def _command_size(evidence: Evidence) -> float:
+    """Amount of the strongest actuator's command that few commands exceed; of all recordings together."""
+    rows = [log.command for recording in evidence.recordings for log in recording.robots if len(log.command)]
+    if not rows:
+        return 0.0
+    commands = np.abs(np.concatenate(rows))
+    return float(np.nanquantile(commands, SAME_VEHICLE.command_quantile, axis=0).max())
+
+
+def _listed(names: Sequence[str] | set[str]) -> str:
+    return ", ".join(sorted(names)) or "none"

@@ -1,0 +1,173 @@
+"""Differences between tracks to be judged and those of the learned vehicle, in the order of evidence.
+
+The contest is that of `naming`, on the tracks to be judged alone and against a model whose numbers all tracks share:
+what the vehicle had before as well is shared, so that it explains nothing here. Laws outside the catalogue come last,
+when no entry and no number of the platform explains anything any more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import wilcoxon
+
+from cocorosim_ros.diagnosis.against.control import Alike
+from cocorosim_ros.diagnosis.against.numbers import number_entries
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+from cocorosim_ros.diagnosis.criteria.against import COMPARISON
+from cocorosim_ros.diagnosis.criteria.fitting import HELD_OUT
+from cocorosim_ros.diagnosis.criteria.naming import SEARCH
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
+from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
+from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
+from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.naming import best_addition, keys_of, ranked
+from cocorosim_ros.diagnosis.naming.pruning import pruned
+from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.world.terms.search import Scene
+
+_NOTHING: tuple[NamedEffect, ...] = ()
+
+
+class Stage(NamedTuple):
+    """A fit of a contest, and the effects that it has been named with."""
+
+    fit: Fit
+    named: tuple[NamedEffect, ...]
+
+
+class Addition(NamedTuple):
+    """A fit with one more effect, and this effect."""
+
+    fit: Fit
+    effect: NamedEffect
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The tracks of a joint fit that are to be judged, by number, and the measure of evidence in them.
+
+    thrusters: names of the platform's thrusters, in order.
+    """
+
+    numbers: tuple[int, ...]
+    alike: Alike
+    thrusters: tuple[str, ...]
+
+
+def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float], None]) -> Naming:
+    """Name what differs on the judged tracks of a joint fit, to all tracks of which the shared model has been fitted.
+
+    The rows of the fit hold the shared numbers, as `joint.below` writes them.
+    """
+    fit, named = joint, _NOTHING
+    first: tuple[Screened, ...] = ()
+    first_laws: tuple[Screened, ...] = ()
+    for number in range(SEARCH.most_rounds):
+        progress("looking for what differs", number / (number + SEARCH.pruned_from))
+        scene = _scene(fit, judged)
+        screen = Screen(fit, scene)
+        tested = _tested(screen, judged, _entries(joint, judged), named)
+        found = _simplest(Stage(fit, named), screen, tested)
+        laws: tuple[Screened, ...] = ()
+        if found is None:
+            water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
+            laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
+            found = _best(Stage(fit, named), screen, (), laws)
+        if number == 0:
+            first, first_laws = tested, laws
+        if found is None:
+            break
+        fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)
+        if len(named) >= SEARCH.pruned_from:
+            fit, named = pruned(fit, named, joint)
+    fit, named = pruned(fit, named, joint)
+    return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws)
+
+
+def _best(stage: Stage, screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened] = ()) -> Addition | None:
+    found = best_addition(stage.fit, stage.named, screen, tested, laws)
+    return None if found is None else Addition(*found)
+
+
+def _simplest(stage: Stage, screen: Screen, tested: Sequence[Screened]) -> Addition | None:
+    """Find the best addition to a stage, or in its place a rival with fewer numbers where one of its own may be zero.
+
+    So an offset is named for a drift whose rate may be nothing.
+    """
+    found = _best(stage, screen, tested)
+    if found is None or not _holds_neutral(found):
+        return found
+    rivals = {rival.candidate.key for rival in found.effect.rivals}
+    count = len(found.effect.candidate.entry.amplitudes)
+    fewer = [each for each in tested if each.candidate.key in rivals and len(each.candidate.entry.amplitudes) < count]
+    simple = _best(stage, screen, fewer) if fewer else None
+    if simple is None or _holds_neutral(simple):
+        return found
+    others = tuple(rival for rival in found.effect.rivals if rival.candidate.key != simple.effect.candidate.key)
+    return Addition(simple.fit, replace(simple.effect, rivals=others))
+
+
+def _holds_neutral(found: Addition) -> bool:
+    """Tell whether the 95 % interval of any amplitude of an added effect holds its neutral value."""
+    fit, candidate = found.fit, found.effect.candidate
+    spread = np.sqrt(np.diag(covariance(fit)))
+    amplitudes = {each.column for each in candidate.entry.amplitudes}
+    own = [place for place in candidate.places_among(fit.unknowns) if fit.unknowns[place].column in amplitudes]
+    return any(abs(float(fit.q[place])) < COMPARISON.apart * float(spread[place]) for place in own)
+
+
+def _scene(fit: Fit, judged: Judged) -> Scene:
+    filled = fit.filled
+    tracks = [fit.tracks[number] for number in judged.numbers]
+    courses = [fit.tracks[number].filter.smoothed(filled[number]) for number in judged.numbers]
+    return scene_of(tracks, courses, drag_form_of(fit))
+
+
+def _entries(joint: Fit, judged: Judged) -> list[Entry]:
+    tracks = [joint.tracks[number] for number in judged.numbers]
+    numbers = number_entries(tracks, joint.rows[list(judged.numbers)], judged.thrusters)
+    return [*ENTRIES, *numbers]
+
+
+def _laws(scene: Scene, joint: Fit, judged: Judged, named: Sequence[NamedEffect], *, water: bool) -> list[Entry]:
+    return open_set(scene, [each.candidate.entry for each in named], joint.rows[list(judged.numbers)], water=water)
+
+
+def _tested(
+    screen: Screen, judged: Judged, entries: Sequence[Entry], named: Sequence[NamedEffect]
+) -> tuple[Screened, ...]:
+    """Screen entries on the judged tracks, best first, their evidence divided by what tracks differ that are alike."""
+    taken = {key for effect in named for key in keys_of(effect.candidate)}
+    candidates = [each for each in _candidates(screen.fit, judged, entries) if not taken & keys_of(each)]
+    return judged.alike.weighed(ranked(screen, candidates))
+
+
+def _candidates(fit: Fit, judged: Judged, entries: Sequence[Entry]) -> list[Candidate]:
+    """Make candidates that act on the judged tracks alone, on top of the numbers that these share with others."""
+    tracks = [fit.tracks[number] for number in judged.numbers]
+    rows = fit.rows[list(judged.numbers)]
+    shared = {unknown.column for unknown in fit.unknowns if set(unknown.tracks) - set(judged.numbers)}
+    return [_placed(each, judged.numbers, shared) for each in expand(entries, tracks, rows)]
+
+
+def _placed(candidate: Candidate, numbers: Sequence[int], shared: set[str]) -> Candidate:
+    """Number a candidate's tracks as the joint fit does, and note the columns that it shares with other tracks."""
+    places = tuple(tuple(numbers[number] for number in own) for own in candidate.tracks)
+    over = frozenset(each.column for each in candidate.entry.amplitudes if each.column in shared)
+    return replace(candidate, tracks=places, over=over)
+
+
+def _foretold(effect: NamedEffect, judged: Judged) -> NamedEffect:
+    """Take the held-out gain of an effect on the judged tracks alone; the others have no part in it."""
+    nats = effect.held_out.nats.reshape(-1, HELD_OUT.blocks)[list(judged.numbers)].ravel()
+    p = 1.0 if np.allclose(nats, 0.0) else float(wilcoxon(nats, alternative="greater").pvalue)
+    return replace(effect, held_out=HeldOutGain(nats, p))

@@ -1,0 +1,102 @@
+"""Joint fits: the vehicle's numbers shared by the recordings of when it was well and those to be judged."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+from cocorosim_ros.diagnosis.fitting.base_model import base_rows, noise_unknowns
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
+from cocorosim_ros.diagnosis.fitting.recalibration import climbed
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_NOISE, WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.foundation.arrays import Floats
+
+NOISE_COLUMNS = [COLUMN[name] for name in (*WATER_NOISE, *READING_NOISE)]
+
+
+def joint_fit(learned: Fit, bad: Evidence) -> Fit:
+    """Fit the learned vehicle to its own tracks and to those of `bad`, which follow; noise is each side's own."""
+    tracks, first = make_tracks(bad), len(learned.tracks)
+    known = _rows_of(learned, tracks)
+    rows = known.copy()
+    rows[:, NOISE_COLUMNS] = base_rows(tracks)[:, NOISE_COLUMNS]
+    unknowns = tuple(_extended(unknown, tracks, first) for unknown in learned.unknowns)
+    noise = noise_unknowns(tracks, rows)
+    water = [_as_learned(unknown, known) for unknown in noise]
+    return climbed(
+        evaluated(
+            Fit(
+                (*learned.tracks, *tracks),
+                np.concatenate([below(learned), rows]),
+                unknowns,
+                (*learned.noise, *(_shifted(unknown, first) for unknown in noise)),
+                learned.q,
+                np.concatenate([learned.q_noise, water]),
+                (),
+            )
+        )
+    )
+
+
+def below(fit: Fit) -> Floats:
+    """Rows (tracks, columns) of a fit with all fitted values written in but those on top of others."""
+    places = [place for place, unknown in enumerate(fit.unknowns) if not unknown.on_top]
+    written = write_values(fit.rows, [fit.unknowns[place] for place in places], fit.q[places])
+    return write_values(written, fit.noise, fit.q_noise)
+
+
+def part_of(fit: Fit, numbers: Sequence[int], kept: Sequence[Unknown]) -> Fit:
+    """Take some tracks out of a fit, with the unknowns `kept` and the noise; all other numbers stay as fitted."""
+    place_of = {number: place for place, number in enumerate(numbers)}
+    others = [place for place, unknown in enumerate(fit.unknowns) if unknown not in kept and not unknown.on_top]
+    tops = [place for place, unknown in enumerate(fit.unknowns) if unknown not in kept and unknown.on_top]
+    rows = write_values(fit.rows, [fit.unknowns[place] for place in (*others, *tops)], fit.q[[*others, *tops]])
+    chosen = [(unknown, q) for unknown, q in zip(fit.unknowns, fit.q, strict=True) if unknown in kept]
+    noise = [
+        (unknown, q) for unknown, q in zip(fit.noise, fit.q_noise, strict=True) if set(unknown.tracks) & set(numbers)
+    ]
+    return evaluated(
+        Fit(
+            tuple(fit.tracks[number] for number in numbers),
+            rows[list(numbers)],
+            tuple(_on(unknown, place_of) for unknown, _ in chosen),
+            tuple(_on(unknown, place_of) for unknown, _ in noise),
+            np.array([q for _, q in chosen]),
+            np.array([q for _, q in noise]),
+            (),
+        )
+    )
+
+
+def _rows_of(learned: Fit, tracks: Sequence[Track]) -> Floats:
+    """Rows (tracks, columns) of the learned vehicle for other tracks of the same robots."""
+    known, names = below(learned), [track.name for track in learned.tracks]
+    return np.array([known[names.index(track.name)] for track in tracks])
+
+
+def _as_learned(noise: Unknown, known: Floats) -> float:
+    """Start q of a noise: that of the learned vehicle's water, and for readings what these recordings' own show."""
+    if noise.column not in WATER_NOISE:
+        return 0.0
+    return noise.clipped(float(known[noise.tracks[0], COLUMN[noise.column]]) - noise.base)
+
+
+def _extended(unknown: Unknown, tracks: Sequence[Track], first: int) -> Unknown:
+    """Let an unknown act on further tracks of its robots too; first: the number of the first of these tracks."""
+    more = (first + number for number, track in enumerate(tracks) if track.name in unknown.owner.robots)
+    return replace(unknown, tracks=(*unknown.tracks, *more))
+
+
+def _shifted(unknown: Unknown, first: int) -> Unknown:
+    return replace(unknown, tracks=tuple(first + number for number in unknown.tracks))
+
+
+def _on(unknown: Unknown, place_of: dict[int, int]) -> Unknown:
+    """Keep the tracks of an unknown that are among some, by their numbers there."""
+    return replace(unknown, tracks=tuple(place_of[number] for number in unknown.tracks if number in place_of))

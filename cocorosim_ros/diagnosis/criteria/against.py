@@ -1,0 +1,87 @@
+"""Thresholds of the comparison with recordings of the same vehicle when it was well: what is learned, what is alike."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class LearningCriteria:
+    """Numbers that a vehicle is given of its own (`against.learning`)."""
+
+    worth: float = 1.0
+    """[nats] from which an effect of the catalogue is a part of the learned vehicle. It is not named, so little
+    evidence is enough: what is left out would be looked for as a difference. Chosen, not measured."""
+    most: int = 8
+    """[effects] that are learned beside those of the contest: each costs a screening. Chosen, not measured."""
+    turns: int = 3
+    """[turns of noise and unknowns] after all effects have been added. Chosen, not measured."""
+    alone: float = 0.05
+    """[of its rms] a thruster's command that the others do not share, so that its own gain shows. Chosen, not
+    measured."""
+
+
+@dataclass(frozen=True)
+class AlikeCriteria:
+    """The control: how much recordings that should be alike differ (`against.control`)."""
+
+    quantile: float = 0.25
+    """[probability] of a spread greater than the one that is taken, given what the recordings show: few recordings tell
+    their spread badly, and less evidence is safer than more. Chosen, not measured."""
+    parts: int = 6
+    """[parts] of all recordings together that a spread is taken from; fewer recordings are cut. Chosen, not
+    measured."""
+    shortest: float = 20.0
+    """[s] of a part into which a recording is cut. Chosen, not measured."""
+    told: float = 1e-6
+    """[information of the prior] a part that has less on a candidate tells nothing of it. Chosen, not measured."""
+    weighed: int = 16
+    """[candidates] of the best in a round whose spread is looked at: each costs slopes. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class SameVehicleCriteria:
+    """Signs that two sets of recordings are of different vehicles (`against.comparable`)."""
+
+    command_quantile: float = 0.95
+    """[probability] of commands that are compared by size, so that single pulses do not count. Chosen, not measured."""
+    command_ratio: float = 5.0
+    """[1] quotient of the sizes of commands on both sides, from which they are not of one use of one vehicle: laws that
+    were learned at one fifth of the thrust say little. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class ComparisonCriteria:
+    """Limits of what a comparison says (`diagnose_against`, `against.differences`)."""
+
+    apart: float = 1.96
+    """[standard deviations] from neutral, below which a number of a difference may be nothing: then a rival with fewer
+    numbers, an offset for a drift, is named in its place. The usual 95 %. Chosen, not measured."""
+    runaway: float = 1e6
+    """[standard deviations of an innovation per unit of a number] from which a model does not follow recordings but
+    runs away from them. Measured in six recordings of a hovercraft: at most 74 where the model follows, and 1e85 where
+    a learned law runs away. Between them: chosen, not measured."""
+    least_shown: int = 3
+    """[effects of the catalogue] that would have shown at medium size; with fewer, silence tells nothing. A recording
+    need not show as much as for a diagnosis of a platform's file, since only changes are asked for. Chosen, not
+    measured."""
+
+
+@dataclass(frozen=True)
+class ChangeCriteria:
+    """Sizes of changes in the platform's own numbers (`against.numbers`)."""
+
+    large_factor: float = 0.3
+    """[logarithm] of a number in a bad case: a third more or less. Chosen, not measured."""
+    bounds: tuple[float, float] = (-10.0, 5.0)
+    """[of `large_factor`] a factor of a twentieth, a dead thruster nearly, up to four and a half. Chosen, not
+    measured."""
+    large_delay: float = 0.3
+    """[s] of commands in a bad case, as of the lag of a thruster. Chosen, not measured."""
+
+
+CHANGES = ChangeCriteria()
+LEARNING = LearningCriteria()
+ALIKE = AlikeCriteria()
+SAME_VEHICLE = SameVehicleCriteria()
+COMPARISON = ComparisonCriteria()

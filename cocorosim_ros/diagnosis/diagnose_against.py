@@ -1,0 +1,164 @@
+"""The comparison of recordings with those of the same vehicle when it was well: only differences are named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from cocorosim_ros.diagnosis.against.comparable import comparable, in_parts, taken_in
+from cocorosim_ros.diagnosis.against.control import Alike
+from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
+from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
+from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.against.running import runnable, runs_away
+from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
+from cocorosim_ros.diagnosis.criteria.against import COMPARISON
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.diagnose import abstained
+from cocorosim_ros.diagnosis.evidence.intake import Intake
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
+from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+from cocorosim_ros.diagnosis.report.sentence import difference_sentence
+from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
+from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+from cocorosim_ros.diagnosis.showing.framing import mixed_up
+from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
+from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
+from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+
+Progress = Callable[[str, float], None]
+
+
+def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
+    """Name what differs between recordings and those of the same vehicle when it was well.
+
+    bad: what is to be judged; good: what it is compared with. Raises CocorosimError where nothing can be compared.
+    """
+    progress("checking the recordings", 0.0)
+    bad, good = comparable(bad, good)
+    intake, well = taken_in(bad, good)
+    if well.reasons or intake.reasons:
+        return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), good)
+    progress("learning the vehicle", 0.05)
+    base = base_fit(in_parts(well.evidence))
+    if bad.platform.drag_form is None:
+        base, _ = with_best_form(base, RECALIBRATION.most_rounds)
+    thrusters = _thrusters(bad.platform)
+    learned = learned_vehicle(base, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    progress("fitting both together", 0.4)
+    learned, joint, taken_back = runnable(learned, lambda vehicle: joint_fit(vehicle, intake.evidence))
+    if runs_away(joint):
+        reason = f"The vehicle of --against cannot be run through these recordings of '{bad.platform.name}'."
+        return _with_files(abstained(bad, (reason,)), good)
+    alike = Alike(learned)
+    progress("comparing the recordings of --against with each other", 0.5)
+    control = _control(learned, alike, thrusters)
+    judged = Judged(tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
+    naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
+    progress("writing down", 0.95)
+    against = _against(good, learned, control, naming)
+    return _told(naming, judged, intake, replace(against, taken_back=taken_back))
+
+
+def _thrusters(platform: Platform) -> tuple[str, ...]:
+    return tuple(each.name for each in platform.actuators if isinstance(each, Thruster))
+
+
+def _of_good(reasons: Sequence[str]) -> tuple[str, ...]:
+    return tuple(f"--against: {reason}" for reason in reasons)
+
+
+def _of_taken_back(taken_back: Sequence[str]) -> tuple[str, ...]:
+    """Remarks on what was learned from --against and does not hold in the recordings to be judged."""
+    return tuple(
+        f"'{name}' was learned from the recordings of --against, but with it the model runs away from the readings "
+        "that are judged; it was taken back."
+        for name in taken_back
+    )
+
+
+def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of what every second track of the learned vehicle differs in from the others; () if in nothing."""
+    half = tuple(range(1, len(learned.tracks), 2))
+    if not half:
+        return ()
+    fit = replace(learned, rows=below(learned))
+    found = name_differences(fit, Judged(half, alike, thrusters), lambda words, share: None)
+    return tuple(effect.candidate.entry.id for effect in found.named)
+
+
+def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
+    spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
+    every, _ = recalibrated(learned)
+    origins = tuple(recording.origin for recording in good.recordings)
+    return Comparison(origins, learned_effects(learned), control, spreads, every)
+
+
+def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
+    return replace(diagnosis, against=Comparison(tuple(each.origin for each in good.recordings), (), ()))
+
+
+def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -> Diagnosis:
+    """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
+    moved = differing_numbers(naming)
+    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, judged.thrusters))
+    if against.control:
+        effects = tuple(replace(effect, tier="suspected") for effect in effects)
+    base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
+    table, runs = held_out_free_runs(unseen_parts(base), final)
+    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
+    tried = {each.candidate.entry.id for each in naming.screened}
+    courses = smoothed_tracks(base), smoothed_tracks(final)
+    stops = objections(Case(final, naming.named, effects, courses[1], table))
+    effects = stopped(effects, stops)
+    verdict = _verdict(effects, moved, unseen)
+    return Diagnosis(
+        verdict,
+        difference_sentence(verdict, effects, moved, against),
+        moved,
+        (),
+        effects,
+        unseen,
+        advised(effects, [name for name in unseen if name in tried]),
+        table,
+        (),
+        screened_effects(naming.screened),
+        residual_forces(base, courses[0]),
+        residual_forces(final, courses[1]),
+        readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
+        free_runs=runs,
+        remarks=(
+            *(remark for recording in intake.evidence.recordings for remark in recording.remarks),
+            *_of_taken_back(against.taken_back),
+        ),
+        needed_nats=NAMING.threshold,
+        noise=noise_levels(final),
+        warnings=tuple(each.sentence for each in stops if each.effect is None),
+        against=against,
+    )
+
+
+def _judged_part(naming: Naming, fit: Fit, judged: Judged) -> Fit:
+    """Take the judged tracks out of a fit; only what differs there goes on being fitted."""
+    own = [unknown for unknown in fit.unknowns if any(each.candidate.owns(unknown) for each in naming.named)]
+    return part_of(fit, judged.numbers, own)
+
+
+def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str]) -> Verdict:
+    if effects:
+        return "mismatch"
+    if moved:
+        return "recalibrate"
+    return "insufficient" if len(IDS) - len(unseen) < COMPARISON.least_shown else "consistent"

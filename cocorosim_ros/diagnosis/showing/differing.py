@@ -1,0 +1,71 @@
+"""Differences between two sets of recordings with 95 % intervals: numbers of the platform, and effects."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from cocorosim_ros.diagnosis.against.numbers import ONE_THRUSTER, THRUST
+from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+
+_COLUMN_OF = {name: (column, unit) for column, (name, unit) in RECALIBRATED.items()}
+SIDES = 2  # thrusters, of which a weak one is an asymmetry
+
+
+def differing_numbers(naming: Naming) -> tuple[Recalibrated, ...]:
+    """Numbers of the platform that differ: the value before as nominal one, and the value now."""
+    numbers = fitted(naming.fit)
+    rows = naming.fit.filled
+    found = []
+    for effect in naming.named:
+        if not _is_number(effect):
+            continue
+        for each in numbers:
+            if effect.candidate.owns(each.unknown):
+                column, unit = _COLUMN_OF.get(effect.candidate.entry.id, ("", "1"))
+                factor = each.unknown.value(each.q)
+                now = (
+                    float(rows[each.unknown.tracks[0], COLUMN[column]])
+                    if effect.candidate.entry.id != THRUST
+                    else factor
+                )
+                found.append(
+                    Recalibrated(
+                        effect.candidate.entry.id, now / factor, _times(each.estimate, now / factor, unit),
+                        each.unknown.owner.robots,
+                    )
+                )  # fmt: skip
+    return tuple(found)
+
+
+def differing_effects(naming: Naming, thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
+    """All other differences, the one with most evidence first.
+
+    One weak thruster of two is an asymmetry: its own gain is given beside the `difference` of the contract.
+    """
+    named = [effect for effect in naming.named if not _is_number(effect)]
+    return tuple(_as_asymmetry(effect, thrusters) for effect in found_effects(naming.fit, named))
+
+
+def _is_number(effect: NamedEffect) -> bool:
+    return effect.candidate.entry.id in (THRUST, *_COLUMN_OF)
+
+
+def _times(estimate: Estimate, before: float, unit: str) -> Estimate:
+    return Estimate(estimate.value * before, estimate.low * before, estimate.high * before, unit)
+
+
+def _as_asymmetry(effect: FoundEffect, thrusters: Sequence[str]) -> FoundEffect:
+    if not effect.id.startswith(f"{ONE_THRUSTER}:"):
+        return effect
+    if len(thrusters) != SIDES:
+        return replace(effect, id=ONE_THRUSTER)
+    ((name, gain),) = effect.parameters.items()
+    sign = 1.0 if name == thrusters[1] else -1.0
+    value, *ends = (sign * 2.0 * (each - 1.0) / (each + 1.0) for each in (gain.value, gain.low, gain.high))
+    difference = Estimate(value, min(ends), max(ends), "1")
+    return replace(effect, id="thruster_asymmetry", parameters={"difference": difference, name: gain})

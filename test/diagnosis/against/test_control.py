@@ -1,0 +1,37 @@
+"""The spread of recordings that should be alike, by closed forms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+from cocorosim_ros.diagnosis.against.control import Told, overdispersion
+from cocorosim_ros.diagnosis.criteria.against import ALIKE
+
+
+def told(sizes: list[float], information: float = 4.0) -> list[Told]:
+    """One amplitude in as many parts, each so many standard deviations from what the others show."""
+    return [Told(np.array([[information]]), np.array([size * np.sqrt(information)])) for size in sizes]
+
+
+def test_parts_that_differ_by_noise_are_nearly_alike() -> None:
+    """Six parts at one standard deviation each: a sum of squares of 6, over a cautious quantile of chi-squared."""
+    assert overdispersion(told([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])) == pytest.approx(6.0 / chi2.ppf(ALIKE.quantile, 6))
+
+
+def test_three_times_the_spread_counts_nine_times() -> None:
+    """Evidence goes with the square of a distance."""
+    sizes = [2.0, -3.0, 1.0, 4.0]
+    assert overdispersion(told([3.0 * size for size in sizes])) == pytest.approx(9.0 * overdispersion(told(sizes)))
+
+
+def test_the_unit_of_an_amplitude_does_not_matter() -> None:
+    """Information and score in other units of the amplitude give the same spread."""
+    assert overdispersion(told([2.0, -3.0], 1e-3)) == pytest.approx(overdispersion(told([2.0, -3.0], 1e3)))
+
+
+def test_parts_that_tell_nothing_leave_evidence_as_it_is() -> None:
+    """No information, or very calm parts, never make evidence stronger."""
+    assert overdispersion([Told(np.zeros((2, 2)), np.zeros(2))]) == 1.0
+    assert overdispersion(told([0.01, 0.02])) == 1.0

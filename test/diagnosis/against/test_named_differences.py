@@ -1,0 +1,119 @@
+"""Compared with recordings of when it was well, what has changed is named with its number, and nothing else is.
+
+The platform's file is imperfect on purpose: the robots have drag that it lacks, when they are well too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+SECONDS = 60.0
+WELL = {
+    "linear_drag": {"surge": 0.02, "sway": 0.03, "heave": 0.02, "yaw": 3e-5},
+    "anisotropic_drag": {"sway_ratio": 2.0, "heave_ratio": 1.5},
+}
+GOOD, BAD = (1, 2, 3, 4), (11, 12, 13)  # seeds of recordings
+
+
+def weakened(actuators: Any, shares: dict[str, float]) -> Any:
+    """The actuators, some of which have only a share of their force; Lily's thrusters push backwards as forwards."""
+    return tuple(
+        replace(each, maximum=shares[each.name] * each.maximum) if each.name in shares else each for each in actuators
+    )
+
+
+def vehicle(hidden: dict[str, dict[str, float]], left: float = 1.0) -> Any:
+    """A Lily with these effects, whose left thruster has so much of its thrust."""
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+    from cocorosim_ros.world.effects import EFFECTS
+
+    plain = load_platform("lily")
+    units = {name: {part.name: part.unit for part in EFFECTS[name].parameters} for name in hidden}
+    effects = {
+        name: {key: Quantity(value, units[name][key], dimension_of(units[name][key])) for key, value in part.items()}
+        for name, part in hidden.items()
+    }
+    return replace(plain, effect_quantities=effects, actuators=weakened(plain.actuators, {"left": left}))
+
+
+def recordings(swim: Any, platform: Any, seeds: tuple[int, ...], altered: Callable[[Any], Any] | None = None) -> Any:
+    """Evidence of one recording for each seed, the logs altered in a way."""
+    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+
+    found = []
+    for seed in seeds:
+        evidence = swim(platform, SECONDS, seed=seed)
+        (one,) = evidence.recordings
+        robots = tuple(altered(log) if altered else log for log in one.robots)
+        found.append(replace(one, origin=f"recording {seed}", robots=robots))
+    return Evidence(vehicle({}), tuple(found))
+
+
+def shifted(topic: str, offset: float) -> Callable[[Any], Any]:
+    """A way to alter a log: all readings of a stream are higher."""
+
+    def alter(log: Any) -> Any:
+        stream = log.streams[topic]
+        return replace(log, streams={**log.streams, topic: replace(stream, value=stream.value + offset)})
+
+    return alter
+
+
+def late(log: Any) -> Any:
+    """A log whose commands are stamped 0.2 s before they act."""
+    return replace(log, command_time=log.command_time - 0.2)
+
+
+def compared(swim: Any, bad: Any) -> Any:
+    """The comparison of recordings with those of the vehicle when it was well."""
+    from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
+
+    return diagnose_against(bad, recordings(swim, vehicle(WELL), GOOD), lambda words, share: None)
+
+
+CASES: dict[str, tuple[Any, Callable[[Any], Any] | None, str, str, float]] = {
+    "one thruster weak": ((WELL, 0.8), None, "thruster_asymmetry", "left", 0.8),
+    "compass askew": ((WELL,), shifted("compass", 0.1), "compass_distortion", "offset", 0.1),
+    "pressure too high": ((WELL,), shifted("pressure", 300.0), "pressure_offset", "offset", 300.0),
+    "commands late": ((WELL,), late, "command_delay", "delay", 0.2),
+    "heavier": (({**WELL, "buoyancy_trim": {"force": -5e-4}},), None, "buoyancy_trim", "force", -5e-4),
+}
+
+
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_what_has_changed_is_named(swim: Any, case: str) -> None:
+    """The one alteration is named, with what was put in inside twice its interval; nothing is named beside it."""
+    made, altered, effect, parameter, truth = CASES[case]
+    diagnosis = compared(swim, recordings(swim, vehicle(*made), BAD, altered))
+    assert [each.id for each in diagnosis.effects] == [effect]
+    assert diagnosis.recalibrated == ()
+    found = diagnosis.effects[0].parameters[parameter]
+    assert abs(found.value - truth) <= found.high - found.low
+    assert diagnosis.effects[0].tier == "confirmed"
+    assert diagnosis.verdict == "mismatch"
+    assert diagnosis.against.control == ()
+    assert diagnosis.sentence.startswith("Compared with 4 recordings of when it was well, these differ: ")
+
+
+def test_nothing_differs_between_recordings_of_one_vehicle(swim: Any) -> None:
+    """What the platform's file lacks is in both halves, and so it is not named."""
+    diagnosis = compared(swim, recordings(swim, vehicle(WELL), BAD))
+    assert (diagnosis.verdict, diagnosis.effects, diagnosis.recalibrated) == ("consistent", (), ())
+    assert diagnosis.against.control == ()
+    assert "linear_drag" in diagnosis.against.learned
+
+
+def test_a_number_of_the_platform_that_has_changed_is_one(swim: Any) -> None:
+    """All thrusters weaker by a quarter is a moved number, with the value before as its nominal one."""
+    well = vehicle(WELL)
+    weaker = replace(well, actuators=weakened(well.actuators, {"left": 0.75, "right": 0.75}))
+    diagnosis = compared(swim, recordings(swim, weaker, BAD))
+    assert (diagnosis.verdict, diagnosis.effects) == ("recalibrate", ())
+    (moved,) = diagnosis.recalibrated
+    assert (moved.parameter, moved.nominal) == ("thrust_gain", 1.0)
+    assert abs(moved.estimate.value - 0.75) <= moved.estimate.high - moved.estimate.low
