@@ -96,7 +96,8 @@ def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[st
         return ()
     fit = replace(learned, rows=below(learned))
     found = name_differences(fit, Judged(half, alike, thrusters), lambda words, share: None)
-    return tuple(effect.candidate.entry.id for effect in found.named)
+    names = tuple(effect.candidate.entry.id for effect in found.named)
+    return (*names, found.nameless) if found.nameless else names
 
 
 def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
@@ -123,10 +124,10 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     courses = smoothed_tracks(base), smoothed_tracks(final)
     stops = objections(Case(final, naming.named, effects, courses[1], table))
     effects = stopped(effects, stops)
-    verdict = _verdict(effects, moved, unseen)
+    verdict = _verdict(effects, moved, unseen, naming.nameless)
     return Diagnosis(
         verdict,
-        difference_sentence(verdict, effects, moved, against),
+        difference_sentence(verdict, effects, moved, against, naming.nameless),
         moved,
         (),
         effects,
@@ -145,8 +146,18 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         ),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
-        warnings=tuple(each.sentence for each in stops if each.effect is None),
+        warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
         against=against,
+    )
+
+
+def _of_nameless(law: str) -> tuple[str, ...]:
+    """Warning of a difference that has no name."""
+    if not law:
+        return ()
+    return (
+        f"Something differs that no entry of the catalogue explains. It looks like '{law}', but a law of this kind "
+        "often stands in for something that has a name; look at the residuals.",
     )
 
 
@@ -156,8 +167,10 @@ def _judged_part(naming: Naming, fit: Fit, judged: Judged) -> Fit:
     return part_of(fit, judged.numbers, own)
 
 
-def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str]) -> Verdict:
-    if effects:
+def _verdict(
+    effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str], nameless: str
+) -> Verdict:
+    if effects or nameless:
         return "mismatch"
     if moved:
         return "recalibrate"

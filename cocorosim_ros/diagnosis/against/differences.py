@@ -66,11 +66,13 @@ class Judged:
 def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float], None]) -> Naming:
     """Name what differs on the judged tracks of a joint fit, to all tracks of which the shared model has been fitted.
 
-    The rows of the fit hold the shared numbers, as `joint.below` writes them.
+    The rows of the fit hold the shared numbers, as `joint.below` writes them. A law outside the catalogue is not named:
+    with altered logs of real vehicles it mostly stood in for something that has a name. That there is one is kept.
     """
     fit, named = joint, _NOTHING
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
+    nameless = ""
     for number in range(SEARCH.most_rounds):
         progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
@@ -81,7 +83,8 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
-            found = _best(Stage(fit, named), screen, (), laws)
+            left_over = _best(Stage(fit, named), screen, (), laws)
+            nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
             first, first_laws = tested, laws
         if found is None:
@@ -90,7 +93,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if len(named) >= SEARCH.pruned_from:
             fit, named = pruned(fit, named, joint)
     fit, named = pruned(fit, named, joint)
-    return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws)
+    return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws, nameless)
 
 
 def _best(stage: Stage, screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened] = ()) -> Addition | None:

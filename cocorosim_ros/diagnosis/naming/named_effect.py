@@ -43,3 +43,4 @@ class Naming:
     named: tuple[NamedEffect, ...]
     screened: tuple[Screened, ...]
     laws: tuple[Screened, ...]  # outside the catalogue
+    nameless: str = ""  # law that explains what is left over, where laws are not named

@@ -30,9 +30,16 @@ def sentence_of(
 
 
 def difference_sentence(
-    verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], against: Comparison
+    verdict: Verdict,
+    effects: Sequence[FoundEffect],
+    moved: Sequence[Recalibrated],
+    against: Comparison,
+    nameless: str = "",
 ) -> str:
-    """One sentence about what differs from the recordings that are compared with, and whether those are alike."""
+    """One sentence about what differs from the recordings that are compared with, and whether those are alike.
+
+    nameless: the law that explains what no entry of the catalogue does, "" for none.
+    """
     count = len(against.recordings)
     begin = f"Compared with {count} recording{'s' if count > 1 else ''} of when it was well"
     if verdict == "insufficient":
@@ -47,6 +54,8 @@ def difference_sentence(
         for part in moved
     ]
     differing = [*numbers, *(_effect(effect, named=False) for effect in effects)]
+    if nameless:
+        differing.append("something that no entry of the catalogue explains")
     return f"{begin}, these differ: {', and '.join(differing)}.{doubt}"
 
 
