@@ -19,7 +19,7 @@ MEASURED_AGAINST = (
     "beside a channel: no reading shows it as it is, and the course that the recalibrated model sees in the other",
     "readings stands in. Which effects a model has was decided on everything. The noise floor is the error of a",
     "model that names nothing and has learnt a smooth force. Earlier versions measured each model against its own",
-    "smoothed course; their figures do not compare with these.",
+    "smoothed course; their figures do not compare with these, nor do two of one row over different seconds.",
 )
 
 
