@@ -91,7 +91,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         residual_forces(naming.fit, final_courses),
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=runs,
-        remarks=(*_remarks(intake.evidence), *_of_form(form), *regime_remarks(unseen)),
+        remarks=(*intake.evidence.remarks, *_of_form(form), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
@@ -109,15 +109,9 @@ def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, dict[str, HeldO
     return naming, table, runs
 
 
-def _remarks(evidence: Evidence) -> tuple[str, ...]:
-    """Remarks on all recordings, as sentences."""
-    return tuple(remark for recording in evidence.recordings for remark in recording.remarks)
-
-
 FORM_WORDS = {
     "own_speed": "each axis by its own speed (|u| u, |v| v, |w| w)",
     "strips": "each axis by its own speed, strip by strip along the hull",
-    "total_speed": "the total speed (|V| u, |V| v, |V| w)",
 }
 
 
@@ -151,7 +145,7 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         everything,
         advised((), everything),
         {},
-        remarks=_remarks(evidence),
+        remarks=evidence.remarks,
     )
 
 

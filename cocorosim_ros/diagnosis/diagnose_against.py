@@ -140,10 +140,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         residual_forces(final, courses[1]),
         readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
         free_runs=runs,
-        remarks=(
-            *(remark for recording in intake.evidence.recordings for remark in recording.remarks),
-            *_of_taken_back(against.taken_back),
-        ),
+        remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),

@@ -15,7 +15,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import CLOCKS
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
-from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 
@@ -129,11 +129,7 @@ def _without_strays(rows: TopicRows, usual: float, topics: Sequence[TopicRows], 
             f"{rows.name}: {np.count_nonzero(strays)} messages have stamps that are in the future or outside of the "
             "recording; they were left out."
         )
-    return _selected(rows, ~strays)
-
-
-def _selected(rows: TopicRows, chosen: Flags) -> TopicRows:
-    return rows.chosen(chosen)
+    return rows.chosen(~strays)
 
 
 def _skew(rows: TopicRows) -> Skew:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.shown_by import is_shown, own_state
-from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, SENSOR_COLUMNS
+from cocorosim_ros.diagnosis.filter.layout import SENSOR_COLUMNS
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
@@ -45,6 +45,5 @@ def _kinds_of(column: str) -> list[str]:
 
 def _is_fixed(kind: str, timeline: Timeline) -> bool:
     """Tell whether other readings show what readings of this kind show."""
-    present = [name for name in KIND_NAMES if timeline.sees(name)]
     state = next(iter(own_state(kind)), STATE_OF_FORCE.get(kind))
-    return state is not None and is_shown(state, (kind,), present)
+    return state is not None and is_shown(state, (kind,), timeline.kinds)

@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
 from cocorosim_ros.diagnosis.showing.residual_reading import deviation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
@@ -26,7 +27,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 
 _OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
-_FREE_RUNS = ("position", "heading", "depth")
 
 
 @dataclass(frozen=True)
@@ -105,19 +105,16 @@ def interval_holds_zero(case: Case) -> Iterator[Objection]:
 
 def collapsed_base(case: Case) -> Iterator[Objection]:
     """Object to a recalibrated model that foretells unseen data clearly worse than the platform as given."""
-    for channel in _FREE_RUNS:
+    for channel in EXACT:
         row = case.table.get(channel)
         if row is None or not row.recalibrated > HARD_STOPS.worse * row.nominal:
             continue
         low, _ = row.intervals.get("recalibrated", (row.recalibrated, row.recalibrated))
-        if low > row.nominal and row.recalibrated > KINDS[_LEAST[channel]].least_noise:
+        if low > row.nominal and is_beyond_steps(channel, row.recalibrated):
             yield Objection(
                 f"The recalibrated model foretells the {channel} worse than the platform as given does: by "
                 f"{row.recalibrated:.3g} for {row.nominal:.3g} {row.unit}; its fit has collapsed."
             )
-
-
-_LEAST = {"position": "pose_x", "heading": "pose_yaw", "depth": "pose_z"}
 
 
 def strayed_course(case: Case) -> Iterator[Objection]:

@@ -30,6 +30,7 @@ class Readings:
         self.stamp = np.tile(stamps, len(kinds))
         self.value = np.concatenate([np.broadcast_to(value, len(stamps)) for value in values.values()])
         self.grid = Grid()
+        self.kinds = frozenset(values)
 
     def sees(self, *names: str) -> bool:
         """Tell whether any of the kinds is there."""

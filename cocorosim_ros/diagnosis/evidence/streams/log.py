@@ -71,6 +71,11 @@ class Evidence:
     platform: Platform
     recordings: tuple[RecordingLog, ...]
 
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Remarks on all recordings, as sentences."""
+        return tuple(remark for recording in self.recordings for remark in recording.remarks)
+
 
 def told_apart(recordings: Sequence[RecordingLog]) -> tuple[RecordingLog, ...]:
     """Begin every remark with the name of its recording, where there are several recordings."""
