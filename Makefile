@@ -31,8 +31,11 @@ ifneq ($(call VERSION_OF,$(PYTHON)),$(call VERSION_OF,$(BIN)/python))
 endif
 endif
 
-# Folders of test/ that start ROS or build something; all others also run on NumPy 1.26 in `make test`.
+# Folders of test/ that start ROS or build something, one test at a time, since each takes all cores. All others run on
+# as many cores as PYTEST_JOBS says, a file's tests together, and in `make test` on NumPy 1.26 also.
 ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
+PYTEST_JOBS ?= 2
+ON_ALL_CORES = -n $(PYTEST_JOBS) --dist loadfile
 CORE_TESTS := $(filter-out $(ROS_TESTS:%=test/%/),$(sort $(wildcard test/*/)))
 
 .NOTPARALLEL:
@@ -92,7 +95,8 @@ contracts: set-up
 tests: set-up
 	@folder=$$(mktemp -d) && for scenario in eleven_lilys turbulence_T5e-3; do \
 	$(BIN)/cocorosim run $$scenario --in-process --duration "2 s" --out $$folder/$$scenario > /dev/null || exit 1; done; rm -rf $$folder
-	$(BIN)/python -m pytest $(PYTEST_ARGS)
+	$(BIN)/python -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS)
+	$(BIN)/python -m pytest $(PYTEST_ARGS) $(wildcard $(ROS_TESTS:%=test/%/))
 
 # NumPy 1.26 is laid over NumPy 2 by PYTHONPATH: every other dependency in the lock accepts both.
 ON_NUMPY1 = PYTHONPATH=$(PREFIX)/numpy1 XDG_CACHE_HOME=$(PREFIX)/numpy1/.cache $(BIN)/python
@@ -101,7 +105,7 @@ PYTHON_HAS_NUMPY1 = $(BIN)/python -c 'import sys; sys.exit(sys.version_info >= (
 tests-numpy1: set-up
 	@if ! $(PYTHON_HAS_NUMPY1); then echo "NumPy 1.26 does not exist for this Python: the tests run on NumPy 2 alone."; \
 	elif [ -n "$(CORE_TESTS)" ]; then $(MAKE) --no-print-directory $(NUMPY1) && echo "The core on NumPy 1.26:" && \
-	$(ON_NUMPY1) -m pytest $(PYTEST_ARGS) $(CORE_TESTS); fi
+	$(ON_NUMPY1) -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS); fi
 
 numpy1: set-up
 	@$(PYTHON_HAS_NUMPY1) || { echo "NumPy 1.26 does not exist for this Python: use PYTHON=python3.12 or python3.11." >&2; exit 1; }
