@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.report.effect_keys import (
 )
 from cocorosim_ros.diagnosis.report.words import parameter_unit
 from cocorosim_ros.scenario.parts.platform import Effects, Platform
+from cocorosim_ros.scenario.reading.ranges import Range
 from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, sourced_tree
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
 
@@ -83,14 +84,15 @@ def _put_parameters(found: Sequence[Recalibrated], origin: Origin, tree: Tree, r
         key = PLATFORM_KEYS.get(parameter, parameter)
         values = [each for each in found if each.parameter == parameter]
         for each in values:
-            number = _number(each.estimate, origin.source)
+            number = _ranged(_number(each.estimate, origin.source), origin.platform.ranges.get(key))
             everywhere = [tree, *(part for part in robots.values() if key in part)]
             for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
                 target[key] = number
         covered = {robot for each in values for robot in each.robots}
         if len(values) > 1 and covered >= set(origin.robots):
             mean = _mean([each.estimate for each in values])
-            tree[key] = _number(mean, f"{origin.source}, mean of {len(values)} robots")
+            number = _number(mean, f"{origin.source}, mean of {len(values)} robots")
+            tree[key] = _ranged(number, origin.platform.ranges.get(key))
 
 
 def _put_declared(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
@@ -100,7 +102,10 @@ def _put_declared(found: Sequence[Recalibrated], origin: Origin, tree: Tree, rob
         everywhere = [tree, *(part for part in robots.values() if "effects" in part)]
         for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
             known: Tree = target["effects"] if "effects" in target else tree["effects"]
-            numbers = known.get(effect, {}) | {name: _number(each.estimate, origin.source)}
+            number = _ranged(
+                _number(each.estimate, origin.source), origin.platform.ranges.get(f"effects.{each.parameter}")
+            )
+            numbers = known.get(effect, {}) | {name: number}
             target["effects"] = known | {effect: numbers}
 
 
@@ -169,6 +174,14 @@ def _own(names: Sequence[str], robots: dict[str, Tree]) -> list[Tree]:
 
 def _number(estimate: Estimate, source: str) -> Tree:
     return fitted_number(estimate.value, unit_in_file(estimate.unit), (estimate.low, estimate.high), source)
+
+
+def _ranged(number: Tree, given: Range | None) -> Tree:
+    """The number with the range of the platform's file, so that the next diagnosis with the model keeps to it too."""
+    if given is None:
+        return number
+    value = number["value"]
+    return number | {"range": [min(given.low, value), max(given.high, value)]}
 
 
 def _mean(estimates: Sequence[Estimate]) -> Estimate:

@@ -54,6 +54,26 @@ def test_parameters_and_effects_come_back(example: Example, tmp_path: Path) -> N
     assert same == lily
 
 
+def test_a_fitted_number_keeps_its_range(example: Example, tmp_path: Path) -> None:
+    """What the file leaves open stays open in the model, of the vehicle and of its effects: the limits are the same."""
+    (tmp_path / "vague.yaml").write_text(
+        """based_on: lily
+drag: {value: 1.9, unit: kg/m, range: [1, 4], source: guess, confidence: estimate}
+yaw_drag: {value: 1e-4, unit: N m s^2, range: [1e-5, 1e-3], source: guess, confidence: estimate}
+effects:
+  linear_drag: {surge: {value: 0.01, unit: N s/m, range: [0.001, 0.03], source: guess, confidence: estimate}}
+""",
+        "utf-8",
+    )
+    vague = load_platform(tmp_path / "vague.yaml")
+    fitted = Recalibrated("linear_drag.surge", 0.01, Estimate(0.02, 0.018, 0.022, "N s/m"), ("lily_01",))
+    found = replace(example("recalibrate"), all_recalibrated=(*example("recalibrate").all_recalibrated, fitted))
+    model = written(tmp_path, found, origin(vague))
+    assert model.effects["linear_drag"]["surge"] == 0.02
+    assert model.drag != vague.drag
+    assert model.ranges == vague.ranges
+
+
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: f"{entry.id}-{entry.topic}")
 def test_every_entry_of_the_catalogue_can_be_loaded_again(entry: Entry, example: Example, tmp_path: Path) -> None:
     """Whatever is found stands in the model as a number of the simulator, whose own checks it passes."""
