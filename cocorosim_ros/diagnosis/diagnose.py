@@ -78,7 +78,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     effects = stopped(effects, against)
     return Diagnosis(
         verdict,
-        sentence_of(verdict, effects, moved, table),
+        sentence_of(verdict, effects, moved),
         moved,
         located,
         effects,

@@ -127,7 +127,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     verdict = _verdict(effects, moved, unseen, naming.nameless)
     return Diagnosis(
         verdict,
-        difference_sentence(verdict, effects, moved, against, naming.nameless),
+        difference_sentence(verdict, effects, moved, naming.nameless),
         moved,
         (),
         effects,

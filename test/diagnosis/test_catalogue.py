@@ -37,6 +37,21 @@ def test_an_entry_is_whole(entry: Any) -> None:
     assert entry.manoeuvre in MANOEUVRES
 
 
+@pytest.mark.parametrize(
+    ("identifier", "below", "above"),
+    [
+        ("advance_loss.slope", "thrust that rises with speed", "thrust that falls with speed"),
+        ("reverse_loss.loss", "thrust that is stronger backwards", "thrust that is weaker backwards"),
+        ("linear_drag.surge", "linear drag", "linear drag"),
+    ],
+)
+def test_a_name_suits_the_sign_of_what_was_found(identifier: str, below: str, above: str) -> None:
+    """A slope below zero is thrust gained, and so it is told."""
+    entry = next(each for each in ENTRIES if each.id == identifier.partition(".")[0])
+    assert entry.amplitudes[0].column == identifier
+    assert [entry.name_with({identifier: value}) for value in (-0.3, 0.3)] == [below, above]
+
+
 @pytest.fixture(scope="module")
 def short(swim: Any) -> Any:
     """The fit of half a minute, at its start values."""

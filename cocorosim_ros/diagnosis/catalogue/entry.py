@@ -66,7 +66,12 @@ class Entry(Standing):
     needs_neighbours: bool = False
     prior_nats: float = 0.0  # odds against the entry before any evidence, as there are many of its sort
     law: str | None = None  # for laws outside the catalogue: the simulator's effect that acts for the law
+    opposite: str = ""  # its name where its first amplitude is negative, "" where the name holds for both signs
     form: Law | None = None  # for laws outside the catalogue: equation or reading, and product of regressors
+
+    def name_with(self, values: Mapping[str, float]) -> str:
+        """The name in words that suit the sign of the first amplitude; values: numbers that were found, by column."""
+        return self.opposite if self.opposite and values.get(self.amplitudes[0].column, 0.0) < 0.0 else self.name
 
 
 def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
@@ -85,6 +90,7 @@ def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
         fixed={column: how.value for column, _, how in found if isinstance(how, Given)},
         manoeuvre=search.manoeuvre,
         needs_neighbours=effect.neighbours,
+        opposite=effect.opposite,
         **standing,
     )
 

@@ -37,6 +37,8 @@ class ReportCriteria:
     """[places] of a path seen from above, about, for the same reason. Chosen, not measured."""
     most_numbers: int = 4
     """[numbers] of an effect or of a platform that a sentence can carry. Chosen, not measured."""
+    most_words: int = 25
+    """[words] of the headline: more are not read at a glance. Chosen, not measured."""
     three_digits: float = 10.0
     """[nats] from which evidence is written with three digits, and to which the axis reaches. Chosen, not measured."""
     told_odds: float = 100.0

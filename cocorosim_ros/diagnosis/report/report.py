@@ -35,6 +35,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     pairs_of,
     why_not_drawn,
 )
+from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.words import (
     BECAUSE,
     CHANNEL_WORDS,
@@ -62,6 +63,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         origin=origin,
         version=__version__,
         verdict=verdict_words(diagnosis),
+        details=detail_lines(diagnosis),
         control=control_words(diagnosis.against),
         manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),

@@ -100,9 +100,10 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         and effect.held_out.p < ESTIMATES.held_out_p
         and not rivals
     )
+    name = entry.name_with({each.unknown.column: each.estimate.value for each in mine})
     tier: Tier = "confirmed" if sure else "suspected"
     return FoundEffect(
-        entry.id, entry.name, entry.equation, robots, tier,
+        entry.id, name, entry.equation, robots, tier,
         {each.unknown.owner.parameter: each.estimate for each in mine}, effect.nats, rivals, entry.topic,
         held_out_nats=effect.held_out.total,
         settings=_settings(fit, effect),

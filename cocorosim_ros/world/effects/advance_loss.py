@@ -32,6 +32,7 @@ def advance_loss(row: Floats, relative: Floats, moment: Moment, parameters: Floa
 
 ADVANCE_LOSS = Effect(
     summary="thrust that falls with speed",
+    opposite="thrust that rises with speed",
     equation="T (1 - slope u)",
     wrench=advance_loss,
     parameters=(

@@ -26,6 +26,7 @@ def battery_sag(fraction: Floats, fitting: Any, time: float, parameters: Floats)
 
 BATTERY_SAG = Effect(
     summary="thrust that falls during the recording",
+    opposite="thrust that rises during the recording",
     equation="T (1 - fraction_lost t / duration)",
     command=battery_sag,
     parameters=(

@@ -60,6 +60,7 @@ def neighbour_wake(row: Floats, relative: Floats, moment: Moment, parameters: Fl
 
 NEIGHBOUR_WAKE = Effect(
     summary="push by a neighbour's jet",
+    opposite="pull by a neighbour's jet",
     equation="thrust of the neighbour * gain * 0.1 m / distance behind it",
     wrench=neighbour_wake,
     parameters=(

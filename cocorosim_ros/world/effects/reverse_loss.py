@@ -22,6 +22,7 @@ def reverse_loss(fraction: Floats, fitting: Any, time: float, parameters: Floats
 
 REVERSE_LOSS = Effect(
     summary="thrust that is weaker backwards",
+    opposite="thrust that is stronger backwards",
     equation="T (1 - loss) for command < 0",
     command=reverse_loss,
     parameters=(

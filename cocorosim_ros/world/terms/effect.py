@@ -39,12 +39,14 @@ class Number(Parameter):
 class Description:
     """Everything that documents, diagnosis and reports say of an effect.
 
-    summary: its name in words, as reports have it. equation: in plain text. check: what to look at on the robot or in
+    summary: its name in words, as reports have it. opposite: its name where its first number is negative, "" where
+    the summary holds for both signs. equation: in plain text. check: what to look at on the robot or in
     the tank. search: how a diagnosis looks for it, None if it does not, or not under this name.
     """
 
     summary: str
     parameters: tuple[Parameter, ...]
+    opposite: str = ""
     equation: str = ""
     check: str = ""
     search: Search | None = None
