@@ -72,7 +72,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     verdict = _verdict(effects, moved, silent)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
-    manoeuvres = advised(effects, [name for name in silent if name in tried])
+    manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
     final_courses = smoothed_tracks(naming.fit)
     against = objections(Case(naming.fit, naming.named, effects, final_courses, table))
     effects = stopped(effects, against)
@@ -143,7 +143,7 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         (),
         (),
         everything,
-        advised((), everything),
+        advised((), everything, evidence.platform),
         {},
         remarks=evidence.remarks,
     )

@@ -132,7 +132,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         (),
         effects,
         unseen,
-        advised(effects, [name for name in unseen if name in tried]),
+        advised(effects, [name for name in unseen if name in tried], intake.evidence.platform),
         table,
         (),
         screened_effects(naming.screened),

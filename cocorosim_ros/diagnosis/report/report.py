@@ -273,14 +273,10 @@ def _parameter(found: Recalibrated) -> Context:
 
 def _blind(diagnosis: Diagnosis) -> Context:
     least = {each.id: _least(each.id, each.detectable) for each in diagnosis.screened}
-    needing_more = [name for name in diagnosis.not_shown if least and name not in least]
+    # What needs a topic that was not recorded, or another robot, stands in diagnosis.json alone.
+    tried = [name for name in diagnosis.not_shown if name in least or not least]
     return {
-        "blind": [
-            {"name": effect_words(name), "least": least.get(name, "")}
-            for name in diagnosis.not_shown
-            if name not in needing_more
-        ],
-        "needing_more": [effect_words(name) for name in needing_more],
+        "blind": [{"name": effect_words(name), "least": least.get(name, "")} for name in tried],
         "detectable": [{"name": effect_words(name), "least": words} for name, words in sorted(least.items())],
     }
 
