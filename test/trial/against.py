@@ -105,14 +105,15 @@ SETS = (
         "hovercraft_epfl", "hovercraft_epfl", _by_day, 6,
         (
             Draw("gain:0", -0.3, -0.1, both=False), Draw("gain:1", -0.3, -0.1, both=False),
-            Draw("delay:pose", 0.05, 0.2, both=False), Draw("delay:thruster_command", 0.1, 0.3),
+            Draw("delay:pose", 0.05, 0.2, both=False), Draw("delay:thruster_command", -0.3, -0.1, both=False),
             Draw("scale", 0.05, 0.15),
         ),
     ),
     DataSet(
         "haizhe_auv", "haizhe_auv", _of_reference, 16,
         (
-            Draw("delay:compass", 0.1, 0.4), Draw("delay:imu", 0.1, 0.4), Draw("delay:pressure", 0.3, 0.8),
+            Draw("delay:compass", 0.1, 0.4, both=False), Draw("delay:imu", 0.1, 0.4, both=False),
+            Draw("delay:pressure", 0.3, 0.8, both=False),
             Draw("compass", 0.1, 0.3), Draw("heading", 0.1, 0.5), Draw("mirror", 1.0, 1.0, both=False),
             Draw("gyro", 0.02, 0.08), Draw("gyroscale", 0.1, 0.3), Draw("pressure", 300.0, 1500.0),
             Draw("drift", 20.0, 80.0),
