@@ -8,7 +8,7 @@ from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
-from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of
 from cocorosim_ros.diagnosis.evidence.frames.upright import FeltGravity
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT_X, FELT_Z, TURN_RATE
@@ -18,7 +18,7 @@ OPPOSITE = Turned(mirrored=0, quarters=2)
 UP = 2  # axis
 
 
-def inertial_axes(motion: Motion, gravity: FeltGravity | None, gyro_nats: float) -> FrameCorrection | None:
+def inertial_axes(motion: ShownMotion, gravity: FeltGravity | None, gyro_nats: float) -> FrameCorrection | None:
     """The correction of an IMU whose axes are not forward-left-up; None if they are.
 
     gravity: as the accelerometer reads it, None if it reads none. gyro_nats: nats by which the opposite sign of the yaw
@@ -65,7 +65,7 @@ def _words(turned: Turned, over: bool, backwards: bool) -> str:
     return ", and ".join(parts)
 
 
-def _horizontal(motion: Motion) -> tuple[Turned, float]:
+def _horizontal(motion: ShownMotion) -> tuple[Turned, float]:
     """The turn of the horizontal axes that fits best, and its lead [nats] over leaving them as they are."""
     seen = motion.pulled
     shown = motion.shove if np.isfinite(motion.shove).any() else _body_acceleration(motion)
@@ -79,7 +79,7 @@ def _score(seen: Complex, shown: Complex, turned: Turned) -> float:
     return float(max(found.real, 0.0) ** 2)
 
 
-def _body_acceleration(motion: Motion) -> Complex:
+def _body_acceleration(motion: ShownMotion) -> Complex:
     """Acceleration (n,) [m/s^2; body] of the poses, forward + i left, over the time of the mean of three readings."""
     result = np.full(len(motion.course), np.nan + 0.0j)
     result[1:-1] = (motion.course[2:] - motion.course[:-2]) / (2.0 * motion.width)

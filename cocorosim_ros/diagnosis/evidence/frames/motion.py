@@ -43,7 +43,7 @@ class Courses:
 
 
 @dataclass(frozen=True)
-class Motion:
+class ShownMotion:
     """Motion at n moments `width` [s] apart, each worth `weight` of an independent one; NaN without a reading.
 
     course: velocity x + iy [world]; climb: of z; yaw [rad], turn: of yaw; heading [rad], swing: of the compass; gyro;
@@ -75,7 +75,7 @@ class Motion:
     by_compass: Courses
 
 
-def motion_of(log: RobotLog, platform: Platform) -> Motion:
+def motion_of(log: RobotLog, platform: Platform) -> ShownMotion:
     """The motion that each stream of a log shows."""
     bins = _Bins(log, BINS.narrow * coasting_time(platform))
     pose, pose_rate = bins.stream(log, "pose")
@@ -86,7 +86,7 @@ def motion_of(log: RobotLog, platform: Platform) -> Motion:
     expected = expected_motion(log, platform)
     advance, shove = _in_body(bins, log, expected)
     unknown = np.full(bins.count, np.nan)
-    return Motion(
+    return ShownMotion(
         width=bins.width,
         weight=bins.width / max(AGREEMENT.least_memory, AGREEMENT.memory * coasting_time(platform)),
         course=np.asarray(pose_rate[:, X] + 1j * pose_rate[:, Y]),
@@ -109,18 +109,18 @@ def motion_of(log: RobotLog, platform: Platform) -> Motion:
     )
 
 
-def motion_together(logs: Sequence[RobotLog], platform: Platform) -> Motion:
+def motion_together(logs: Sequence[RobotLog], platform: Platform) -> ShownMotion:
     """The motions of several logs, one after the other."""
     motions = [motion_of(log, platform) for log in logs]
     if len(motions) == 1:
         return motions[0]
     parts = {
         field.name: _behind_each_other([getattr(motion, field.name) for motion in motions])
-        for field in fields(Motion)
+        for field in fields(ShownMotion)
         if field.name not in ("width", "weight")
     }
     width, weight = (float(np.median([getattr(motion, name) for motion in motions])) for name in ("width", "weight"))
-    return Motion(width=width, weight=weight, **parts)
+    return ShownMotion(width=width, weight=weight, **parts)
 
 
 def _behind_each_other(parts: Sequence[Any]) -> Any:

@@ -16,7 +16,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import ORIENTATION
 from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correlation, independent, nats_behind
-from cocorosim_ros.diagnosis.evidence.frames.motion import Courses, Motion
+from cocorosim_ros.diagnosis.evidence.frames.motion import Courses, ShownMotion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -41,7 +41,7 @@ class Orientation:
     nats: float = 0.0
 
 
-def best_orientation(motion: Motion, *, upside_down: bool) -> Orientation:
+def best_orientation(motion: ShownMotion, *, upside_down: bool) -> Orientation:
     """The changes that make the streams agree; none if the data do not clearly ask for a change.
 
     upside_down: z was found to point down, which makes north-east-down poses likelier.
@@ -96,7 +96,7 @@ def _rarity(turned: Turned, usual: tuple[Turned, ...]) -> float:
 class _Relations:
     """Tables of the nats by which the relations between the streams fail, for every combination of changes."""
 
-    def __init__(self, motion: Motion) -> None:
+    def __init__(self, motion: ShownMotion) -> None:
         self.has_yaw, self.has_compass = _given(motion.yaw), _given(motion.heading)
         self.has_course, self.has_gyro = _given(motion.course.real), _given(motion.gyro)
         self.has_command = _given(motion.spin)
@@ -132,7 +132,7 @@ def _given(values: Floats) -> bool:
     return bool(np.isfinite(values).any())
 
 
-def _course_table(motion: Motion, expected: Courses) -> Floats:
+def _course_table(motion: ShownMotion, expected: Courses) -> Floats:
     """Nats (2, 2, 2, 4) by mirrored course, mirrored angle, mirrored commands, and quarter turns between them.
 
     The quarter turns are those of the course against angle and commands. Under a mirrored angle the expected course is
@@ -148,7 +148,7 @@ def _course_table(motion: Motion, expected: Courses) -> Floats:
     return nats_behind(np.square(np.maximum(scores, 0.0)), float(scores.max(initial=0.0)) ** 2, count)
 
 
-def _heading_table(motion: Motion) -> Floats:
+def _heading_table(motion: ShownMotion) -> Floats:
     """Nats (2, 2, 4) by mirrored yaw, mirrored compass, and quarter turns of the yaw against the compass."""
     scores = np.zeros((2, 2, 4))
     for yaw, compass in product((0, 1), repeat=2):

@@ -10,7 +10,7 @@ from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
-from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of, position_words
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, W
 
@@ -28,7 +28,7 @@ class Change:
 UNCHANGED = Change(from_world=False, turned=SAME)
 
 
-def velocity_axes(motion: Motion, lift_nats: float) -> FrameCorrection | None:
+def velocity_axes(motion: ShownMotion, lift_nats: float) -> FrameCorrection | None:
     """The correction of a velocity stream whose axes are not forward-left-up; None if they are.
 
     lift_nats: nats by which the third component fits better with the opposite sign.
@@ -54,7 +54,7 @@ def velocity_axes(motion: Motion, lift_nats: float) -> FrameCorrection | None:
     )
 
 
-def _best(motion: Motion) -> tuple[Change, float]:
+def _best(motion: ShownMotion) -> tuple[Change, float]:
     """The best change, and its lead [nats] over leaving the stream as it is.
 
     Deviations from the mean are compared, in world axes, because a current adds a constant there.

@@ -9,7 +9,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.frames import UNITS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, slope
 from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine, scaled
-from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
@@ -20,7 +20,7 @@ from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 DEGREE = np.pi / 180.0
 
 
-def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameCorrection | None:
+def heading_in_degrees(logs: Sequence[RobotLog], motion: ShownMotion) -> FrameCorrection | None:
     """The correction of a compass in degrees, which swings too fast or reads more than 2 pi; None for radians."""
     streams = [log.streams["compass"] for log in logs if "compass" in log.streams]
     words = "the heading is in degrees instead of radians"
@@ -35,7 +35,7 @@ def heading_in_degrees(logs: Sequence[RobotLog], motion: Motion) -> FrameCorrect
     return scaled("compass", Fault(words, "its readings go beyond a whole turn of 6.28 rad"), CERTAIN, [DEGREE])
 
 
-def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
+def rate_in_degrees(motion: ShownMotion) -> FrameCorrection | None:
     """The correction of a gyroscope in degrees per second, by the rate of the heading; None for radians per second."""
     for rate, name in ((motion.turn, "the poses"), (motion.swing, "the compass")):
         ratio = _ratio(motion.gyro, rate, motion.weight)
@@ -48,7 +48,7 @@ def rate_in_degrees(motion: Motion) -> FrameCorrection | None:
     return None
 
 
-def pressure_unit(logs: Sequence[RobotLog], motion: Motion, platform: Platform) -> FrameCorrection | None:
+def pressure_unit(logs: Sequence[RobotLog], motion: ShownMotion, platform: Platform) -> FrameCorrection | None:
     """The correction of a pressure that is not in pascals, or counts from the surface; None if it is absolute."""
     readings = [log.streams["pressure"].value[:, AMBIENT] for log in logs if "pressure" in log.streams]
     if not readings or platform.water_density < UNITS.dense:
@@ -77,7 +77,7 @@ def _ratio(left: Floats, right: Floats, weight: float) -> float:
     return abs(slope(left, right)) if related else float("nan")
 
 
-def height_unit(motion: Motion, platform: Platform) -> FrameCorrection | None:
+def height_unit(motion: ShownMotion, platform: Platform) -> FrameCorrection | None:
     """The correction of poses in another unit than metres, by the pressure; None for metres."""
     if platform.water_density < UNITS.dense:
         return None
@@ -86,7 +86,9 @@ def height_unit(motion: Motion, platform: Platform) -> FrameCorrection | None:
     return _length("pose", ratio, "the pressure lets")
 
 
-def length_unit(topic: str, measured: Floats, expected: Floats, motion: Motion, source: str) -> FrameCorrection | None:
+def length_unit(
+    topic: str, measured: Floats, expected: Floats, motion: ShownMotion, source: str
+) -> FrameCorrection | None:
     """The correction of speeds `measured` (n,) in another unit of length than those `expected` (n,) from `source`."""
     given = np.isfinite(measured) & np.isfinite(expected)
     if independent(measured, expected, motion.weight) < UNITS.fewest or not np.any(expected[given] > 0.0):

@@ -10,7 +10,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine
-from cocorosim_ros.diagnosis.evidence.frames.motion import Motion
+from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT
 from cocorosim_ros.foundation.arrays import Floats
@@ -25,12 +25,12 @@ class FeltGravity:
     reading: float
 
 
-def height_upside_down(motion: Motion) -> float:
+def height_upside_down(motion: ShownMotion) -> float:
     """Nats by which a z that points down fits pressure and commanded heave better; negative for a z that points up."""
     return _opposite(motion.climb, -motion.sinking, motion.weight) + _opposite(motion.climb, motion.dive, motion.weight)
 
 
-def lift_upside_down(motion: Motion) -> float:
+def lift_upside_down(motion: ShownMotion) -> float:
     """Nats by which a w that points down fits poses and commanded heave better; negative for a w that points up."""
     return _opposite(motion.lift, motion.climb, motion.weight) + _opposite(motion.lift, motion.dive, motion.weight)
 
