@@ -11,6 +11,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.findings import Comparison, Estimate, FoundEffect, HeldOut, Recalibrated, Rival
 from cocorosim_ros.diagnosis.report.sentence import detail_lines, difference_sentence, sentence_of
+from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 
@@ -86,6 +87,19 @@ def test_what_is_only_suspected_is_not_said_to_be_missing() -> None:
     assert sentence_of("mismatch", [doubtful, LAG], []) == (
         "Missing from the model of lily_01: a lag of the thrust; and perhaps linear drag."
     )
+
+
+def test_what_may_as_well_be_nothing_is_not_told_as_a_number() -> None:
+    """Parts whose intervals hold zero are left out, unless that is all of them; a ratio does nothing at one."""
+    size = {"surge": Estimate(0.02, 0.018, 0.022, "N s/m"), "sway": Estimate(0.001, -0.004, 0.006, "N s/m")}
+    drag = replace(LAG, id="linear_drag", name="linear drag", parameters=size, ambiguous_with=())
+    assert not_shown_numbers(drag) == ("sway",)
+    (told,) = detail_lines(found(drag))
+    assert plain(told) == "linear drag of lily_01, confirmed: surge 20.0 mN s/m"
+    doubtful = replace(drag, parameters={"sway": size["sway"]})
+    assert not_shown_numbers(doubtful) == ()
+    ratios = {"sway_ratio": Estimate(2.0, 1.8, 2.2, "1"), "heave_ratio": Estimate(1.1, 0.8, 1.4, "1")}
+    assert not_shown_numbers(replace(drag, id="anisotropic_drag", parameters=ratios)) == ("heave_ratio",)
 
 
 def test_a_gain_is_told_of_the_channel_that_has_one() -> None:

@@ -36,6 +36,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
+from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 from cocorosim_ros.diagnosis.report.words import (
     BECAUSE,
     CHANNEL_WORDS,
@@ -192,12 +193,14 @@ def _what(diagnosis: Diagnosis) -> Context:
 
 
 def _effect(found: FoundEffect) -> Context:
+    doubtful = not_shown_numbers(found)
     return {
         "id": found.id,
         "name": found.name,
         "topic": found.topic,
         "equation": typeset(found.equation) if found.equation else "",
-        "numbers": [(name, estimate_words(each)) for name, each in found.parameters.items()],
+        "numbers": [(name, estimate_words(each)) for name, each in found.parameters.items() if name not in doubtful],
+        "doubtful": [f"{name.replace('_', ' ')} ({estimate_words(found.parameters[name])[1]})" for name in doubtful],
         "correction": found.correction,
         "robots": ", ".join(found.robots),
         "tier": found.tier,

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, quantity_words
+from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 
 _NAMELESS = "something that no entry of the catalogue explains"
 
@@ -83,7 +84,9 @@ def _shift(part: Recalibrated) -> str:
 
 
 def _effect(effect: FoundEffect) -> str:
-    numbers = [f"{_plain(name)} {estimate_words(value)[0]}" for name, value in effect.parameters.items()]
+    doubtful = not_shown_numbers(effect)
+    shown = [(name, value) for name, value in effect.parameters.items() if name not in doubtful]
+    numbers = [f"{_plain(name)} {estimate_words(value)[0]}" for name, value in shown]
     told = [effect.correction] if effect.correction else [_shortened(numbers)] if numbers else []
     if effect.ambiguous_with:
         told.append(f"or else {' or '.join(_plain(rival.id) for rival in effect.ambiguous_with)}")
