@@ -85,6 +85,7 @@ def system_numbers(platform: Platform) -> list[float]:
         system.units_per_volt * system.full_voltage,
         platform.water_density,
         platform.gravity,
+        float(system.avoidance_readings == "previous_tick"),
     ]
 
 
