@@ -89,7 +89,7 @@ def course_by_hand(heading: float, lag: bool) -> Any:
     """Places (TICKS,) [m; world, x + iy] of a Lily that is asked to swim along `heading` [rad]."""
     place, velocity, yaw, yaw_rate = complex(2.7, start(heading)), 0j, heading, 0.0
     before, asked, places = Walls(0j, False), heading, []
-    for tick in range(TICKS):
+    for _ in range(TICKS):
         now = walls(place, yaw)
         seen, before = (before, now) if lag else (now, now)
         if seen.near:
@@ -137,7 +137,8 @@ def test_at_an_oblique_wall(prompt_lily: Path, tmp_path: Path, heading: float, l
     """After 200 s of coming back to the wall again and again it is where the calculation has it.
 
     Headings so close to the wall that a sensor at the side sees it first: away from what is straight ahead is half a
-    turn, either way round, and rounding would choose. Tolerance: rounding of 1e-16, which every turn at the wall enlarges; the lag alone makes centimetres.
+    turn, either way round, and rounding would choose. Tolerance: rounding of 1e-16, which every turn at the wall
+    enlarges; the lag alone makes centimetres.
     """
     by_hand = course_by_hand(heading, lag)
     assert by_hand.real.max() > HALF - 0.25, "it has to come near the wall"
