@@ -124,10 +124,10 @@ def _decide_na(observation: Observation, sensor_axis: Floats, settings: Floats, 
 @kernel
 def _is_looked_at(offset: Floats, settings: Floats) -> bool:
     """Whether a robot at `offset` (3,) [m; body] is in view."""
-    if settings[CONE_OF_VIEW] == 0.0 or settings[OBSERVE_BACKWARDS] != 0.0:
-        return is_in_view(offset, settings)
-    distance = math.sqrt(offset[0] ** 2 + offset[1] ** 2 + offset[2] ** 2)
-    seen: bool = offset[0] >= math.cos(HALF_VIEW) * distance
+    seen: bool = is_in_view(offset, settings)
+    if settings[CONE_OF_VIEW] != 0.0 and settings[OBSERVE_BACKWARDS] == 0.0:
+        distance = math.sqrt(offset[0] ** 2 + offset[1] ** 2 + offset[2] ** 2)
+        seen = offset[0] >= math.cos(HALF_VIEW) * distance
     return seen
 
 
