@@ -151,7 +151,7 @@ def make_crew(blue_light: SimpleNamespace) -> Callable[..., Any]:
     from cocorosim_ros.world.controllers import CONTROLLER_CODE
     from cocorosim_ros.world.controllers.crew import Crew
 
-    system = [0.25, 0.2, 0.5, 0.1, 0.5, 15.0, 5.0, 60.0, 1300.0, 130.0, 1.0, 0.05, 127.0, 127.5, 1000.0, 9.81]
+    system = [0.25, 0.2, 0.5, 0.1, 0.5, 15.0, 5.0, 60.0, 1300.0, 130.0, 1.0, 0.05, 127.0, 127.5, 1000.0, 9.81, 0.0]
 
     def make(robots: int, controller: str = "idle", settings: Any = ()) -> Crew:
         return Crew(

@@ -29,7 +29,7 @@ def swarm_of(make_simulation: Make, lily: SimpleNamespace) -> Make:
 
     def make(name: str, start: Any) -> Any:
         count = len(CONTROLLERS[name].settings)
-        settings = (*lily.boids, 1.0)[:count] if name.startswith("boids") else (0.1,) * count
+        settings = (*lily.boids, 1.0, 1.0, 1.0)[:count] if name.startswith("boids") else (0.1,) * count
         return make_simulation(start, name, settings, bounds=BOUNDS)
 
     return make

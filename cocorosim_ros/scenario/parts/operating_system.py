@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
-from cocorosim_ros.scenario.reading.records import quantity
+from cocorosim_ros.scenario.reading.records import choice, quantity
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,8 @@ class OperatingSystem:
     Depth [m/s]: depth_proportional * error, at most `dive_limit`.
     Vertical [command units]: vertical_proportional * speed error + vertical_damping * acceleration.
     Scale: `command_full_scale` units, `units_per_volt`, and `full_voltage` at an actuator's maximum.
+    avoidance_readings: whether walls are avoided by the ranges read in `this_tick` or in the `previous_tick` (as in the
+    released model); None where the file does not say, which is this tick. Floor and surface go by this tick's always.
     """
 
     wall_threshold: float = field(metadata=quantity("length", "not negative"))
@@ -35,6 +38,9 @@ class OperatingSystem:
     command_full_scale: float = field(metadata=quantity("pure number", "positive"))
     units_per_volt: float = field(metadata=quantity("inverse voltage", "positive"))
     full_voltage: float = field(metadata=quantity("voltage", "positive"))
+    avoidance_readings: Literal["this_tick", "previous_tick"] | None = field(
+        default=None, metadata=choice("this_tick", "previous_tick")
+    )
 
     @property
     def full_command_fraction(self) -> float:

@@ -176,7 +176,7 @@ def read_platform(entry: Entry) -> Platform:
 def _read_one(entry: Entry) -> Platform:
     platform = read_record(Platform, entry)
     section = entry.mapping()
-    for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.blss)):
+    for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
     return replace(platform, ranges={**platform.ranges, **collect_ranges(entry)}, origin=entry.file)
 

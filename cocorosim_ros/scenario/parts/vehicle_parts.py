@@ -85,7 +85,7 @@ class BlueLightSensor:
     """One blue-light sensor: a cone around its axis, and rays along which it sees obstacles.
 
     azimuth, elevation: cone axis [rad; body]. cone_angle: full opening [rad].
-    neighbour_range, obstacle_range: how far it sees robots and obstacles [m].
+    neighbour_range, obstacle_range: how far it sees robots and obstacles [m]; an obstacle_range of 0 sees none.
     obstacle_rays: offsets of the rays from the axis in azimuth [rad].
     """
 
@@ -99,9 +99,31 @@ class BlueLightSensor:
 
 
 @dataclass(frozen=True)
+class ObstacleSensor:
+    """Rays along which a robot sees obstacles and no robots.
+
+    azimuth, elevation: the direction that it looks in and counts for [rad; body]. obstacle_range: how far it sees [m].
+    obstacle_rays: offsets of the rays from that direction in azimuth [rad].
+    """
+
+    name: str = field(metadata=TEXT)
+    azimuth: float = field(metadata=quantity("angle"))
+    elevation: float = field(metadata=quantity("angle"))
+    obstacle_range: float = field(metadata=quantity("length", "positive"))
+    obstacle_rays: tuple[float, ...] = field(default=(0.0,), metadata=quantities("angle"))
+
+    def without_cone(self) -> BlueLightSensor:
+        """The same as a blue-light sensor that sees no robot."""
+        return BlueLightSensor(
+            self.name, self.azimuth, self.elevation, 0.0, 0.0, self.obstacle_range, self.obstacle_rays
+        )
+
+
+@dataclass(frozen=True)
 class Sensors:
     """What a robot perceives with; `radio_range` [m] is 0 for a robot without radio.
 
+    obstacles: sensors for obstacles alone, beside the blue-light sensors; None where the file names none.
     further: whether it has the sensors of that topic that have no key of their own here (see world.sensors.SENSORS).
     """
 
@@ -111,7 +133,13 @@ class Sensors:
     velocity: bool = field(default=False, metadata=FLAG)
     radio_range: float = field(default=0.0, metadata=quantity("length", "not negative"))
     blss: tuple[BlueLightSensor, ...] = field(default=(), metadata=list_of(BlueLightSensor))
+    obstacles: tuple[ObstacleSensor, ...] | None = field(default=None, metadata=list_of(ObstacleSensor))
     further: Mapping[str, bool] = field(default_factory=dict, hash=False, metadata=other_flags())
+
+    @property
+    def directed(self) -> tuple[BlueLightSensor, ...]:
+        """All that looks in a direction, in the order of all arrays about it: blue light, then obstacles alone."""
+        return (*self.blss, *(sensor.without_cone() for sensor in self.obstacles or ()))
 
     def has(self, topic: str) -> bool:
         """Whether the robot has the sensor of this topic."""

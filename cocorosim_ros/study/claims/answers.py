@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 REPRODUCED, NOT_REPRODUCED, NOT_DECIDABLE, NO_RUNS = "reproduced", "not reproduced", "not decidable", "no runs"
+MARKS = {REPRODUCED: "yes", NOT_REPRODUCED: "**no**", NOT_DECIDABLE: "open", NO_RUNS: "no runs"}
+"""Verdicts as a table has them."""
 DASH = "\u2013"
 """What stands where nothing could be found."""
 

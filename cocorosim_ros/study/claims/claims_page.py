@@ -6,13 +6,14 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
-from cocorosim_ros.study.claims.answers import NO_RUNS, NOT_DECIDABLE, NOT_REPRODUCED, REPRODUCED, Answer
+from cocorosim_ros.study.claims.answers import MARKS, NO_RUNS, Answer
 from cocorosim_ros.study.claims.choices import Choices, choices_of
 from cocorosim_ros.study.claims.claims import Finding
+from cocorosim_ros.study.claims.markdown import markdown_table
+from cocorosim_ros.study.claims.original_page import released_part
 from cocorosim_ros.study.claims.readings import Readings, readings_of
 from cocorosim_ros.study.results.results import Results
 
-MARKS = {REPRODUCED: "yes", NOT_REPRODUCED: "**no**", NOT_DECIDABLE: "open", NO_RUNS: "no runs"}
 _KINDS = {"paper": "the paper's numerics", "accurate": "the accurate numerics"}
 _BOTH = "both"
 
@@ -27,6 +28,7 @@ def claims_page(answers: Sequence[Answer], experiments: Mapping[str, Results]) -
         _counts(answers),
         _table(answers),
         _readings(list(readings_of(experiments))),
+        *(released_part(results) for results in experiments.values()),
         *(_choices(table) for results in experiments.values() for table in choices_of(results)),
     ]
     return "\n\n".join(part for part in parts if part) + "\n"
@@ -122,9 +124,3 @@ def _cell(finding: Finding | None) -> str:
     if finding is None or finding.verdict == NO_RUNS:
         return ""
     return f"{finding.effect.value:.2f} {MARKS[finding.verdict]}"
-
-
-def markdown_table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A Markdown table."""
-    lines = [heading, ["---"] * len(heading), *rows]
-    return "\n".join(f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in line)} |" for line in lines)

@@ -46,7 +46,7 @@ def describe_body(robot: RobotDescription) -> BodyDescription:
         talk = "radio_tx" if present["radio_rx"] else ""
     return BodyDescription(
         name=robot.name,
-        sensors=sensors.blss,
+        sensors=sensors.directed,
         actuators=robot.platform.actuator_names,
         topics=(*(name for name, there in present.items() if there), *extra),
         speaks=controller.speaks and bool(talk) and not robot.external,

@@ -6,6 +6,12 @@ from cocorosim_ros.world.controllers.beeclust import BEECLUST
 from cocorosim_ros.world.controllers.boids_blc import BOIDS_BLC
 from cocorosim_ros.world.controllers.boids_blt import BOIDS_BLT
 from cocorosim_ros.world.controllers.boids_na import BOIDS_NA
+from cocorosim_ros.world.controllers.boids_released import (
+    BOIDS_BLC_RELEASED,
+    BOIDS_BLT_RELEASED,
+    BOIDS_NA_RELEASED,
+    BOIDS_VANILLA_RELEASED,
+)
 from cocorosim_ros.world.controllers.boids_vanilla import BOIDS_VANILLA
 from cocorosim_ros.world.controllers.calibration_programme import CALIBRATION_PROGRAMME
 from cocorosim_ros.world.controllers.constant import CONSTANT
@@ -29,5 +35,9 @@ CONTROLLERS: dict[str, Controller] = {
     "calibration_programme": CALIBRATION_PROGRAMME,
     "plume_tracking": PLUME_TRACKING,
     "programme": PROGRAMME,
+    "boids_blt_released": BOIDS_BLT_RELEASED,
+    "boids_vanilla_released": BOIDS_VANILLA_RELEASED,
+    "boids_blc_released": BOIDS_BLC_RELEASED,
+    "boids_na_released": BOIDS_NA_RELEASED,
 }
 CONTROLLER_CODE: dict[str, int] = {name: code for code, name in enumerate(CONTROLLERS)}

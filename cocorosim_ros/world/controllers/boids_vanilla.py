@@ -61,27 +61,41 @@ def add_exact_rules(places: Floats, count: int, settings: Floats, wish: Floats) 
 
 
 @kernel
+def note_neighbour(observation: Observation, index: int, place: Floats, velocity: Floats) -> None:
+    """Write place [m; body] and velocity [m/s; world] of the `index`-th neighbour into rows (LANES,) each."""
+    for axis in range(3):
+        place[axis] = observation.neighbour_offset[index, axis]
+        velocity[axis] = observation.neighbour_velocity[index, axis]
+
+
+@kernel
+def add_neighbours_rules(
+    compass: float, places: Floats, velocities: Floats, count: int, settings: Floats, wish: Floats
+) -> None:
+    """Add all three rules for the first `count` neighbours, at `places` and with `velocities` (n, LANES), to `wish`."""
+    velocity = stack_array(3)
+    add_exact_rules(places, count, settings, wish)
+    coordinate_median(velocities, count, velocity)
+    add_alignment(compass, velocity, settings, wish)
+
+
+@kernel
 def decide(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
     """Turn what is known of the neighbours into heading, speed and dive speed; all stay while the compass fails."""
     take_up_boids(settings, request)
     if math.isnan(observation.compass):
         return
-    count = 0
-    wish, velocity = stack_array(3), stack_array(3)
+    count, wish = 0, stack_array(3)
     places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
     velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
     for index in range(observation.neighbour_count):
         if is_in_view(observation.neighbour_offset[index], settings):
-            for axis in range(3):
-                places[count, axis] = observation.neighbour_offset[index, axis]
-                velocities[count, axis] = observation.neighbour_velocity[index, axis]
+            note_neighbour(observation, index, places[count], velocities[count])
             count += 1
     if count == 0:
         swim_alone(settings, request)
         return
-    add_exact_rules(places, count, settings, wish)
-    coordinate_median(velocities, count, velocity)
-    add_alignment(observation.compass, velocity, settings, wish)
+    add_neighbours_rules(observation.compass, places, velocities, count, settings, wish)
     swim_as_wished(observation.compass, wish, weight_total(settings), settings, request)
 
 

@@ -18,6 +18,7 @@ from cocorosim_ros.world.controllers import CONTROLLER_CODE, CONTROLLERS
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.controllers.operating_system import (
     GRAVITY,
+    WALLS_SIZE,
     WATER_DENSITY,
     avoid_floor_and_surface,
     avoid_walls,
@@ -30,7 +31,8 @@ from cocorosim_ros.world.state.observation import Observation
 LAST_TIME = REQUEST_SIZE  # s, NaN before the first cycle
 LAST_PRESSURE = REQUEST_SIZE + 1  # Pa
 LAST_COMPASS = REQUEST_SIZE + 2  # rad
-MEMORY_SIZE = REQUEST_SIZE + 3
+LAST_WALLS = REQUEST_SIZE + 3  # WALLS_SIZE columns, for robots that avoid walls a cycle late
+MEMORY_SIZE = LAST_WALLS + WALLS_SIZE
 
 _DECIDE = "observation, sensor_axis, settings, request"
 _SPEAK = "observation, settings, message"
@@ -100,7 +102,8 @@ def renew_request(crew: Crew, robot: int, observation: Observation, memory: Floa
         decide_by_code(crew.code[robot], observation, sensor_axis, settings, request)
     avoids_wall, avoids_depth = False, False
     if request[DIRECT] == 0.0:
-        avoids_wall = avoid_walls(observation, sensor_axis, crew.system[robot], request)
+        last_walls = memory[LAST_WALLS:MEMORY_SIZE]
+        avoids_wall = avoid_walls(observation, sensor_axis, crew.system[robot], last_walls, request)
         avoids_depth = avoid_floor_and_surface(observation, sensor_axis, crew.system[robot], request)
     if not (first or avoids_wall or avoids_depth):
         decide_by_code(crew.code[robot], observation, sensor_axis, settings, request)

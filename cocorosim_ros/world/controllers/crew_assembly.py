@@ -25,7 +25,7 @@ def build_crew(robots: Sequence[RobotDescription]) -> Crew:
     """The controllers of the robots; those in plain Python (controllers.plain) have the code of no behaviour."""
     count = len(robots)
     settings = [controller_settings(robot.controller) for robot in robots]
-    axes = [[cone_axis(sensor) for sensor in robot.platform.sensors.blss] for robot in robots]
+    axes = [[cone_axis(sensor) for sensor in robot.platform.sensors.directed] for robot in robots]
     crew = Crew(
         code=np.array([_code(robot.controller) for robot in robots]),
         settings=np.zeros((count, max(1, *(len(row) for row in settings)))),
@@ -85,6 +85,7 @@ def system_numbers(platform: Platform) -> list[float]:
         system.units_per_volt * system.full_voltage,
         platform.water_density,
         platform.gravity,
+        float(system.avoidance_readings == "previous_tick"),
     ]
 
 

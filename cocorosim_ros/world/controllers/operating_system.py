@@ -40,13 +40,15 @@ SYSTEM_NUMBERS = (
     "command_scale",
     "water_density",
     "gravity",
+    "avoidance_lag",
 )
 WALL_THRESHOLD, FLOOR_THRESHOLD, SURFACE_DEPTH, DEPTH_MARGIN = 0, 1, 2, 3
 AVOIDANCE_THRUST, AVOIDANCE_GAIN, HEADING_GAIN, YAW_RATE_GAIN = 4, 5, 6, 7
 DIVE_SPEED_GAIN, DIVE_ACCELERATION_GAIN, DEPTH_GAIN, DIVE_SPEED_LIMIT = 8, 9, 10, 11
-FULL_COMMAND, COMMAND_SCALE, WATER_DENSITY, GRAVITY = 12, 13, 14, 15
+FULL_COMMAND, COMMAND_SCALE, WATER_DENSITY, GRAVITY, AVOIDANCE_LAG = 12, 13, 14, 15, 16
 
 NO_DIRECTION = 1e-6  # m; a sum of infringements shorter than this points where rounding wants
+AWAY_FORWARD, AWAY_LEFT, TOO_NEAR, WALLS_SIZE = 0, 1, 2, 3  # sum of infringements [m; body], whether there is any
 VERTICAL = 0.5  # a cone whose axis rises or falls by more than 30 degrees looks at surface or floor
 
 
@@ -58,10 +60,14 @@ def depth_of(observation: Observation, system: Floats) -> float:
 
 
 @kernel
-def avoid_walls(observation: Observation, sensor_axis: Floats, system: Floats, request: Floats) -> bool:
+def avoid_walls(
+    observation: Observation, sensor_axis: Floats, system: Floats, last_walls: Floats, request: Floats
+) -> bool:
     """If a wall is too near, ask for the heading away from it and return True.
 
-    Where the sensors contradict each other (all the same: at a wall), the heading asked for stays.
+    Where the sensors contradict each other (all the same: at a wall), the heading asked for stays. With an avoidance
+    lag the walls are those of the last cycle, `last_walls` (WALLS_SIZE,), relative to the present heading; it keeps
+    the present ones for the next.
     """
     forward, left, near = 0.0, 0.0, False
     for sensor in range(sensor_axis.shape[0]):
@@ -71,6 +77,10 @@ def avoid_walls(observation: Observation, sensor_axis: Floats, system: Floats, r
         near = True
         forward -= infringement * sensor_axis[sensor, 0]
         left -= infringement * sensor_axis[sensor, 1]
+    if system[AVOIDANCE_LAG] != 0.0:
+        last_forward, last_left, last_near = last_walls[AWAY_FORWARD], last_walls[AWAY_LEFT], last_walls[TOO_NEAR]
+        last_walls[AWAY_FORWARD], last_walls[AWAY_LEFT], last_walls[TOO_NEAR] = forward, left, 1.0 if near else 0.0
+        forward, left, near = last_forward, last_left, last_near != 0.0
     if near:
         if math.hypot(forward, left) > NO_DIRECTION:
             request[HEADING] = wrap_angle(observation.compass + math.atan2(left, forward))

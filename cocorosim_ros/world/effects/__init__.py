@@ -2,9 +2,9 @@
 
 BASIC_EFFECTS are what every simulation of a robot has; their texts are compiled for four robots at once too, and keep
 to what `compiling.four` allows. CATALOGUE_EFFECTS, each off unless a platform asks for it, are what real robots
-have beyond that. An effect's own file says all that is known of it: equation, numbers, how a diagnosis looks for it,
-what to check on the robot, an example; everything else is made from this table. The eddy is reported as a law
-outside the catalogue; LAWS are places for laws that no catalogue has.
+have beyond that, and a defect of the released CoCoRoSim. An effect's own file says all that is known of it: equation,
+numbers, how a diagnosis looks for it, what to check on the robot, an example; everything else is made from this table.
+The eddy is reported as a law outside the catalogue; LAWS are places for laws that no catalogue has.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from cocorosim_ros.world.effects.eddy import EDDY
 from cocorosim_ros.world.effects.hull_compressibility import HULL_COMPRESSIBILITY
 from cocorosim_ros.world.effects.law import LAW
 from cocorosim_ros.world.effects.linear_drag import LINEAR_DRAG
+from cocorosim_ros.world.effects.misplaced_root_drag import MISPLACED_ROOT_DRAG
 from cocorosim_ros.world.effects.neighbour_wake import NEIGHBOUR_WAKE
 from cocorosim_ros.world.effects.net_buoyancy import NET_BUOYANCY
 from cocorosim_ros.world.effects.patch_force import PATCH_FORCE
@@ -68,6 +69,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "stratification": STRATIFICATION,
     "payload_shift": PAYLOAD_SHIFT,
     "eddy": EDDY,
+    "misplaced_root_drag": MISPLACED_ROOT_DRAG,
     **LAWS,
 }
 EFFECTS: dict[str, Effect] = {**BASIC_EFFECTS, **CATALOGUE_EFFECTS}

@@ -116,8 +116,8 @@ def build_vehicles(platforms: Sequence[Platform], runs: int = 1) -> Vehicles:
 def build_instruments(robots: Sequence[RobotDescription]) -> Instruments:
     """The instruments of the robots."""
     platforms = [robot.platform for robot in robots]
-    sensors = max(1, *(len(platform.sensors.blss) for platform in platforms))
-    rays = max([1, *(len(part.obstacle_rays) for platform in platforms for part in platform.sensors.blss)])
+    sensors = max(1, *(len(platform.sensors.directed) for platform in platforms))
+    rays = max([1, *(len(part.obstacle_rays) for platform in platforms for part in platform.sensors.directed)])
     count = len(platforms)
     instruments = Instruments(
         axis=np.zeros((count, sensors, 3)),
@@ -131,7 +131,7 @@ def build_instruments(robots: Sequence[RobotDescription]) -> Instruments:
         measured=np.array([_measured(robot) for robot in robots]),
     )
     for robot, platform in enumerate(platforms):
-        for index, sensor in enumerate(platform.sensors.blss):
+        for index, sensor in enumerate(platform.sensors.directed):
             _place_sensor(instruments, robot, index, sensor)
     return instruments
 
@@ -155,8 +155,9 @@ def _stepping(scenario: Scenario) -> Stepping:
 def _place_sensor(instruments: Instruments, robot: int, index: int, sensor: BlueLightSensor) -> None:
     instruments.axis[robot, index] = cone_axis(sensor)
     instruments.cosine_half_angle[robot, index] = math.cos(sensor.cone_angle / 2)
-    instruments.neighbour_range[robot, index] = sensor.neighbour_range
-    instruments.obstacle_range[robot, index] = sensor.obstacle_range
+    # Zero sees nothing, not even what the robot touches.
+    instruments.neighbour_range[robot, index] = sensor.neighbour_range or -1.0
+    instruments.obstacle_range[robot, index] = sensor.obstacle_range or -1.0
     instruments.ray_count[robot, index] = len(sensor.obstacle_rays)
     for ray, offset in enumerate(sensor.obstacle_rays):
         instruments.ray[robot, index, ray] = cone_axis(sensor, offset)

@@ -112,20 +112,3 @@ def test_na_keeps_or_drops_the_weight_of_alignment(
 def test_na_alone_though_it_could_hear(decide_once: Make, lily: SimpleNamespace) -> None:
     """Nobody seen: 8 %, whatever the radio brings."""
     assert decide_once("boids_na", [*lily.boids, 1.0], heard=[(0.07, 0, 0)])[SPEED] == 0.08
-
-
-@pytest.mark.parametrize("group", ["blt", "blc", "na"])
-def test_released_units_weaken_cohesion_tenfold(group: str) -> None:
-    """boids_X_released differs from boids_X in the length that counts as one in cohesion alone: 1 m for 0.1 m."""
-    from cocorosim_ros.scenario.parts.controller_file import load_controller
-
-    ours, released = (load_controller(name).values for name in (f"boids_{group}", f"boids_{group}_released"))
-    assert {name for name in ours if ours[name] != released[name]} == {"cohesion_length"}
-    assert (ours["cohesion_length"], released["cohesion_length"]) == (0.1, 1.0)
-
-
-def test_vanilla_has_the_same_units_in_both_conventions() -> None:
-    """The released model counts places and velocities in patches there, so nothing differs."""
-    from cocorosim_ros.scenario.parts.controller_file import load_controller
-
-    assert load_controller("boids_vanilla").values == load_controller("boids_vanilla_released").values

@@ -46,9 +46,9 @@ class Sensed(NamedTuple):
     neighbour_range: Mapping[str, float]
     """Of the nearest robot, by the name of the blue-light sensor that sees it [m]."""
     obstacle_range: Mapping[str, float]
-    """Of the nearest obstacle or wall, by the name of the blue-light sensor [m]."""
+    """Of the nearest obstacle or wall, by the name of the blue-light or obstacle sensor [m]."""
     sensor_axis: Mapping[str, Vector3]
-    """Where each blue-light sensor looks: unit vector [body]."""
+    """Where each blue-light or obstacle sensor looks: unit vector [body]."""
     actuators: tuple[str, ...]
     """The names that a command may have."""
     heard: Messages
@@ -72,8 +72,8 @@ class Senses:
         platform = robot.platform
         self._robot = robot.name
         self._instruments = platform.sensors
-        self._names = tuple(sensor.name for sensor in platform.sensors.blss)
-        self._axes = MappingProxyType({sensor.name: cone_axis(sensor) for sensor in platform.sensors.blss})
+        self._names = tuple(sensor.name for sensor in platform.sensors.directed)
+        self._axes = MappingProxyType({sensor.name: cone_axis(sensor) for sensor in platform.sensors.directed})
         self._actuators = platform.actuator_names
         self._pressure_per_metre = platform.water_density * platform.gravity
 

@@ -1,0 +1,181 @@
+"""Boids as the authors' released model has them: the four variants of controllers.boids_rules with its own rules.
+
+present_course: who is alone, or whose rules sum to zero, asks for the heading that it has now and keeps its dive mode
+(elsewhere: for the last one that was asked for, and no dive).
+halt_unseen (NA): who has a neighbour within 0.5 m that no sensor in use sees is not alone: its rules sum to zero, and
+it gets no thrust (elsewhere it is alone). Needs the exact neighbours, which no real robot knows.
+cone_of_view (Vanilla): 270 degrees of view are a cone about the bow in three dimensions (elsewhere a wedge in azimuth).
+The median of velocities is taken in world axes, as in all variants here.
+Source: the released model run beside ours, cocorosim-facts 8.
+"""
+
+from __future__ import annotations
+
+import math
+
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.four import LANES
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
+from cocorosim_ros.world.controllers.boids_rules import (
+    ALIGNMENT_WEIGHT,
+    BOIDS_TURN_GAIN,
+    OBSERVE_BACKWARDS,
+    SETTINGS,
+    add_alignment,
+    add_range_rules,
+    median_heard_velocity,
+    say_velocity,
+    swim_alone,
+    swim_as_wished,
+    take_up_boids,
+    weight_total,
+)
+from cocorosim_ros.world.controllers.boids_vanilla import HALF_VIEW, add_neighbours_rules, is_in_view, note_neighbour
+from cocorosim_ros.world.controllers.controller import Controller
+from cocorosim_ros.world.controllers.medians import ROOM
+from cocorosim_ros.world.controllers.request import HEADING, SPEED, TURN_GAIN
+from cocorosim_ros.world.state.observation import Observation
+from cocorosim_ros.world.state.radio import HEARING_LIMIT
+
+RELEASED_SETTINGS = (*SETTINGS, "present_course")
+PRESENT_COURSE = len(SETTINGS)
+CONE_OF_VIEW = len(RELEASED_SETTINGS)
+KEEP_DIVISOR, HALT_UNSEEN = CONE_OF_VIEW, CONE_OF_VIEW + 1
+
+
+@kernel
+def _ask_for_present_heading(compass: float, settings: Floats, request: Floats) -> None:
+    request[HEADING] = compass
+    request[TURN_GAIN] = settings[BOIDS_TURN_GAIN]
+
+
+@kernel
+def _go_on_alone(compass: float, settings: Floats, request: Floats) -> None:
+    """Ask for what a robot does that knows of nobody."""
+    if settings[PRESENT_COURSE] != 0.0:
+        _ask_for_present_heading(compass, settings, request)
+    else:
+        take_up_boids(settings, request)
+    swim_alone(settings, request)
+
+
+@kernel
+def _follow(compass: float, wish: Floats, total: float, settings: Floats, request: Floats) -> None:
+    """Turn the sum of the weighted rules `wish` (3,) [body] over `total` into a request; of zero, by present_course."""
+    holds = settings[PRESENT_COURSE] != 0.0
+    if holds and wish[0] == 0.0 and wish[1] == 0.0:
+        _ask_for_present_heading(compass, settings, request)
+        if wish[2] == 0.0:
+            request[SPEED] = 0.0
+            return
+    take_up_boids(settings, request)
+    swim_as_wished(compass, wish, total, settings, request)
+
+
+@kernel
+def _decide_by_blue_light(
+    observation: Observation, heard: Floats, number: int, sensor_axis: Floats, settings: Floats, request: Floats
+) -> None:
+    """Turn the ranges seen and the first `number` messages of `heard` into heading, speed and dive speed."""
+    if math.isnan(observation.compass):
+        take_up_boids(settings, request)
+        return
+    wish, velocity = stack_array(3), stack_array(3)
+    seen = add_range_rules(observation, sensor_axis, settings, wish)
+    if seen + median_heard_velocity(heard, number, velocity) == 0:
+        _go_on_alone(observation.compass, settings, request)
+        return
+    add_alignment(observation.compass, velocity, settings, wish)
+    _follow(observation.compass, wish, weight_total(settings), settings, request)
+
+
+@kernel
+def _decide_blt(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
+    """Turn what is seen and heard on the radio into a request."""
+    _decide_by_blue_light(observation, observation.heard, observation.heard_count, sensor_axis, settings, request)
+
+
+@kernel
+def _decide_blc(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
+    """Turn what is seen and heard over blue light into a request."""
+    _decide_by_blue_light(observation, observation.light, observation.light_count, sensor_axis, settings, request)
+
+
+@kernel
+def _decide_na(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
+    """Turn what is seen into a request."""
+    if math.isnan(observation.compass):
+        take_up_boids(settings, request)
+        return
+    wish = stack_array(3)
+    known = add_range_rules(observation, sensor_axis, settings, wish)
+    if settings[HALT_UNSEEN] != 0.0:
+        known = observation.neighbour_count
+    if known == 0:
+        _go_on_alone(observation.compass, settings, request)
+        return
+    total = weight_total(settings)
+    if settings[KEEP_DIVISOR] == 0.0:
+        total -= settings[ALIGNMENT_WEIGHT]
+    _follow(observation.compass, wish, total, settings, request)
+
+
+@kernel
+def _is_looked_at(offset: Floats, settings: Floats) -> bool:
+    """Whether a robot at `offset` (3,) [m; body] is in view."""
+    seen: bool = is_in_view(offset, settings)
+    if settings[CONE_OF_VIEW] != 0.0 and settings[OBSERVE_BACKWARDS] == 0.0:
+        distance = math.sqrt(offset[0] ** 2 + offset[1] ** 2 + offset[2] ** 2)
+        seen = offset[0] >= math.cos(HALF_VIEW) * distance
+    return seen
+
+
+@kernel
+def _decide_vanilla(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
+    """Turn what is known of the neighbours in view into a request."""
+    if math.isnan(observation.compass):
+        take_up_boids(settings, request)
+        return
+    count, wish = 0, stack_array(3)
+    places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
+    velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
+    for index in range(observation.neighbour_count):
+        if _is_looked_at(observation.neighbour_offset[index], settings):
+            note_neighbour(observation, index, places[count], velocities[count])
+            count += 1
+    if count == 0:
+        _go_on_alone(observation.compass, settings, request)
+        return
+    add_neighbours_rules(observation.compass, places, velocities, count, settings, wish)
+    _follow(observation.compass, wish, weight_total(settings), settings, request)
+
+
+BOIDS_BLT_RELEASED = Controller(
+    summary="boids_blt by the rules of the released model",
+    settings=RELEASED_SETTINGS,
+    decide=_decide_blt,
+    speak=say_velocity,
+    payload_length=3,
+)
+BOIDS_BLC_RELEASED = Controller(
+    summary="boids_blc by the rules of the released model",
+    settings=RELEASED_SETTINGS,
+    decide=_decide_blc,
+    speak=say_velocity,
+    payload_length=3,
+    medium="blue_light",
+    needs=("blue_light_rx",),
+)
+BOIDS_NA_RELEASED = Controller(
+    summary="boids_na by the rules of the released model",
+    settings=(*RELEASED_SETTINGS, "keep_divisor", "halt_unseen"),
+    decide=_decide_na,
+    needs=("neighbours",),
+)
+BOIDS_VANILLA_RELEASED = Controller(
+    summary="boids_vanilla by the rules of the released model",
+    settings=(*RELEASED_SETTINGS, "cone_of_view"),
+    decide=_decide_vanilla,
+    needs=("neighbours",),
+)
