@@ -8,7 +8,33 @@ from pathlib import Path
 from setuptools import find_packages, setup
 
 PACKAGE = "cocorosim_ros"
-INSTALLED_FOLDERS = ("config", f"{PACKAGE}/launch")
+INSTALLED_FOLDERS = ("config", f"{PACKAGE}/graph/launch", "msg_defs/msg")  # recordings need the texts of messages
+
+# What each package is for stands in requirements.in.
+WITHOUT_ROS = [
+    "click",
+    "jinja2",
+    "llvmlite",
+    "lz4",
+    "markupsafe",
+    "matplotlib",
+    "numba>=0.60",
+    "numpy>=1.26",
+    "pandas",
+    "pyarrow",
+    "rich",
+    "rosbags>=0.10",
+    "ruamel.yaml>=0.18",
+    "scipy>=1.11",
+    "zstandard",
+]
+EXTRAS = {
+    "ros": ["ros-jazzy-rclpy==7.1.6", "ros-rclpy[fastrtps]==7.1.6", "ros-jazzy-common-interfaces==5.3.6"],
+    "logs": ["pyulog", "pymavlink"],  # what `cocorosim convert` reads logs of PX4 and ArduPilot with
+    "netcdf": ["xarray", "h5netcdf", "h5py"],  # water currents from files
+    "dask": ["dask", "distributed"],  # `cocorosim experiment --dask`
+    "bench": ["mujoco>=3"],
+}
 
 
 def version() -> str:
@@ -49,18 +75,15 @@ setup(
     },
     data_files=shared_files(),
     python_requires=">=3.11",
-    install_requires=["setuptools"],
-    extras_require={
-        "bench": ["mujoco>=3", "scipy"],
-        "logs": ["pyulog", "pymavlink"],  # what `cocorosim convert` reads logs of PX4 and ArduPilot with
-    },
+    install_requires=WITHOUT_ROS,
+    extras_require=EXTRAS,
     zip_safe=False,
     entry_points={
         "console_scripts": [
             f"cocorosim = {PACKAGE}.commands.main:main",
-            f"physics_node = {PACKAGE}.graph.nodes.physics_node:main",
-            f"controller_node = {PACKAGE}.graph.nodes.controller_node:main",
-            f"metrics_node = {PACKAGE}.graph.nodes.metrics_node:main",
+            f"physics_node = {PACKAGE}.commands.node_programs:physics_node",
+            f"controller_node = {PACKAGE}.commands.node_programs:controller_node",
+            f"metrics_node = {PACKAGE}.commands.node_programs:metrics_node",
         ],
     },
 )

@@ -4,17 +4,36 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
+from typing import get_args
 
 import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from cocorosim_ros.commands.terminal import say, show_table
+from cocorosim_ros.diagnosis.findings import Verdict
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import nearest
 
+REFUSED = 3  # exit status
 ShowProgress = Callable[[str, float], None]
 _MOST_REMARKS = 8
 _AGAINST = "--against"
+
+
+@dataclass(frozen=True)
+class DiagnosisChoices:
+    """The options of one call."""
+
+    bags: tuple[Path, ...]
+    platform_name: str
+    out: Path
+    known: str | None
+    against: tuple[Path, ...]
+    fail_on: frozenset[str]  # verdicts
+    force: bool
 
 
 class _WithSeveral(click.Command):
@@ -44,10 +63,15 @@ class _WithSeveral(click.Command):
     type=click.Path(path_type=Path),
     help="recordings of the same vehicle when it was well: only what differs from these is named",
 )
+@click.option(
+    "--fail-on",
+    metavar="VERDICT,...",
+    callback=lambda ctx, option, given: _verdicts(given),
+    help=f"end with status 3 for these verdicts: {', '.join(get_args(Verdict))}",
+)
 @click.option("--force", is_flag=True, help="replace results that are there")
-def command(
-    bags: tuple[Path, ...], platform_name: str, out: Path, known: str | None, against: tuple[Path, ...], force: bool
-) -> None:
+@click.pass_context
+def command(ctx: click.Context, /, **options: object) -> None:
     """Compare recordings of robots of one platform, one BAG or several, with what the simulator makes of the commands.
 
     Writes report.html (to read), diagnosis.json (the same for programs) and model.yaml (a platform with what was
@@ -57,15 +81,34 @@ def command(
     from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
     from cocorosim_ros.library.diagnose import diagnose
 
+    choices = DiagnosisChoices(**options)  # type: ignore[arg-type]
     console = Console(highlight=False)
     with _progress(console) as show:
         result = diagnose(
-            bags, platform_name, known=known, against=against or None, out=out, force=force, progress=show
+            choices.bags,
+            choices.platform_name,
+            known=choices.known,
+            against=choices.against or None,
+            out=choices.out,
+            force=choices.force,
+            progress=show,
         )
     say(console, result.sentence, "bold")
     show_table(console, terminal_tables(result.diagnosis))
     _show_remarks(console, result.remarks)
-    say(console, f"{out}: {', '.join(reversed(list(result.files)))}")
+    say(console, f"{choices.out}: {', '.join(reversed(list(result.files)))}")
+    if result.verdict in choices.fail_on:
+        say(console, f"status {REFUSED}: --fail-on names the verdict {result.verdict}")
+        ctx.exit(REFUSED)
+
+
+def _verdicts(given: str | None) -> frozenset[str]:
+    """The verdicts that were typed, separated by commas. Raises CocorosimError for one that there is not."""
+    names = [name.strip() for name in given.split(",")] if given is not None else []
+    for name in names:
+        if name not in get_args(Verdict):
+            raise CocorosimError(f"--fail-on has '{name}', which is no verdict{nearest(name, get_args(Verdict))}.")
+    return frozenset(names)
 
 
 def _show_remarks(console: Console, remarks: Sequence[str]) -> None:

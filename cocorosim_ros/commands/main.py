@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from cocorosim_ros import __version__
+from cocorosim_ros.commands.missing_package import missing_package
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
 UNUSABLE_INPUT = 2
@@ -72,6 +73,12 @@ def main() -> None:
         sys.exit(status if isinstance(status, int) else 0)
     except CocorosimError as error:
         click.echo(f"cocorosim: {error}", err=True)
+        sys.exit(UNUSABLE_INPUT)
+    except ModuleNotFoundError as error:
+        sentence = missing_package(error.name or "")
+        if sentence is None:
+            raise
+        click.echo(f"cocorosim: {sentence}", err=True)
         sys.exit(UNUSABLE_INPUT)
     except click.ClickException as error:
         click.echo(f"cocorosim: {error.format_message()}", err=True)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
+from cocorosim_ros.commands.missing_package import check_ros
 from cocorosim_ros.commands.progress import RunProgress
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.latency import check_latency
@@ -70,24 +71,30 @@ class RunChoices:
 
 def check_startable(scenario: Scenario, choices: RunChoices) -> None:
     """Nothing, if the scenario can be run so; raises CocorosimError before anything is touched."""
-    from cocorosim_ros.graph.nodes.domain import domain_of_user
-    from cocorosim_ros.graph.nodes.path_choice import plain_path_asked
-
     if (choices.composed or choices.in_process) and scenario.external:
         raise CocorosimError(
             f"The controller of {scenario.external[0]} is left to you, which needs nodes in processes of their own; "
             "leave out --composed and --in-process, or take it out of --external and the scenario's 'external'."
         )
     if not choices.in_process:
+        check_ros("give --in-process, which does the same run without ROS")
         check_latency(scenario)
+        _check_environment()
     for robot in scenario.robots:
         check_platform(robot.platform)
     check_plain(scenario.robots)
     bodies = [describe_body(robot) for robot in scenario.robots]
     selected_topics(run_topics(bodies), scenario.recording.topics)
+    rehearse_plain(scenario.robots, scenario.seed)
+
+
+def _check_environment() -> None:
+    """Raise CocorosimError if variables of the environment ask for a domain or a path that does not exist."""
+    from cocorosim_ros.graph.nodes.domain import domain_of_user
+    from cocorosim_ros.graph.nodes.path_choice import plain_path_asked
+
     domain_of_user()
     plain_path_asked()
-    rehearse_plain(scenario.robots, scenario.seed)
 
 
 def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from cocorosim_ros.commands.run_modes import Outcome
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.graph.runs.results import write_json
 from cocorosim_ros.library.recording import read_recording
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics
 from cocorosim_ros.scenario.scenario import Scenario
+
+if TYPE_CHECKING:
+    from cocorosim_ros.commands.run_modes import Outcome  # which loads all ways of running
 
 
 def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Outcome) -> None:

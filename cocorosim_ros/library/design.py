@@ -12,6 +12,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.data_frame import loaded_pandas
+from cocorosim_ros.foundation.processors import processors
 from cocorosim_ros.scenario.reading.arguments import Place, function, one_of, place_text, whole_number
 from cocorosim_ros.study.experiments import execution
 from cocorosim_ros.study.experiments.design import Cell, Design, load_design
@@ -165,7 +166,7 @@ def _calculator(workers: int | str | None) -> Iterator[Calculate]:
 
 
 def _calculated_here(left: list[Chunk], asked: int | None, going: Going) -> Generator[Any, None, None]:
-    workers = min(asked or execution.usual_workers(), len(left))
+    workers = min(asked or processors(), len(left))
     if workers <= 1:
         return execution.run_here(left, going)
     return execution.run_in_processes(left, workers, going)

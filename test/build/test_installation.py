@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -22,7 +23,7 @@ ENTRY_POINTS = {"cocorosim", "controller_node", "metrics_node", "physics_node"}
 def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A prefix into which pip has installed a copy of the tree, without a network."""
     source = tmp_path_factory.mktemp("source")
-    for name in ("cocorosim_ros", "config", "resource"):
+    for name in ("cocorosim_ros", "config", "msg_defs", "resource"):
         shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("setup.py", "setup.cfg", "package.xml", "pyproject.toml", "LICENSE"):
         shutil.copy(ROOT / name, source / name)
@@ -46,8 +47,32 @@ def test_pip_installs_what_is_not_code(prefix: Path) -> None:
     share = prefix / "share/cocorosim_ros"
     files = {path.relative_to(share / "config") for path in (share / "config").rglob("*") if path.is_file()}
     assert files == {path.relative_to(ROOT / "config") for path in (ROOT / "config").rglob("*") if path.is_file()}
+    assert {path.name for path in (share / "msg").iterdir()} == {path.name for path in ROOT.glob("msg_defs/msg/*.msg")}
+    launch = {path.name for path in (share / "launch").glob("*.py")}
+    assert launch == {path.name for path in ROOT.glob("cocorosim_ros/graph/launch/*.launch.py")} != set()
     assert (prefix / "share/ament_index/resource_index/packages/cocorosim_ros").is_file()
     assert list(prefix.glob("lib/python3.*/site-packages/cocorosim_ros/py.typed"))
+
+
+def test_its_files_are_found_wherever_it_lies(prefix: Path, tmp_path: Path) -> None:
+    """In a prefix that is not the interpreter's, as of `pip install --user`, and without the checkout."""
+    (package,) = prefix.glob("lib/python3.*/site-packages")
+    program = """
+from cocorosim_ros.scenario.reading.config_files import config_folders
+from cocorosim_ros.wire.cdr.type_store import definition_folders
+print(config_folders()[0])
+print(next(folder for folder in definition_folders() if folder.is_dir() and "cocorosim_ros" in str(folder)))
+"""
+    environment = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
+    printed = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=tmp_path,
+        env=environment | {"PYTHONPATH": str(package)},
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    assert printed.split() == [str(prefix / "share/cocorosim_ros/config"), str(prefix / "share/cocorosim_ros/msg")]
 
 
 def test_the_environment_has_the_commands() -> None:

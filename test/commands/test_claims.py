@@ -83,9 +83,9 @@ def test_results_of_another_design(cocorosim: Run, tmp_path: Path) -> None:
 @pytest.fixture
 def short_studies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
     """The names of the two designs of the paper, which are found as copies of 20 ticks, calculated in this process."""
+    from cocorosim_ros.library import design
     from cocorosim_ros.scenario.reading import config_files
     from cocorosim_ros.study.claims import all_claims
-    from cocorosim_ros.study.experiments import execution
 
     studies = ("boids", "turbulence")
     folders = config_files.config_folders()
@@ -98,7 +98,7 @@ def short_studies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str,
         (tmp_path / "config" / "designs" / f"{name}.yaml").write_text(text, "utf-8")
     monkeypatch.setattr(config_files, "config_folders", lambda: [tmp_path / "config", *folders])
     monkeypatch.setattr(all_claims, "STUDIES", studies)
-    monkeypatch.setattr(execution, "usual_workers", lambda: 1)
+    monkeypatch.setattr(design, "processors", lambda: 1)
     return studies
 
 

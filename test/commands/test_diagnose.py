@@ -74,6 +74,33 @@ def test_a_recording_is_diagnosed(
     assert cocorosim(*arguments, "--force").status == 0
 
 
+@pytest.mark.parametrize(
+    ("fail_on", "status"), [("mismatch,recalibrate", 3), ("insufficient, mismatch", 3), ("recalibrate", 0)]
+)
+def test_machines_ask_for_a_status_by_verdict(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path, fail_on: str, status: int
+) -> None:
+    """3 for the verdicts that --fail-on names, with all results written; 0 for the others."""
+    diagnose(found)
+    done = cocorosim(
+        "diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out", "--fail-on", fail_on
+    )
+    assert (done.status, done.err) == (status, "")
+    assert ("status 3: --fail-on names the verdict mismatch" in done.out) == (status == 3)
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == WANTED
+
+
+def test_no_such_verdict(cocorosim: Command, run_of_20_seconds: SimpleNamespace, tmp_path: Path) -> None:
+    """A misspelt verdict is said before the work."""
+    done = cocorosim(
+        "diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out", "--fail-on", "mismatched"
+    )
+    assert done.status == 2
+    assert "--fail-on has 'mismatched', which is no verdict" in done.err
+    assert "mismatch" in done.err.partition("no verdict")[2]
+    assert not (tmp_path / "out").exists()
+
+
 def test_what_to_drive_next_is_a_scenario(
     cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
 ) -> None:

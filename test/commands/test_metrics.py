@@ -82,6 +82,18 @@ def read_json(file: Path) -> Any:
     return json.loads(file.read_text(), parse_constant=refuse)
 
 
+def test_json_on_standard_output_is_nothing_but_json(
+    cocorosim: Command, run_of_20_seconds: SimpleNamespace, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`--json -` can be piped on; the table goes to standard error, and no file is called `-`."""
+    monkeypatch.chdir(tmp_path)
+    ended = cocorosim("metrics", run_of_20_seconds.bag, "--json", "-")
+    assert ended.status == 0
+    assert json.loads(ended.out)["metrics"] == run_of_20_seconds.live["metrics"]
+    assert "polarisation" in ended.err
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_numbers_are_those_measured_live(cocorosim: Command, run_of_20_seconds: Any, tmp_path: Path) -> None:
     """From the recording of a lock-step run every number comes back bit for bit."""
     ended = cocorosim("metrics", run_of_20_seconds.bag, "--json", tmp_path / "metrics.json")

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
-from xml.etree import ElementTree
 
 import pytest
 from ruamel.yaml import YAML
@@ -147,13 +146,6 @@ def test_a_replay_plays_into_the_metrics_node(tmp_path: Path) -> None:
     assert executable.args == ("cocorosim", "cocorosim_ros")
     # 9 topics of each robot, /clock, /tf and /diagnostics
     assert words == ["replay", str(tmp_path / "bag"), "--rate", "3.0", "--wait", str(9 * 11 + 3)]
-
-
-def test_setup_installs_them() -> None:
-    """setup.py names the folders whose files `ros2 launch` and RViz look for."""
-    text = (ROOT / "setup.py").read_text("utf-8")
-    assert '"config"' in text and "{PACKAGE}/launch" in text
-    assert ElementTree.parse(ROOT / "package.xml").findtext("name") == "cocorosim_ros"
 
 
 def test_rviz_shows_the_frames_of_the_swarm() -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
+
+from cocorosim_ros.foundation.processors import processors
 
 Found = TypeVar("Found")
 MOST = 8  # threads
@@ -17,7 +18,7 @@ def of_each_track(work: Callable[[int], Found], count: int) -> list[Found]:
     Each track is used by one thread only, because its caches have no lock. Compiled kernels let go of the interpreter,
     so that threads help. The threads end with this call: a process that is forked later would wait for them forever.
     """
-    if count < 2 or len(os.sched_getaffinity(0)) < 2:
+    if count < 2 or processors() < 2:
         return [work(number) for number in range(count)]
     with ThreadPoolExecutor(min(count, MOST)) as threads:
         return list(threads.map(work, range(count)))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.nodes.complaints import WARNING
-from cocorosim_ros.graph.nodes.node_shell import end_with_parent
+from cocorosim_ros.graph.nodes.node_shell import end_with_parent, show_as
 from cocorosim_ros.graph.runs.run_error import RunError
 
 DONE, FAILED = 0, 1
@@ -31,7 +31,8 @@ class NodeProcess:
         log.write_bytes(b"")
         context = multiprocessing.get_context("fork")
         at_orphaning = signal.SIGTERM if closes_files else signal.SIGKILL
-        arguments = (life, log, os.getpid(), at_orphaning)
+        # The robot's own part of the name, which would not fit behind `controller_`.
+        arguments = (life, log, os.getpid(), at_orphaning, name.removeprefix("controller_"))
         self.process: ForkProcess = context.Process(target=_live, args=arguments, name=name, daemon=True)
         self.process.start()
 
@@ -81,11 +82,12 @@ class NodeProcess:
             self.process.join()
 
 
-def _live(life: Callable[[], None], log: Path, parent: int, at_orphaning: signal.Signals) -> None:
+def _live(life: Callable[[], None], log: Path, parent: int, at_orphaning: signal.Signals, shown: str) -> None:
     """Run a node in its own process: words to the log, errors as its last line, exit status told."""
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes of a terminal; the parent decides
     end_with_parent(parent, at_orphaning)
+    show_as(shown)
     file = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
     os.dup2(file, 1)
     os.dup2(file, 2)

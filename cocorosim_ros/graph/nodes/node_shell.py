@@ -20,7 +20,7 @@ from cocorosim_ros.graph.nodes.background import run_callbacks, wait_for_callbac
 from cocorosim_ros.graph.runs.run_error import RunError
 
 FAILED, UNUSABLE_INPUT, INTERRUPTED = 1, 2, 130  # exit statuses
-_PR_SET_PDEATHSIG = 1
+_PR_SET_PDEATHSIG, _PR_SET_NAME = 1, 15
 _REFUSED_BY_RCL = RuntimeError  # all of rclpy's own errors are of this kind
 _UNUSABLE = (InvalidNamespaceException, InvalidNodeNameException, ValueError, _REFUSED_BY_RCL)
 
@@ -73,6 +73,11 @@ def end_with_parent(parent: int, how: signal.Signals) -> None:
     ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, how)
     if os.getppid() != parent:
         os.kill(os.getpid(), how)
+
+
+def show_as(name: str) -> None:
+    """Let `ps -o comm` and `top` show this process under that name, of which the kernel keeps 15 bytes."""
+    ctypes.CDLL(None).prctl(_PR_SET_NAME, name.encode(), 0, 0, 0)
 
 
 def run_main(main: Callable[[Sequence[str]], None], usage: str) -> int:

@@ -25,6 +25,7 @@ from cocorosim_ros.wire.topics.observations import write_payload
 from cocorosim_ros.wire.topics.topics import TOPICS
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world
+from cocorosim_ros.world.tick.dead_mans_switch import DeadMansSwitch
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.tick.step_barrier import COMMAND, RADIO_MESSAGE, StepBarrier
 
@@ -72,6 +73,7 @@ class PhysicsShell:
         self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
         self._missing = [0] * len(self.bodies)
         self._mourned: set[int] = set()
+        self._switch = DeadMansSwitch(len(self.bodies), self.patience)
 
     @property
     def missing_answers(self) -> int:
@@ -131,12 +133,17 @@ class PhysicsShell:
         self._note_missing()
 
     def gather_until(self, moment: float) -> None:
-        """Take answers until `moment` [s, monotonic clock]; the last command of each robot holds."""
+        """Take answers until `moment` [s, monotonic clock]; the last command of each robot holds for the patience.
+
+        Raises RunError if a controller has died or is silent for longer, and that means stop.
+        """
+        self._switch.begin_tick(time.monotonic())
         everybody = [listener for answers in self._answers for listener in answers.listeners()]
         while not self.stop and (left := moment - time.monotonic()) > 0.0:
             self.take_answers(held=True)
             self._idle(everybody, left)
         self.take_answers(held=True)
+        self._switch_off()
         for robot in () if self.stop else self.barrier.unanswered():
             self._missing[robot] += 1
         for body, answers in zip(self.bodies, self._answers, strict=True):
@@ -150,6 +157,8 @@ class PhysicsShell:
                 stamp, fractions = command
                 if self._is_answer(robot, stamp, COMMAND, held=held):
                     self.simulation.command[0, robot, : len(fractions)] = fractions
+                    if self._switch.heard(robot) and held:
+                        self.complain(self.bodies[robot].name, "it is heard again: its commands count again")
             while (said := answers.take_radio()) is not None:
                 owed = self.barrier.owes(robot, RADIO_MESSAGE)
                 if not owed or self._is_answer(robot, said.stamp_ns, RADIO_MESSAGE, held=held):
@@ -187,6 +196,15 @@ class PhysicsShell:
             if all(speaker.all_received() for speaker in speakers):
                 return
 
+    def _switch_off(self) -> None:
+        """Take the actuators from controllers of a free run that have died or are silent for too long."""
+        if self.stop:
+            return
+        if died := self._switch.newly_dead(self._terms.dead()):
+            self._no_answer(died, "its controller has died")
+        if silent := self._switch.newly_silent(time.monotonic()):
+            self._no_answer(silent, f"nothing was heard for {self.patience:g} s")
+
     def _is_answer(self, robot: int, stamp: int, part: str, *, held: bool) -> bool:
         """Whether what came is to be used; raises RunError if a robot turns out to have two controllers."""
         now = self.simulation.time_ns
@@ -218,6 +236,7 @@ class PhysicsShell:
         for robot in waiting:
             self.simulation.command[0, robot] = 0.0
             self.barrier.declare_silent(robot)
+            self._switch.off(robot)
             self.complain(self.bodies[robot].name, f"{late}: its thrusters are off until it is heard again")
 
     def _note_missing(self) -> None:

@@ -56,9 +56,14 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
     )
 
 
+def json_text(content: dict[str, Any]) -> str:
+    """`content` as indented JSON; NaN cannot occur in it."""
+    return json.dumps(content, indent=2, allow_nan=False) + "\n"
+
+
 def write_json(path: Path, content: dict[str, Any]) -> None:
-    """Write `content` as indented JSON; NaN cannot occur in it. Raises CocorosimError if there is no room."""
-    text = json.dumps(content, indent=2, allow_nan=False) + "\n"
+    """Write `content` as `json_text` has it. Raises CocorosimError if there is no room."""
+    text = json_text(content)
     provisional = path.with_name(path.name + ".part")
     try:
         provisional.write_text(text, "utf-8")

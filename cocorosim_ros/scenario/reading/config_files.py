@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import os
-import sys
 from pathlib import Path
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.installation import PACKAGE, ament_prefixes, own_prefixes
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 
 _CHECKOUT = Path(__file__).resolve().parents[3]
 
 
 def config_folders() -> list[Path]:
-    """The config folders there are: the checkout's, the environment's, then those of AMENT_PREFIX_PATH."""
-    ament = [Path(prefix) for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if prefix]
-    installed = [prefix / "share" / "cocorosim_ros" / "config" for prefix in (Path(sys.prefix), *ament)]
+    """The config folders there are: the checkout's, those of this installation, then those of AMENT_PREFIX_PATH."""
+    installed = [prefix / "share" / PACKAGE / "config" for prefix in (*own_prefixes(), *ament_prefixes())]
     # A bare `config` beside an installed package would be somebody else's.
     checkout = [_CHECKOUT / "config"] if (_CHECKOUT / "package.xml").is_file() else []
     return [folder for folder in (*checkout, *installed) if folder.is_dir()]

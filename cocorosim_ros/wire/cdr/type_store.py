@@ -1,14 +1,12 @@
 """Message types without ROS: the standard types of Jazzy and our own, read from their .msg texts.
 
 The texts of our own types exist once, in the interface package. They are looked for where that package
-installs them (share/cocorosim_msgs/msg under each prefix of AMENT_PREFIX_PATH, then under sys.prefix) and
-last in the checkout beside this package.
+installs them (share/cocorosim_msgs/msg under each prefix of AMENT_PREFIX_PATH, then under that of this package),
+then among this package's own files (share/cocorosim_ros/msg, which pip installs) and last in the checkout.
 """
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -21,6 +19,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.installation import PACKAGE, ament_prefixes, own_prefixes
 
 OWN_PACKAGE = "cocorosim_msgs"
 SECTION = "=" * 80 + "\n"
@@ -28,9 +27,10 @@ SECTION = "=" * 80 + "\n"
 
 def definition_folders() -> list[Path]:
     """The folders that may hold our .msg files, in the order in which they are tried."""
-    prefixes = [Path(text) for text in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if text]
-    installed = [prefix / "share" / OWN_PACKAGE / "msg" for prefix in [*prefixes, Path(sys.prefix)]]
-    return [*installed, Path(__file__).resolve().parents[3] / "msg_defs" / "msg"]
+    own = own_prefixes()
+    installed = [prefix / "share" / OWN_PACKAGE / "msg" for prefix in (*ament_prefixes(), *own)]
+    copied = [prefix / "share" / PACKAGE / "msg" for prefix in own]
+    return [*installed, *copied, Path(__file__).resolve().parents[3] / "msg_defs" / "msg"]
 
 
 @cache
@@ -45,9 +45,8 @@ def own_definitions() -> dict[str, str]:
             return {f"{OWN_PACKAGE}/msg/{file.stem}": file.read_text("utf-8") for file in files}
     tried = ", ".join(str(folder) for folder in definition_folders())
     raise CocorosimError(
-        f"The message definitions of {OWN_PACKAGE} were not found in any of: {tried}; install the interface "
-        f"package "
-        "(pip install ./msg_defs) or build it with colcon and source its setup file."
+        f"The message definitions of {OWN_PACKAGE} were not found in any of: {tried}; install {PACKAGE} again, "
+        "or build the interface package with colcon and source its setup file."
     )
 
 

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.python_controller import PythonController
 from cocorosim_ros.scenario.parts.swarm import Pose, StartBox
 from cocorosim_ros.scenario.parts.tank import Tank
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
@@ -15,8 +16,10 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks.fastest_water import fastest_water
 from cocorosim_ros.world.checks.stability import fastest_rate, longest_stable_step
 from cocorosim_ros.world.checks.water_checks import check_water
+from cocorosim_ros.world.controllers.crew_assembly import controller_settings
 from cocorosim_ros.world.seeding.seeding import start_poses
 
+IDLE_BEHAVIOUR = "idle"
 Sections = Mapping[str, Entry]
 
 
@@ -26,6 +29,7 @@ def check_scenario(scenario: Scenario, sections: Sections) -> None:
     sections: the entries of the scenario's keys, for the place in the sentence.
     """
     _check_times(scenario, sections)
+    _check_controllers(scenario, sections["swarm"])
     _check_stability(scenario, sections)
     if "water" in sections:
         check_water(scenario, sections["water"])
@@ -56,6 +60,18 @@ def _check_times(scenario: Scenario, sections: Sections) -> None:
             f"has '{nanoseconds_text(step)}', which does not divide the tick of '{shown}'; "
             f"choose the tick or a whole fraction of it, e.g. '{part}'."
         )
+
+
+def _check_controllers(scenario: Scenario, swarm: Entry) -> None:
+    for group, entry in zip(scenario.swarm, swarm.items(), strict=True):
+        controller_settings(group.controller)
+        if isinstance(group.controller, PythonController) or group.controller.behaviour == IDLE_BEHAVIOUR:
+            continue  # one's own class may be there to listen and to speak
+        if not group.platform.actuators:
+            raise entry.mapping()["controller"].problem(
+                f"has '{group.controller.name}', which has nothing to move: the platform "
+                f"'{group.platform.name}' has no actuators; give it some, or the controller '{IDLE_BEHAVIOUR}'."
+            )
 
 
 def _check_stability(scenario: Scenario, sections: Sections) -> None:

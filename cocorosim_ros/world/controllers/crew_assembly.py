@@ -10,6 +10,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.controller_choice import AnyController
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.python_controller import PythonController
+from cocorosim_ros.scenario.reading.entry import nearest
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers import CONTROLLER_CODE
 from cocorosim_ros.world.controllers.crew import Crew
@@ -54,13 +55,20 @@ def controller_settings(description: AnyController) -> list[float]:
     """
     if isinstance(description, PythonController):
         return []
-    wanted = behaviour_of(description).settings
-    if set(wanted) != set(description.parameters):
-        raise CocorosimError(
-            f"{description.origin}: the parameters of behaviour '{description.behaviour}' are "
-            f"{', '.join(wanted) or 'none'}; found {', '.join(description.parameters) or 'none'}."
-        )
-    return [description.parameters[name].value for name in wanted]
+    wanted, given = behaviour_of(description).settings, description.parameters
+    for name in wanted:
+        if name not in given:
+            raise CocorosimError(
+                f"{description.origin}: 'parameters' lacks '{name}', which behaviour '{description.behaviour}' needs; "
+                "add it."
+            )
+    for name in given:
+        if name not in wanted:
+            raise CocorosimError(
+                f"{description.origin}: 'parameters.{name}' is no parameter of behaviour '{description.behaviour}'"
+                f"{nearest(name, wanted)}."
+            )
+    return [given[name].value for name in wanted]
 
 
 def system_numbers(platform: Platform) -> list[float]:

@@ -11,7 +11,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.platform import Platform, check_effects, check_sensors
-from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
 from cocorosim_ros.world.effects.anisotropic_drag import ADDING, FORM_BY_NAME, REPLACING
 from cocorosim_ros.world.laws.readings import READINGS
@@ -22,6 +21,7 @@ from cocorosim_ros.world.sensors.faults import Faults
 from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, SENSOR_LAWS
 from cocorosim_ros.world.terms.equations import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
+from cocorosim_ros.world.vehicle_model.plausible_body import check_body, displaced_mass
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
 
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
@@ -63,8 +63,8 @@ def _or_else(number: float | None, otherwise: float) -> float:
 
 def _net_buoyancy(platform: Platform) -> float:
     """Buoyancy less weight with the pumps at their neutral volume [N]; a vehicle without a pump is trimmed neutral."""
-    volume = sum(part.neutral_volume for part in platform.actuators if isinstance(part, BuoyancyPump))
-    return 0.0 if volume == 0.0 else (platform.water_density * volume - platform.mass) * platform.gravity
+    displaced = displaced_mass(platform)
+    return 0.0 if displaced == 0.0 else (displaced - platform.mass) * platform.gravity
 
 
 _NUMBERS: dict[str, Callable[[Platform], float]] = {
@@ -120,11 +120,12 @@ def _check_code(place: str, name: str, value: float) -> None:
 
 
 def check_platform(platform: Platform) -> None:
-    """Nothing, if all effects of a platform and of those of its robots that differ are known and in order.
+    """Nothing, if a platform and those of its robots that differ can be one body, with effects known and in order.
 
     Raises CocorosimError otherwise.
     """
     for each in (platform, *platform.robots.values()):
+        check_body(each)
         check_effects(each, KNOWN_EFFECTS)
         check_sensors(each, SENSORS)
         _check_drag_form(each)

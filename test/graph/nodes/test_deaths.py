@@ -40,6 +40,12 @@ def test_nodes_have_their_names(held: Any, start: Starter) -> None:
     assert start(ONLOOKER, "names", *names, env=env).finish() == 0
 
 
+def test_processes_have_their_names(held: Any) -> None:
+    """`ps -o comm` and `top` tell them apart: a robot's controller goes by the robot's name."""
+    shown = {name: Path(f"/proc/{pid}/comm").read_text("utf-8").strip() for name, pid in held.nodes.items()}
+    assert shown == {"physics_node": "physics_node", "metrics_node": "metrics_node", "controller_lily_01": "lily_01"}
+
+
 def test_physics_node_dies(held: Any, counts: Counts, tmp_path: Path, all_ended: Callable[[Any], None]) -> None:
     """Status 1, who died and when, and a bag that is closed with the ticks that were done."""
     os.kill(held.nodes["physics_node"], signal.SIGKILL)

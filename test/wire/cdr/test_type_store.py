@@ -87,7 +87,7 @@ def test_missing_definitions_are_said_in_a_sentence(tmp_path: Path, monkeypatch:
     """Without the interface package the user reads what to install."""
     monkeypatch.setattr(type_store, "definition_folders", lambda: [tmp_path])
     fresh_definitions(monkeypatch)
-    with pytest.raises(CocorosimError, match=r"pip install \./msg_defs"):
+    with pytest.raises(CocorosimError, match="install cocorosim_ros again"):
         type_store.own_definitions()
 
 

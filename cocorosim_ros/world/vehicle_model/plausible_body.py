@@ -1,0 +1,61 @@
+"""Whether a platform's mass, volume and inertia can belong to one body: a slipped power of ten is said, not simulated.
+
+The limits are those of nature, not of taste: hydrogen is the lightest and osmium the heaviest that a hull can be filled
+with (CRC Handbook of Chemistry and Physics: 0.0899 and 22 590 kg/m^3), and no mass within a hull is farther from its
+centre than a corner. What displaces less than half or more than twice its mass does not swim, whatever its pump does.
+"""
+
+from __future__ import annotations
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
+
+LIGHTEST, HEAVIEST = 0.0899, 22590.0  # kg/m^3
+LEAST_DISPLACED, MOST_DISPLACED = 0.5, 2.0  # of the mass
+WATER_THAT_TURNS_ALONG = 10.0  # times what the hull could hold: added inertia of a slender hull
+
+
+def check_body(platform: Platform) -> None:
+    """Nothing, if the numbers can belong to one body. Raises CocorosimError with the first that cannot."""
+    _check_density(platform)
+    _check_displacement(platform)
+    _check_inertia(platform)
+
+
+def displaced_mass(platform: Platform) -> float:
+    """Mass [kg] of the water that a platform displaces with its pumps neutral; 0 without a pump."""
+    volume = sum(part.neutral_volume for part in platform.actuators if isinstance(part, BuoyancyPump))
+    return platform.water_density * volume
+
+
+def _check_density(platform: Platform) -> None:
+    hull, mass = platform.hull, platform.mass
+    volume = hull.length * hull.width * hull.height
+    if not LIGHTEST * volume <= mass <= HEAVIEST * volume:
+        wrong = "lighter than hydrogen" if mass < LIGHTEST * volume else "heavier than any metal"
+        raise CocorosimError(
+            f"{platform.origin}: 'mass' has '{mass:g} kg' in a 'hull' of {hull.length:g} m x {hull.width:g} m x "
+            f"{hull.height:g} m, {wrong}; correct the one or the other."
+        )
+
+
+def _check_displacement(platform: Platform) -> None:
+    displaced, mass = displaced_mass(platform), platform.mass
+    if displaced > 0.0 and not LEAST_DISPLACED * mass <= displaced <= MOST_DISPLACED * mass:
+        raise CocorosimError(
+            f"{platform.origin}: 'neutral_volume' displaces {displaced:.4g} kg of water, and 'mass' has '{mass:g} kg'; "
+            f"a vehicle that is to swim displaces {LEAST_DISPLACED:g} to {MOST_DISPLACED:g} times its mass, and one "
+            f"that is neutral {mass / platform.water_density * 1e6:.4g} cm^3."
+        )
+
+
+def _check_inertia(platform: Platform) -> None:
+    hull = platform.hull
+    at_corners = platform.mass * (hull.length**2 + hull.width**2) / 4.0
+    if platform.yaw_inertia > WATER_THAT_TURNS_ALONG * at_corners:
+        raise CocorosimError(
+            f"{platform.origin}: 'yaw_inertia' has '{platform.yaw_inertia:g} kg m^2'; all of its mass at the corners "
+            f"of its hull would have {at_corners:.3g} kg m^2, of which {WATER_THAT_TURNS_ALONG:g} times are allowed "
+            "for the water that turns along."
+        )
