@@ -52,6 +52,7 @@ setup(
     install_requires=["setuptools"],
     extras_require={
         "bench": ["mujoco>=3", "scipy"],
+        "view": ["rerun-sdk>=0.41"],  # what `cocorosim view --3d` writes scenes with
         "logs": ["pyulog", "pymavlink"],  # what `cocorosim convert` reads logs of PX4 and ArduPilot with
     },
     zip_safe=False,
