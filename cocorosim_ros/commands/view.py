@@ -15,6 +15,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.graph.runs.results import no_poses, scenario_facts
 from cocorosim_ros.library.recording import Recording, read_recording
+from cocorosim_ros.study.pictures.facts import MetricSeries
 from cocorosim_ros.study.pictures.player import player_page
 
 
@@ -65,7 +66,13 @@ def _with_poses(path: Path) -> Recording:
 
 def _write_page(recording: Recording, file: Path) -> None:
     findings = [recording.damage] if recording.damage else []
-    file.write_text(player_page(recording.tracks, scenario_facts(recording.bag), findings), "utf-8")
+    series = None
+    try:
+        statistics = recording.measure()
+        series = MetricSeries(statistics.stamp_ns, statistics.series)
+    except CocorosimError as error:  # places alone can be looked at, too
+        findings.append(str(error))
+    file.write_text(player_page(recording.tracks, scenario_facts(recording.bag), findings, series), "utf-8")
 
 
 def _written(write: Callable[[Path], None], out: Path | None, recording: Recording, ending: str) -> Path:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
@@ -133,3 +135,13 @@ def test_a_scene_without_rerun(cocorosim: Command, tmp_path: Path, monkeypatch: 
         assert all(part in result.err for part in words), result.err
         assert result.err.count("\n") == 1, result.err
     assert not list(tmp_path.iterdir())
+
+
+def test_the_page_has_the_metrics(cocorosim: Command, opened: list[str], tmp_path: Path) -> None:
+    """Six curves of 240 moments, float32 in base64: 960 bytes are 1280 letters."""
+    page = tmp_path / "page.html"
+    assert cocorosim("view", SHIPPED, "--out", page, "--no-open").status == 0
+    held = re.search(r'id="recording">(.*?)</script>', page.read_text("utf-8"), re.DOTALL)
+    assert held is not None
+    curves = json.loads(held[1])["curves"]
+    assert [len(curve["mean"]) for curve in curves] == [1280] * 6

@@ -16,7 +16,7 @@ from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 TRAIL = 30.0
 """How much of its way a robot's trail shows [s]."""
 _BACKGROUND = (16, 24, 34)
-_EYE = np.array([-0.35, -0.7, 0.45])  # from the middle of the swarm, as multiples of the scene's largest side
+_EYE = np.array([-0.22, -0.5, 0.32])  # from the middle of the swarm, as multiples of the scene's largest side
 _WATCHED_IN = 60.0  # s that playing takes at first, of a recording that is longer
 
 
