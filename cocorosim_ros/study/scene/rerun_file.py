@@ -17,7 +17,7 @@ from cocorosim_ros.study.scene.scene import Scene
 
 ROOTS = ("run", "against")
 """Paths of the scenes' entities."""
-_CURVES = ((70, 160, 230), (240, 140, 60))
+_CURVES = (Colour(70, 160, 230), Colour(240, 140, 60))
 
 
 def write_rerun(scenes: Sequence[Scene], file: Path) -> None:
@@ -47,4 +47,4 @@ def write_rerun(scenes: Sequence[Scene], file: Path) -> None:
 
 
 def _in_bytes(red: float, green: float, blue: float, _: float) -> Colour:
-    return round(255 * red), round(255 * green), round(255 * blue)
+    return Colour(round(255 * red), round(255 * green), round(255 * blue))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import rerun as rr
@@ -21,8 +22,13 @@ _ABSENT = (120, 130, 140)
 _PUSH, _CONE, _SEEN = (255, 150, 60), (70, 110, 150), (255, 214, 90)
 _THIN = 0.002  # m, half the width of lines and arrows on a robot
 
-Colour = tuple[int, int, int]
-"""Red, green, blue, 0 to 255."""
+
+class Colour(NamedTuple):
+    """Parts of a colour, 0 to 255."""
+
+    red: int
+    green: int
+    blue: int
 
 
 @dataclass(frozen=True)
