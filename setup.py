@@ -32,6 +32,7 @@ EXTRAS = {
     "ros": ["ros-jazzy-rclpy==7.1.6", "ros-rclpy[fastrtps]==7.1.6", "ros-jazzy-common-interfaces==5.3.6"],
     "logs": ["pyulog", "pymavlink"],  # what `cocorosim convert` reads logs of PX4 and ArduPilot with
     "netcdf": ["xarray", "h5netcdf", "h5py"],  # water currents from files
+    "view": ["rerun-sdk>=0.41"],  # what `cocorosim view --3d` writes scenes with
     "dask": ["dask", "distributed"],  # `cocorosim experiment --dask`
     "bench": ["mujoco>=3"],
 }

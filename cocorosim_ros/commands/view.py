@@ -1,9 +1,10 @@
-"""`cocorosim view`: a recording as a page that plays it in a browser."""
+"""`cocorosim view`: a recording as a page that plays it in a browser, or in three dimensions."""
 
 from __future__ import annotations
 
 import tempfile
 import webbrowser
+from collections.abc import Callable
 from pathlib import Path
 
 import click
@@ -13,44 +14,78 @@ from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.graph.runs.results import no_poses, scenario_facts
+from cocorosim_ros.library.recording import Recording, read_recording
+from cocorosim_ros.study.pictures.facts import MetricSeries
 from cocorosim_ros.study.pictures.player import player_page
-from cocorosim_ros.wire.bags.bag_reader import read_bag
-from cocorosim_ros.wire.bags.tracks import read_poses
 
 
-@click.command("view", short_help="look at a recording: a page that plays it")
+@click.command("view", short_help="look at a recording: a page that plays it, or a 3-D scene")
 @click.argument("bag", type=click.Path(path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path), help="the page [default: a new temporary file]")
-@click.option("--no-open", is_flag=True, help="write the page and open no browser")
-@click.option("--force", is_flag=True, help="replace a page that is there")
-def command(bag: Path, out: Path | None, no_open: bool, force: bool) -> None:
-    """Show BAG (a rosbag2 folder, an .mcap file, or the folder of a run) in a browser: tracks, headings, tank, time.
+@click.option("--3d", "in_3d", is_flag=True, help="a scene for Rerun (.rrd) instead of a page; needs rerun-sdk")
+@click.option("--against", type=click.Path(path_type=Path), help="with --3d: another recording beside BAG")
+@click.option("--out", type=click.Path(path_type=Path), help="the page or scene [default: a new temporary file]")
+@click.option("--no-open", is_flag=True, help="write the file and open nothing")
+@click.option("--force", is_flag=True, help="replace a file that is there")
+def command(bag: Path, in_3d: bool, against: Path | None, out: Path | None, no_open: bool, force: bool) -> None:
+    """Show BAG (a rosbag2 folder, an .mcap file, or the folder of a run) in a browser: tracks, headings, tank, metrics.
 
     The page is one HTML file that needs nothing else and can be sent to others. Robots are the topics NAMESPACE/pose of
     type geometry_msgs/msg/PoseStamped.
+
+    With --3d the file is a recording for Rerun (https://rerun.io): tank, bodies, thrusters, cones of the sensors, who
+    hears whom, trails, shoals by colour, currents, and the metrics on the same time line.
     """
     console = Console()
+    if against is not None and not in_3d:
+        raise CocorosimError("--against shows two recordings side by side, in three dimensions only; add --3d.")
     check_file(out, force=force)
-    opened = read_bag(bag)
-    tracks = read_poses(opened)
-    if not any(track.stamp_ns.size for track in tracks.values()):
-        raise CocorosimError(no_poses(opened, list(tracks)))
-    findings = [opened.summary.damage] if opened.summary.damage else []
-    page = _written(player_page(tracks, scenario_facts(opened), findings), out, opened.path.resolve().name)
-    for sentence in findings:
+    recordings = [_with_poses(path) for path in (bag, against) if path is not None]
+    if in_3d:
+        from cocorosim_ros.commands.rerun_viewer import open_viewer, write_scenes
+
+        file = _written(lambda place: write_scenes(recordings, place), out, recordings[0], ".rrd")
+    else:
+        file = _written(lambda place: _write_page(recordings[0], place), out, recordings[0], ".html")
+    for sentence in (recording.damage for recording in recordings if recording.damage):
         say(console, sentence, "yellow")
-    say(console, f"wrote {page}, {page.stat().st_size / 1e6:.1f} MB")
-    if not no_open and not webbrowser.open(page.resolve().as_uri()):
+    say(console, f"wrote {file}, {file.stat().st_size / 1e6:.1f} MB")
+    if no_open:
+        return
+    if in_3d:
+        open_viewer(file)
+    elif not webbrowser.open(file.resolve().as_uri()):
         say(console, "no browser was found here; open the page in one")
 
 
-def _written(text: str, out: Path | None, name: str) -> Path:
-    """The file that the page is in. Raises CocorosimError if it cannot be written."""
+def _with_poses(path: Path) -> Recording:
+    recording = read_recording(path)
+    if not any(track.stamp_ns.size for track in recording.tracks.values()):
+        raise CocorosimError(no_poses(recording.bag, list(recording.tracks)))
+    return recording
+
+
+def _write_page(recording: Recording, file: Path) -> None:
+    findings = [recording.damage] if recording.damage else []
+    series = None
     try:
-        if out is None:
-            with tempfile.NamedTemporaryFile(prefix=f"cocorosim_{name}_", suffix=".html", delete=False) as file:
-                out = Path(file.name)
-        out.write_text(text, "utf-8")
+        statistics = recording.measure()
+        series = MetricSeries(statistics.stamp_ns, statistics.series)
+    except CocorosimError as error:  # places alone can be looked at, too
+        findings.append(str(error))
+    file.write_text(player_page(recording.tracks, scenario_facts(recording.bag), findings, series), "utf-8")
+
+
+def _written(write: Callable[[Path], None], out: Path | None, recording: Recording, ending: str) -> Path:
+    """The file that `write` has filled. Raises CocorosimError if it cannot be written."""
+    name = recording.path.resolve().name
+    try:
+        file = _temporary(f"cocorosim_{name}_", ending) if out is None else out
+        write(file)
     except OSError as error:
         raise CocorosimError(f"{out or name} cannot be written: {error.strerror}; give a file with --out.") from error
-    return out
+    return file
+
+
+def _temporary(prefix: str, ending: str) -> Path:
+    """A file that nobody else has, in a folder of its own."""
+    return Path(tempfile.mkdtemp(prefix=prefix)) / f"recording{ending}"

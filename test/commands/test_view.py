@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
@@ -100,3 +102,46 @@ def test_a_damaged_recording(cocorosim: Command, opened: list[str], tmp_path: Pa
     assert "broken.mcap" in result.out
     assert '<p class="finding">' in (tmp_path / "page.html").read_text("utf-8")
     assert len(opened) == 1
+
+
+def test_a_scene_in_three_dimensions(
+    cocorosim: Command, opened: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """--3d writes what Rerun opens, alone or beside another; nothing is replaced unasked, and no page is opened."""
+    pytest.importorskip("rerun")
+    started: list[list[str]] = []
+    monkeypatch.setattr("subprocess.Popen", lambda line, **_: started.append(line))
+    alone, both = tmp_path / "alone.rrd", tmp_path / "both.rrd"
+    assert cocorosim("view", SHIPPED, "--3d", "--out", alone, "--no-open").status == 0
+    assert started == []
+    result = cocorosim("view", SHIPPED, "--3d", "--against", SHIPPED / "bag", "--out", both)
+    assert result.status == 0, result.err
+    assert alone.read_bytes()[:4] == both.read_bytes()[:4] == b"RRF2", "how files of Rerun begin"
+    assert [line[1:] for line in started] == [["-m", "rerun", str(both)]]
+    assert cocorosim("view", SHIPPED, "--3d", "--out", alone, "--no-open").status == 2
+    assert opened == []
+
+
+def test_a_scene_without_rerun(cocorosim: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sentence with both ways out; two recordings without --3d are refused with one, too."""
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    cases = [
+        (("--3d",), ("rerun-sdk, which is not installed", "pip install rerun-sdk", "leave out --3d")),
+        (("--against", SHIPPED), ("add --3d",)),
+    ]
+    for options, words in cases:
+        result = cocorosim("view", SHIPPED, *options, "--out", tmp_path / "out", "--no-open")
+        assert result.status == 2, result.out
+        assert all(part in result.err for part in words), result.err
+        assert result.err.count("\n") == 1, result.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_page_has_the_metrics(cocorosim: Command, opened: list[str], tmp_path: Path) -> None:
+    """Six curves of 240 moments, float32 in base64: 960 bytes are 1280 letters."""
+    page = tmp_path / "page.html"
+    assert cocorosim("view", SHIPPED, "--out", page, "--no-open").status == 0
+    held = re.search(r'id="recording">(.*?)</script>', page.read_text("utf-8"), re.DOTALL)
+    assert held is not None
+    curves = json.loads(held[1])["curves"]
+    assert [len(curve["mean"]) for curve in curves] == [1280] * 6

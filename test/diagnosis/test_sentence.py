@@ -81,7 +81,7 @@ def test_silence_is_short_too(verdict: Any) -> None:
 
 
 def test_what_is_only_suspected_is_not_said_to_be_missing() -> None:
-    """The headline alone tells a suspicion from a finding."""
+    """The headline alone tells what is suspected from what is confirmed."""
     doubtful = replace(LAG, tier="suspected", name="linear drag")
     assert sentence_of("mismatch", [doubtful], []).startswith("Perhaps missing from the model of lily_01: ")
     assert sentence_of("mismatch", [doubtful, LAG], []) == (

@@ -19,7 +19,8 @@ MOST_GROUPS = 1200
 """Moments beyond which a panel shows groups of moments: their mean and their range."""
 
 _LINE, _BAND = "#0b5c8a", "#a9cfe3"
-_BOUNDED = ("polarisation", "angular_momentum")
+BOUNDED = ("polarisation", "angular_momentum")
+"""Metrics that lie between 0 and 1."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ def draw_metric(axes: Axes, name: str, series: MetricSeries, axis: TimeAxis) -> 
     """One metric over time, and its summary over the run in the title and as a dashed line."""
     metric, values = METRICS[name], series.values[:, COLUMN[name]]
     groups = envelope(axis.time, values, MOST_GROUPS)
-    counts = metric.unit == "1" and name not in _BOUNDED
+    counts = metric.unit == "1" and name not in BOUNDED
     steps: Literal["post"] | None = "post" if counts and groups.per_group == 1 else None
     if groups.per_group > 1:
         axes.fill_between(groups.time, groups.low, groups.high, color=_BAND, linewidth=0, step=steps)
@@ -71,7 +72,7 @@ def _set_scale(axes: Axes, name: str, unit: str, values: Floats) -> None:
     axes.set_axisbelow(True)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
-    if name in _BOUNDED:
+    if name in BOUNDED:
         axes.set_ylim(-0.02, 1.02)
         return
     highest = float(np.nanmax(values, initial=0.0))

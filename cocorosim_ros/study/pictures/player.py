@@ -13,8 +13,10 @@ from matplotlib.colors import to_hex
 from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.study.pictures.decimation import every_nth, longest_interval
-from cocorosim_ros.study.pictures.facts import ScenarioFacts
+from cocorosim_ros.study.metrics import COLUMN, METRICS, PAPER_METRICS
+from cocorosim_ros.study.pictures.decimation import envelope, every_nth, longest_interval
+from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
+from cocorosim_ros.study.pictures.metric_panels import BOUNDED, MOST_GROUPS
 from cocorosim_ros.study.pictures.track_views import extent, robot_colours
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
@@ -27,16 +29,23 @@ _TRAILS = ((0, "none"), (10, "10 s"), (30, "30 s"), (120, "2 min"), (10**9, "all
 _WATCHED_IN = 60.0  # s that a recording takes at most, at the speed that is offered first
 
 
-def player_page(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, findings: Sequence[str] = ()) -> str:
+def player_page(
+    tracks: Mapping[str, PoseTrack],
+    facts: ScenarioFacts,
+    findings: Sequence[str] = (),
+    series: MetricSeries | None = None,
+) -> str:
     """The page as text.
 
     tracks: poses per robot; robots without any are left out. findings: sentences to be shown above the picture.
-    Raises CocorosimError if there is nothing to show.
+    series: the metrics, of which the paper's six are drawn as curves. Raises CocorosimError if nothing is to be shown.
     """
     seen = {name: track for name, track in sorted(tracks.items()) if track.stamp_ns.size}
     if not seen:
         raise CocorosimError(f"{facts.name} has no poses, so there is nothing to look at.")
     recording = _recording(seen, facts, list(findings))
+    start = min(int(track.stamp_ns[0]) for track in seen.values())
+    recording["curves"] = [] if series is None else [_curve(name, series, start) for name in PAPER_METRICS]
     speed = next((factor for factor in _SPEEDS[2:] if recording["seconds"] <= factor * _WATCHED_IN), _SPEEDS[-1])
     folder = Path(__file__).parent
     environment = Environment(loader=FileSystemLoader(folder), autoescape=True, trim_blocks=True, lstrip_blocks=True)
@@ -77,6 +86,25 @@ def _recording(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, findings: 
         "boxes": facts.boxes,
         "clocks": clocks,
         "robots": robots,
+    }
+
+
+def _curve(name: str, series: MetricSeries, start: int) -> dict[str, Any]:
+    """One metric over time [s since `start` in ns]: lowest, mean and highest of groups of moments."""
+    groups = envelope(
+        np.asarray((series.stamp_ns - start) * 1e-9, np.float64), series.values[:, COLUMN[name]], MOST_GROUPS
+    )
+    unit, highest = METRICS[name].unit, float(np.nanmax(groups.high, initial=0.0))
+    words = name.replace("_", " ").capitalize()
+    return {
+        "name": name,
+        "label": words if unit == "1" else f"{words} [{unit}]",
+        "unit": unit,
+        "top": 1.0 if name in BOUNDED or highest <= 0.0 else highest + 1.0 if unit == "1" else 1.08 * highest,
+        "time": _packed(groups.time),
+        "low": _packed(groups.low),
+        "mean": _packed(groups.mean),
+        "high": _packed(groups.high),
     }
 
 

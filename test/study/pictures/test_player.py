@@ -9,14 +9,16 @@ import re
 import shutil
 import subprocess
 from html.parser import HTMLParser
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.study.metrics import COLUMN, METRICS
 from cocorosim_ros.study.pictures import player
-from cocorosim_ros.study.pictures.facts import ScenarioFacts
+from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.player import player_page
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
@@ -25,6 +27,8 @@ FACTS = ScenarioFacts(
     "two fish", 7, (-3.0, -3.0, -2.0), (3.0, 3.0, 0.0), ((1.0, 0.0, -1.0, 0.5),), ((-1.0, -1.0, -2.0, 0.0, 0.0, -1.0),)
 )
 NODE = shutil.which("node")
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+CURVES = ["polarisation", "angular_momentum", "shoal_speed", "separation", "lost", "shoals"]
 STAGE = """
 const held = {};
 const nothing = () => undefined;
@@ -32,10 +36,13 @@ const pen = new Proxy({}, {get: () => nothing, set: () => true});
 function make(text) {
   const children = [];
   return {textContent: text, style: {}, children, append: (child) => children.push(child), value: "30",
-          classList: {toggle: nothing}, getContext: () => pen};
+          classList: {toggle: nothing}, getContext: () => pen, setAttribute: nothing};
 }
-globalThis.document = {getElementById: (id) => held[id] ??= make(""), createElement: () => make("")};
-globalThis.window = {innerWidth: 1000, innerHeight: 900};
+const root = {clientWidth: 1000, dataset: {}};
+globalThis.document = {getElementById: (id) => held[id] ??= make(""), createElement: () => make(""),
+                       documentElement: root};
+globalThis.window = {innerHeight: 900, matchMedia: () => ({addEventListener: nothing})};
+globalThis.getComputedStyle = () => ({getPropertyValue: () => "#123456"});
 globalThis.location = {hash: "#t=1"};
 globalThis.requestAnimationFrame = nothing;
 held.recording = make(%s);
@@ -159,3 +166,70 @@ def test_the_script_shows_each_robot_at_its_place(two: dict[str, PoseTrack]) -> 
         assert pose == (None if wanted is None else pytest.approx(wanted, abs=1e-6))
     assert found[-1][:3] == pytest.approx([0, 0, -1.8], abs=1e-6)
     assert found[-1][3] is None, "JSON's word for NaN: the heading is not known"
+
+
+def series_of_10_moments() -> MetricSeries:
+    """Metrics at 5 s, 6 s, ... 14 s: column c is 0.01 c at first and grows by 0.1 a moment; separation has a hole."""
+    values = 0.01 * np.arange(len(METRICS)) + 0.1 * np.arange(10)[:, None]
+    values[4, COLUMN["separation"]] = math.nan
+    return MetricSeries((np.arange(10) + 5) * SECOND, values)
+
+
+def test_the_paper_s_metrics_are_curves(two: dict[str, PoseTrack]) -> None:
+    """Six of them, on the clock of the poses, with unit and hole; a page without metrics has none."""
+    held, _ = scripts(player_page(two, FACTS, (), series_of_10_moments()))
+    assert sorted(curve["name"] for curve in held["curves"]) == sorted(CURVES)
+    for curve in held["curves"]:
+        expected = 0.01 * COLUMN[curve["name"]] + 0.1 * np.arange(10)
+        if curve["name"] == "separation":
+            expected[4] = math.nan
+        np.testing.assert_allclose(floats(curve["time"]), np.arange(10.0), rtol=1e-6)
+        for part in ("low", "mean", "high"):
+            np.testing.assert_allclose(floats(curve[part]), expected, rtol=1e-6)
+        assert curve["top"] >= np.nanmax(expected) or curve["name"] in ("polarisation", "angular_momentum")
+    units = {curve["name"]: curve["unit"] for curve in held["curves"]}
+    assert (units["separation"], units["shoal_speed"], units["shoals"]) == ("m", "m/s", "1")
+    assert scripts(player_page(two, FACTS))[0]["curves"] == []
+
+
+def test_long_series_are_grouped_and_lose_no_extreme(two: dict[str, PoseTrack]) -> None:
+    """One moment of 100 000 at which the metric is high stays in the picture."""
+    values = np.zeros((100_000, len(METRICS)))
+    values[77_777] = 0.9
+    held, _ = scripts(player_page(two, FACTS, (), MetricSeries(np.arange(100_000) * SECOND, values)))
+    for curve in held["curves"]:
+        assert len(floats(curve["time"])) <= 1200
+        assert floats(curve["high"]).max() == pytest.approx(0.9)
+
+
+def test_it_follows_the_reader_s_choice_of_dark_pages(two: dict[str, PoseTrack]) -> None:
+    """Every colour that the light page defines is defined for the dark one, too."""
+    page = player_page(two, FACTS)
+    light, dark = re.findall(r":root \{(.*?)\}", page, re.DOTALL)
+    assert "prefers-color-scheme: dark" in page
+    assert set(re.findall(r"--[a-z]+", light)) == set(re.findall(r"--[a-z]+", dark))
+
+
+def test_every_key_that_works_is_explained(two: dict[str, PoseTrack]) -> None:
+    """The keys in the table of the script are those in the words of the page."""
+    page = player_page(two, FACTS)
+    table = page[page.index("const KEYS = {") : page.index("document.onkeydown")]
+    keys = set(re.findall(r'^ *"?([^\s"]+?)"?: ', table, re.MULTILINE)) | set(re.findall(r', "?([^\s"]+?)"?: ', table))
+    words = {"ArrowLeft": "←", "ArrowRight": "→", "ArrowUp": "↑", "ArrowDown": "↓", "Escape": "Esc"}
+    explained = set(re.findall("<kbd>(.*?)</kbd>", page)) - {"space", "shift"}
+    assert {words.get(key, key) for key in keys} - {"="} == explained
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium is installed, so the page cannot be opened")
+def test_a_browser_runs_the_page_to_its_end(two: dict[str, PoseTrack], tmp_path: Path) -> None:
+    """Robots, six curves and the moment of the address are there when all scripts have run."""
+    page = tmp_path / "page.html"
+    page.write_text(player_page(two, FACTS, (), series_of_10_moments()), "utf-8")
+    options = ["--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'profile'}"]
+    line = [str(BROWSER), *options, "--virtual-time-budget=5000", "--dump-dom", f"{page.as_uri()}#t=1.5"]
+    done = subprocess.run(line, capture_output=True, text=True, timeout=300, check=False)
+    shown = done.stdout
+    assert 'data-shown="yes"' in shown, done.stderr
+    assert "1.5 of 11.0 s" in shown
+    assert len(re.findall('<canvas aria-label="[a-z_]+ over time"', shown)) == 6
+    assert re.findall(r"<li [^>]*>(\w+)</li>", shown) == ["diver", "swimmer"]

@@ -1,0 +1,40 @@
+"""Recordings as scenes for Rerun, and its viewer; Rerun is asked for when a scene is."""
+
+from __future__ import annotations
+
+import importlib.util
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.runs.results import scenario_facts
+from cocorosim_ros.library.recording import Recording
+
+
+def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
+    """Write one recording, or two side by side, as a Rerun recording.
+
+    Raises CocorosimError if rerun-sdk is not installed, or the file cannot be written.
+    """
+    if importlib.util.find_spec("rerun") is None:
+        raise CocorosimError(
+            "A scene in three dimensions needs the library rerun-sdk, which is not installed; install it by "
+            "`pip install rerun-sdk`, or leave out --3d for a page that needs nothing."
+        )
+    from cocorosim_ros.study.scene.gathering import gather_scene
+    from cocorosim_ros.study.scene.rerun_file import write_rerun
+
+    scenes = [gather_scene(each.bag, each.tracks, scenario_facts(each.bag), each.scenario) for each in recordings]
+    write_rerun(scenes, file)
+
+
+def open_viewer(file: Path) -> None:
+    """Start Rerun's viewer on a file; it stays when this process ends."""
+    subprocess.Popen(
+        [sys.executable, "-m", "rerun", str(file)],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
