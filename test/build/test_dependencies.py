@@ -19,7 +19,13 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "cocorosim_ros"
 # Imports that only those parts need which a machine without ROS, cluster or such files has no use for.
-PLACES_OF_EXTRAS = {"ros": ("graph/nodes",), "dask": ("study/experiments/on_dask.py",), "logs": (), "netcdf": ()}
+PLACES_OF_EXTRAS = {
+    "ros": ("graph/nodes",),
+    "dask": ("study/experiments/on_dask.py",),
+    "logs": (),
+    "netcdf": (),
+    "view": ("study/scene",),
+}
 BUILT_HERE = {"cocorosim_msgs", "tf2_msgs"}
 OF_ROS_LAUNCH = ("graph/launch",)  # files for `ros2 launch`, whose packages are not on PyPI
 
