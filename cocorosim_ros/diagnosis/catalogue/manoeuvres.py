@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.criteria.report import MANOEUVRE
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump, Thruster
-
-_LEAST_RISE = 0.1  # of a thruster's push, upwards; less does not carry a vehicle to another depth
 
 
 def _has_pump(platform: Platform) -> bool:
@@ -18,7 +17,7 @@ def _has_pump(platform: Platform) -> bool:
 
 def _dives(platform: Platform) -> bool:
     return _has_pump(platform) or any(
-        isinstance(each, Thruster) and abs(each.direction[2]) > _LEAST_RISE for each in platform.actuators
+        isinstance(each, Thruster) and abs(each.direction[2]) > MANOEUVRE.least_rise for each in platform.actuators
     )
 
 
@@ -32,7 +31,7 @@ NEEDS: dict[str, Callable[[Platform], bool]] = {
     "pump_triangle": _has_pump,
     "reverse_steps": _reverses,
 }
-"""What a vehicle must have for a manoeuvre; the others need thrusters alone."""
+"""Actuators that a vehicle must have for a manoeuvre; the others need thrusters alone."""
 
 
 def manoeuvre_of(effect: str) -> str | None:

@@ -55,6 +55,8 @@ class ManoeuvreCriteria:
 
     least_duration: float = 600.0
     """[s] ten minutes are good for a diagnosis. Chosen, not measured."""
+    least_rise: float = 0.1
+    """[of a thruster's push] upwards; less does not carry a vehicle to another depth. Chosen, not measured."""
     long: float = 1800.0
     """[s] of a manoeuvre that shows what changes slowly. Chosen, not measured."""
     depth: float = 4.0
