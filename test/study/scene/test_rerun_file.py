@@ -22,6 +22,8 @@ from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.world.checks.loading import load_scenario, parse_scenario
 
 pytest.importorskip("rerun", reason="rerun-sdk is not installed, and it is optional")
+if np.__version__.startswith("1."):
+    pytest.skip("rerun-sdk asks for NumPy 2", allow_module_level=True)
 from rerun.chunk import RrdReader  # after the question whether it is there
 
 from cocorosim_ros.study.scene.rerun_file import write_rerun
