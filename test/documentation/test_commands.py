@@ -25,7 +25,7 @@ ALL = [pytest.param(words, id=" ".join(words)) for text in DOCUMENTS.values() fo
 BIN = Path(sys.prefix, "bin")
 NODES = {"physics_node": physics_node, "controller_node": controller_node, "metrics_node": metrics_node}
 # Programs of a ROS installation, of the shell and of the Python world, which are not looked into.
-TRUSTED = {"export", "cp", "cd", "python3", "pip", "python", "rviz2", "."}
+TRUSTED = {"export", "cp", "cd", "python3", "pip", "python", "rosdep", "rviz2", "."}
 
 
 def check_cocorosim(words: list[str]) -> None:
