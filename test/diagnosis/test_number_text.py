@@ -20,6 +20,7 @@ from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of
         (0.25, "m", "250 mm"),
         (1.5, "m", "1.50 m"),
         (0.3, "s", "300 ms"),
+        (0.3, "s/m", "0.300 s/m"),
         (math.pi / 6, "rad", "30.0°"),
         (0.0443, "kg", "44.3 g"),
         (4.05e-4, "kg m^2", "4.05 kg cm²"),

@@ -107,7 +107,12 @@ def units_shown(unit: str) -> tuple[Unit, ...]:
 
 
 def prefixed(unit: str) -> tuple[Unit, ...]:
-    """The SI unit with every prefix that reports put before its first symbol, the largest first."""
+    """The SI unit with every prefix that reports put before its first symbol, the largest first.
+
+    A slowness has none: a slope of 0.3 s/m, not of 300 ms/m.
+    """
+    if unit.startswith("s/"):
+        return (Unit(unit),)
     return tuple(Unit(prefix + unit, PREFIXES[prefix]) for prefix in PREFIXED.get(leading_symbol(unit), ("",)))
 
 

@@ -95,6 +95,7 @@ def test_every_verdict_gives_a_whole_page(pages: Pages, example: Example, verdic
     sentence = example(verdict).sentence
     assert content.sections == SECTIONS
     assert content.open == []
+    assert text.count("(each makes it 2.7 times as likely)") == bool(example(verdict).effects)  # nats, at first sight
     assert f"<title>{sentence}</title>" in text
     assert f"<h1>{sentence}</h1>" in text
     assert content.counts.get("svg", 0) == content.counts.get("figcaption", 0) == content.counts.get("figure", 0)
