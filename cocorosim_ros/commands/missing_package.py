@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import sys
+from collections.abc import Sequence
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.installation import PACKAGE
@@ -16,6 +17,7 @@ _REMEDIES = {
     **dict.fromkeys(("std_msgs", "geometry_msgs", "sensor_msgs", "diagnostic_msgs"), _ROS),
     **dict.fromkeys(("dask", "distributed"), f"'pip install \"{PACKAGE}[dask]\"'"),
     **dict.fromkeys(("xarray", "h5netcdf", "h5py"), f"'pip install \"{PACKAGE}[netcdf]\"'"),
+    "rerun": f"'pip install \"{PACKAGE}[view]\"'",
 }
 
 
@@ -36,7 +38,12 @@ def missing_package(module: str, instead: str = "") -> CocorosimError | None:
 
 def check_ros(instead: str) -> None:
     """Nothing, if nodes can be started. Raises CocorosimError if rclpy or our message classes are missing."""
-    for module in ("rclpy", "cocorosim_msgs"):
+    check_installed(("rclpy", "cocorosim_msgs"), instead)
+
+
+def check_installed(modules: Sequence[str], instead: str) -> None:
+    """Nothing, if all are there. Raises CocorosimError for the first that is not; instead: as in missing_package."""
+    for module in modules:
         error = missing_package(module, instead)
         if error and importlib.util.find_spec(module) is None:
             raise error

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
 import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.commands.missing_package import check_installed
 from cocorosim_ros.graph.runs.results import scenario_facts
 from cocorosim_ros.library.recording import Recording
 
@@ -18,11 +17,7 @@ def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
 
     Raises CocorosimError if rerun-sdk is not installed, or the file cannot be written.
     """
-    if importlib.util.find_spec("rerun") is None:
-        raise CocorosimError(
-            "A scene in three dimensions needs the library rerun-sdk, which is not installed; install it by "
-            "`pip install rerun-sdk`, or leave out --3d for a page that needs nothing."
-        )
+    check_installed(("rerun",), "leave out --3d for a page that needs nothing")
     from cocorosim_ros.study.scene.gathering import gather_scene
     from cocorosim_ros.study.scene.rerun_file import write_rerun
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
+from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
@@ -72,6 +73,12 @@ class Entry(Standing):
     def name_with(self, values: Mapping[str, float]) -> str:
         """The name in words that suit the sign of the first amplitude; values: numbers that were found, by column."""
         return self.opposite if self.opposite and values.get(self.amplitudes[0].column, 0.0) < 0.0 else self.name
+
+    def doubts(self, estimates: Mapping[str, Estimate]) -> dict[str, bool]:
+        """By name of each amplitude that was estimated: whether its 95 % interval holds the neutral value."""
+        return {
+            each.name: estimates[each.name].holds(each.neutral) for each in self.amplitudes if each.name in estimates
+        }
 
 
 def entry_of(identifier: str, effect: Description, search: Search) -> Entry:

@@ -95,9 +95,8 @@ def effect_at_a_bound(case: Case) -> Iterator[Objection]:
 def interval_holds_zero(case: Case) -> Iterator[Objection]:
     """Object to effects each of whose amplitudes may as well be neutral."""
     for found, named in _named(case):
-        amplitudes = {each.name: each.neutral for each in named.candidate.entry.amplitudes}
-        shown = [(found.parameters[name], neutral) for name, neutral in amplitudes.items() if name in found.parameters]
-        if shown and all(estimate.holds(neutral) for estimate, neutral in shown):
+        doubts = named.candidate.entry.doubts(found.parameters).values()
+        if doubts and all(doubts):
             yield Objection(
                 "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds zero.", effect=found
             )

@@ -74,7 +74,7 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
         Unit("mm/s per m", "0.001", read=False, shown=True),
     ),
     "clock rate": (Unit("s/s"), Unit("ppm", "1e-6", read=False, shown=True)),
-    "slowness": (Unit("s/m"),),
+    "slowness": (Unit("s/m", shown=True),),  # a slope of 0.3 s/m, not of 300 ms/m
     "area rate": (Unit("m^2/s"), Unit("cm^2/s", "1e-4")),
     "mass rate": (Unit("kg/s"), Unit("g/s", "0.001"), Unit("mg/s", "1e-6")),
     "voltage": (Unit("V"), Unit("mV", "0.001")),
@@ -107,12 +107,7 @@ def units_shown(unit: str) -> tuple[Unit, ...]:
 
 
 def prefixed(unit: str) -> tuple[Unit, ...]:
-    """The SI unit with every prefix that reports put before its first symbol, the largest first.
-
-    A slowness has none: a slope of 0.3 s/m, not of 300 ms/m.
-    """
-    if unit.startswith("s/"):
-        return (Unit(unit),)
+    """The SI unit with every prefix that reports put before its first symbol, the largest first."""
     return tuple(Unit(prefix + unit, PREFIXES[prefix]) for prefix in PREFIXED.get(leading_symbol(unit), ("",)))
 
 

@@ -28,6 +28,15 @@ KEEP_DIVISOR = len(SETTINGS)
 
 
 @kernel
+def total_without_alignment(settings: Floats, keep_divisor: int) -> float:
+    """The sum of the weights, less that of alignment unless the setting at index `keep_divisor` is on."""
+    total: float = weight_total(settings)
+    if settings[keep_divisor] == 0.0:
+        total -= settings[ALIGNMENT_WEIGHT]
+    return total
+
+
+@kernel
 def decide(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
     """Turn what is seen into heading, speed and dive speed; all stay while the compass fails."""
     take_up_boids(settings, request)
@@ -37,10 +46,7 @@ def decide(observation: Observation, sensor_axis: Floats, settings: Floats, requ
     if add_range_rules(observation, sensor_axis, settings, wish) == 0:
         swim_alone(settings, request)
         return
-    total = weight_total(settings)
-    if settings[KEEP_DIVISOR] == 0.0:
-        total -= settings[ALIGNMENT_WEIGHT]
-    swim_as_wished(observation.compass, wish, total, settings, request)
+    swim_as_wished(observation.compass, wish, total_without_alignment(settings, KEEP_DIVISOR), settings, request)
 
 
 BOIDS_NA = Controller(

@@ -1,9 +1,9 @@
 """Boids as the authors' released model has them: the four variants of controllers.boids_rules with its own rules.
 
-present_course: who is alone, or whose rules sum to zero, asks for the heading that it has now and keeps its dive mode
-(elsewhere: for the last one that was asked for, and no dive).
-halt_unseen (NA): who has a neighbour within 0.5 m that no sensor in use sees is not alone: its rules sum to zero, and
-it gets no thrust (elsewhere it is alone). Needs the exact neighbours, which no real robot knows.
+present_course: a robot alone, or one whose rules sum to zero, asks for the heading that it has now and keeps its dive
+mode (elsewhere: for the last one that was asked for, and no dive).
+halt_unseen (NA): a robot with a neighbour within 0.5 m that no sensor in use sees is not alone: its rules sum to zero,
+and it gets no thrust (elsewhere it is alone). Needs the exact neighbours, which no real robot has.
 cone_of_view (Vanilla): 270 degrees of view are a cone about the bow in three dimensions (elsewhere a wedge in azimuth).
 The median of velocities is taken in world axes, as in all variants here.
 Source: the released model run beside ours, cocorosim-facts 8.
@@ -17,10 +17,9 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
+from cocorosim_ros.world.controllers.boids_na import total_without_alignment
 from cocorosim_ros.world.controllers.boids_rules import (
-    ALIGNMENT_WEIGHT,
     BOIDS_TURN_GAIN,
-    OBSERVE_BACKWARDS,
     SETTINGS,
     add_alignment,
     add_range_rules,
@@ -31,7 +30,7 @@ from cocorosim_ros.world.controllers.boids_rules import (
     take_up_boids,
     weight_total,
 )
-from cocorosim_ros.world.controllers.boids_vanilla import HALF_VIEW, add_neighbours_rules, is_in_view, note_neighbour
+from cocorosim_ros.world.controllers.boids_vanilla import add_neighbours_rules, note_neighbours
 from cocorosim_ros.world.controllers.controller import Controller
 from cocorosim_ros.world.controllers.medians import ROOM
 from cocorosim_ros.world.controllers.request import HEADING, SPEED, TURN_GAIN
@@ -52,7 +51,7 @@ def _ask_for_present_heading(compass: float, settings: Floats, request: Floats) 
 
 @kernel
 def _go_on_alone(compass: float, settings: Floats, request: Floats) -> None:
-    """Ask for what a robot does that knows of nobody."""
+    """Ask for what a robot does that senses no other."""
     if settings[PRESENT_COURSE] != 0.0:
         _ask_for_present_heading(compass, settings, request)
     else:
@@ -115,38 +114,22 @@ def _decide_na(observation: Observation, sensor_axis: Floats, settings: Floats, 
     if known == 0:
         _go_on_alone(observation.compass, settings, request)
         return
-    total = weight_total(settings)
-    if settings[KEEP_DIVISOR] == 0.0:
-        total -= settings[ALIGNMENT_WEIGHT]
-    _follow(observation.compass, wish, total, settings, request)
-
-
-@kernel
-def _is_looked_at(offset: Floats, settings: Floats) -> bool:
-    """Whether a robot at `offset` (3,) [m; body] is in view."""
-    seen: bool = is_in_view(offset, settings)
-    if settings[CONE_OF_VIEW] != 0.0 and settings[OBSERVE_BACKWARDS] == 0.0:
-        distance = math.sqrt(offset[0] ** 2 + offset[1] ** 2 + offset[2] ** 2)
-        seen = offset[0] >= math.cos(HALF_VIEW) * distance
-    return seen
+    _follow(observation.compass, wish, total_without_alignment(settings, KEEP_DIVISOR), settings, request)
 
 
 @kernel
 def _decide_vanilla(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
-    """Turn what is known of the neighbours in view into a request."""
+    """Turn places and velocities of the neighbours in view into a request."""
     if math.isnan(observation.compass):
         take_up_boids(settings, request)
         return
-    count, wish = 0, stack_array(3)
     places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
     velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
-    for index in range(observation.neighbour_count):
-        if _is_looked_at(observation.neighbour_offset[index], settings):
-            note_neighbour(observation, index, places[count], velocities[count])
-            count += 1
+    count = note_neighbours(observation, settings, settings[CONE_OF_VIEW] != 0.0, places, velocities)
     if count == 0:
         _go_on_alone(observation.compass, settings, request)
         return
+    wish = stack_array(3)
     add_neighbours_rules(observation.compass, places, velocities, count, settings, wish)
     _follow(observation.compass, wish, weight_total(settings), settings, request)
 

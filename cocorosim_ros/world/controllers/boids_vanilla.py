@@ -3,7 +3,7 @@
 Cohesion is the offset to the coordinate-wise median of the neighbours' places, separation the sum of
 (threshold - distance) away from each neighbour nearer than the threshold, alignment the coordinate-wise median of
 the neighbours' velocities. Impossible for a real robot: the baseline of the paper's comparison, in simulation only.
-`observe_backwards` off leaves out who is more than 135 degrees off the bow, the released model's view of 270 degrees.
+`observe_backwards` off leaves out neighbours more than 135 degrees off the bow, the released model's view of 270.
 Source: Read et al. 2013, section 5; the released model for the medians; the rest stands in controllers.boids_rules.
 """
 
@@ -37,10 +37,17 @@ HALF_VIEW = 0.75 * math.pi  # rad
 
 
 @kernel
-def is_in_view(offset: Floats, settings: Floats) -> bool:
-    """Whether a robot at `offset` (3,) [m; body] is looked at."""
+def is_in_view(offset: Floats, settings: Floats, cone: bool) -> bool:
+    """Whether a robot at `offset` (3,) [m; body] is looked at.
+
+    cone: whether a view of 270 degrees is a cone about the bow in three dimensions, else it is a wedge in azimuth.
+    """
     if settings[OBSERVE_BACKWARDS] != 0.0:
         return True
+    if cone:
+        distance = math.sqrt(offset[0] ** 2 + offset[1] ** 2 + offset[2] ** 2)
+        ahead: bool = offset[0] >= math.cos(HALF_VIEW) * distance
+        return ahead
     return abs(math.atan2(offset[1], offset[0])) <= HALF_VIEW
 
 
@@ -61,11 +68,19 @@ def add_exact_rules(places: Floats, count: int, settings: Floats, wish: Floats) 
 
 
 @kernel
-def note_neighbour(observation: Observation, index: int, place: Floats, velocity: Floats) -> None:
-    """Write place [m; body] and velocity [m/s; world] of the `index`-th neighbour into rows (LANES,) each."""
-    for axis in range(3):
-        place[axis] = observation.neighbour_offset[index, axis]
-        velocity[axis] = observation.neighbour_velocity[index, axis]
+def note_neighbours(observation: Observation, settings: Floats, cone: bool, places: Floats, velocities: Floats) -> int:
+    """Write places [m; body] and velocities [m/s; world] of neighbours in view into (n, LANES) each; their number.
+
+    cone: as for `is_in_view`.
+    """
+    count = 0
+    for index in range(observation.neighbour_count):
+        if is_in_view(observation.neighbour_offset[index], settings, cone):
+            for axis in range(3):
+                places[count, axis] = observation.neighbour_offset[index, axis]
+                velocities[count, axis] = observation.neighbour_velocity[index, axis]
+            count += 1
+    return count
 
 
 @kernel
@@ -85,16 +100,13 @@ def decide(observation: Observation, sensor_axis: Floats, settings: Floats, requ
     take_up_boids(settings, request)
     if math.isnan(observation.compass):
         return
-    count, wish = 0, stack_array(3)
     places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
     velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
-    for index in range(observation.neighbour_count):
-        if is_in_view(observation.neighbour_offset[index], settings):
-            note_neighbour(observation, index, places[count], velocities[count])
-            count += 1
+    count = note_neighbours(observation, settings, False, places, velocities)
     if count == 0:
         swim_alone(settings, request)
         return
+    wish = stack_array(3)
     add_neighbours_rules(observation.compass, places, velocities, count, settings, wish)
     swim_as_wished(observation.compass, wish, weight_total(settings), settings, request)
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 
 class DeadMansSwitch:
-    """Who owes an answer since when. Moments are seconds of any clock that does not go backwards."""
+    """Since when each controller owes an answer. Moments are seconds of any clock that does not go backwards."""
 
     def __init__(self, robots: int, patience: float) -> None:
         """`patience`: s that an answer may be owed."""
@@ -20,7 +20,7 @@ class DeadMansSwitch:
         self._mourned: set[int] = set()
 
     def begin_tick(self, moment: float) -> None:
-        """Everybody has readings to answer from now on; who owes an answer already owes it for longer."""
+        """Every controller has readings to answer from now on; an answer that is owed already is owed for longer."""
         self._owing = [moment if since is None else since for since in self._owing]
 
     def heard(self, robot: int) -> bool:
@@ -30,20 +30,20 @@ class DeadMansSwitch:
         return was_off
 
     def off(self, robot: int) -> None:
-        """Turn the switch of `robot` off, for a reason that somebody else knows."""
+        """Turn the switch of `robot` off, for a reason outside this class."""
         self._off[robot] = True
 
     def newly_dead(self, dead: Iterable[int]) -> list[int]:
-        """Turn off, and return in ascending order, those whose controller has died since the last call.
+        """Turn off, and return in ascending order, the robots whose controller has died since the last call.
 
-        A death counts once: somebody else may take the robot over.
+        A death counts once: another controller may take the robot over.
         """
         died = sorted(set(dead) - self._mourned)
         self._mourned.update(died)
         return [robot for robot in died if self._turned_off(robot)]
 
     def newly_silent(self, moment: float) -> list[int]:
-        """Turn off, and return in ascending order, those who have owed an answer for longer than the patience."""
+        """Turn off, and return in ascending order, the robots that have owed an answer for longer than the patience."""
         late = (robot for robot, since in enumerate(self._owing) if since is not None and self._is_long(moment - since))
         return [robot for robot in late if self._turned_off(robot)]
 
