@@ -7,6 +7,7 @@ import textwrap
 from pathlib import Path
 
 from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.platform_effects import KNOWN_EFFECTS
@@ -22,10 +23,11 @@ def test_the_example_is_a_platform_with_everything(tmp_path: Path) -> None:
     path.write_text(f"name: example\ndescription: all\nbased_on: lily\neffects:\n{textwrap.indent(example, '  ')}")
     platform = load_platform(path)
     assert build_vehicles([platform]).active[0, 0] > 0
-    assert set(platform.effects) == set(KNOWN_EFFECTS)
+    effects = effects_of(platform)
+    assert set(effects) == set(KNOWN_EFFECTS)
     for effect, parameters in KNOWN_EFFECTS.items():
         if not effect.startswith(("law_", "sensor_law_")):
-            assert set(platform.effects[effect]) == set(parameters), effect
+            assert set(effects[effect]) == set(parameters), effect
 
 
 def test_regressors_stand_in_their_order() -> None:

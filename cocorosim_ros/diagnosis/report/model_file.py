@@ -17,8 +17,10 @@ from cocorosim_ros.diagnosis.report.effect_keys import (
     section_of,
     unit_in_file,
 )
+from cocorosim_ros.diagnosis.report.laws_in_words import laws_in_words
 from cocorosim_ros.diagnosis.report.words import parameter_unit
 from cocorosim_ros.scenario.parts.platform import Effects, Platform
+from cocorosim_ros.scenario.reading.law_text import LawText
 from cocorosim_ros.scenario.reading.ranges import Range
 from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, sourced_tree
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
@@ -76,6 +78,9 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     _put_parameters([each for each in numbers if "." not in each.parameter], origin, tree, robots)
     _put_declared([each for each in numbers if "." in each.parameter], origin, tree, robots)
     _put_effects(diagnosis.effects, origin, tree, robots)
+    for part in (tree, *robots.values()):
+        if "effects" in part:
+            part["effects"] = laws_in_words(part["effects"])
     return tree | {"robots": robots} if robots else tree
 
 
@@ -159,7 +164,11 @@ def _known_effects(effects: Effects, written: Tree) -> Tree:
         known[effect] = {}
         for name, part in parameters.items():
             own = written.get(effect, {}).get(name)
-            stated = {"value": part.value, "unit": part.unit, "source": "taken as known"}
+            stated: Tree = {"source": "taken as known"}
+            if isinstance(part, LawText):
+                stated |= {"value": part.text}
+            else:
+                stated |= {"value": part.value, "unit": part.unit}
             known[effect][name] = own if own is not None else stated
     return known
 

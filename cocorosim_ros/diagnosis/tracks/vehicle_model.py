@@ -23,6 +23,7 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.ranges import Range, Ranges
+from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
@@ -150,7 +151,7 @@ def _known_of_sensors(platform: Platform) -> dict[str, float]:
     """Numbers of sensors and stamps that the platform's file gives, by column."""
     return {
         f"{effect}.{name}": value
-        for effect, parameters in platform.effects.items()
+        for effect, parameters in effects_of(platform).items()
         for name, value in parameters.items()
         if effect not in EFFECT_BIT and f"{effect}.{name}" in COLUMN
     }

@@ -19,6 +19,7 @@ from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
+from cocorosim_ros.scenario.reading.law_text import LawText, law_text
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of, read_any_quantity
 from cocorosim_ros.scenario.reading.ranges import Ranges, collect_ranges, ranges_tree, read_ranges
 from cocorosim_ros.scenario.reading.records import (
@@ -34,23 +35,26 @@ from cocorosim_ros.scenario.reading.records import (
 from cocorosim_ros.scenario.reading.sources import require_sources
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
-Effects = Mapping[str, Mapping[str, Quantity]]
+Effects = Mapping[str, Mapping[str, Quantity | LawText]]
 DragForm = Literal["total_speed", "own_speed", "strips"]
 DRAG_FORMS = ("total_speed", "own_speed", "strips")
 
 
 def _read_effects(entry: Entry) -> Effects:
     return {
-        effect: {name: read_any_quantity(value) for name, value in parameters.mapping().items()}
+        effect: {name: law_text(value) or read_any_quantity(value) for name, value in parameters.mapping().items()}
         for effect, parameters in entry.mapping().items()
     }
 
 
 def _effects_tree(effects: Effects) -> dict[str, Any]:
     return {
-        effect: {name: f"{part.value!r} {part.unit}" for name, part in parameters.items()}
-        for effect, parameters in effects.items()
+        effect: {name: _part_text(part) for name, part in parameters.items()} for effect, parameters in effects.items()
     }
+
+
+def _part_text(part: Quantity | LawText) -> str:
+    return part.text if isinstance(part, LawText) else f"{part.value!r} {part.unit}"
 
 
 def _read_words(entry: Entry) -> dict[str, str]:
@@ -97,11 +101,23 @@ class Platform(Shown):
 
     @property
     def effects(self) -> dict[str, dict[str, float]]:
-        """The effects beyond the basic physics, in SI units: {effect id: {parameter: value}}."""
+        """The effects beyond the basic physics, in SI units: {effect id: {parameter: value}}; laws in words left out.
+
+        These are in `laws`; world.laws gives both together.
+        """
         return {
-            effect: {name: part.value for name, part in parameters.items()}
+            effect: {name: part.value for name, part in parameters.items() if isinstance(part, Quantity)}
             for effect, parameters in self.effect_quantities.items()
         }
+
+    @property
+    def laws(self) -> dict[str, dict[str, LawText]]:
+        """Laws in words: {effect id: {what the law is of: law}}."""
+        found = {
+            effect: {name: part for name, part in parameters.items() if isinstance(part, LawText)}
+            for effect, parameters in self.effect_quantities.items()
+        }
+        return {effect: laws for effect, laws in found.items() if laws}
 
     def of_robot(self, name: str) -> Platform:
         """What this platform says of the robot of that name: its own numbers where it has some."""
@@ -129,7 +145,9 @@ class Platform(Shown):
             "actuators": ", ".join(self.actuator_names),
         }
         rows = [
-            (effect, name, digits(part.value), part.unit)
+            (effect, name, part.text, "")
+            if isinstance(part, LawText)
+            else (effect, name, digits(part.value), part.unit)
             for effect, parameters in self.effect_quantities.items()
             for name, part in parameters.items()
         ]
@@ -204,7 +222,7 @@ def check_sensors(platform: Platform, known: Iterable[str]) -> None:
 def check_effects(platform: Platform, known: Mapping[str, Mapping[str, Parameter]]) -> None:
     """Nothing, if every effect of the platform is known, has the parameters that it needs, and all of them fit.
 
-    known: {effect id: {name: parameter}}. Raises CocorosimError otherwise.
+    known: {effect id: {name: parameter}}. Raises CocorosimError otherwise, and for a law that is still in words.
     """
     for effect, numbers in platform.effect_quantities.items():
         place = f"{platform.origin}: 'effects.{effect}'"
@@ -215,6 +233,8 @@ def check_effects(platform: Platform, known: Mapping[str, Mapping[str, Parameter
                 raise CocorosimError(
                     f"{place[:-1]}.{name}' is no parameter of this effect{nearest(name, known[effect])}."
                 )
+            if isinstance(number, LawText):
+                raise CocorosimError(f"{place[:-1]}.{name}' is a law in words where a number is needed; write one.")
             _check_number(f"{place[:-1]}.{name}'", number, known[effect][name])
         for name, parameter in known[effect].items():
             if parameter.needed and name not in numbers:

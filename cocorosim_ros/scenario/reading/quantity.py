@@ -22,8 +22,8 @@ UNITS: dict[str, dict[str, str]] = units_in_files()
 """By dimension: factors to SI as decimal text; the first unit is SI."""
 _LONGEST_NS = 2**63 - 1  # stamps are whole nanoseconds in 64 bits
 _DIMENSION_OF = {unit: dimension for dimension, units in UNITS.items() for unit in units}
-_NUMBER = r"[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|\.?(?:inf|nan|Inf|NaN))"
-_TEXT = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
+NUMBER = r"[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|\.?(?:inf|nan|Inf|NaN))"
+_TEXT = re.compile(rf"\s*({NUMBER})\s*(.*?)\s*")
 CONFIDENCES = ("measured", "literature", "derived", "estimate", "fitted")
 SOURCE_KEYS = ("source", "note", "confidence")
 

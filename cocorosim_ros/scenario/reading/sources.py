@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.law_text import is_law
 from cocorosim_ros.scenario.reading.quantity import is_quantity
 
 
 def require_sources(entry: Entry) -> None:
     """Nothing, if every number below stands as {value, unit, source}, else CocorosimError."""
     for leaf in _bare_leaves(entry):
-        if is_quantity(leaf.value):
+        if is_quantity(leaf.value) or is_law(leaf.value):
             raise leaf.problem(f"has {leaf.found()} without a source; write {{value: ..., unit: ..., source: ...}}.")
 
 

@@ -13,6 +13,7 @@ from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.platform import Platform, check_effects, check_sensors
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
 from cocorosim_ros.world.effects.anisotropic_drag import ADDING, FORM_BY_NAME, REPLACING
+from cocorosim_ros.world.laws.laws_of_platform import effects_of, in_codes
 from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, is_simulated
@@ -91,7 +92,7 @@ def _drag_form(platform: Platform) -> dict[str, float]:
 
 def _check_drag_form(platform: Platform) -> None:
     """Refuse a form of the drag that an effect of the same platform contradicts."""
-    form = platform.effects.get("anisotropic_drag", {}).get("form")
+    form = effects_of(platform).get("anisotropic_drag", {}).get("form")
     if form is None:
         return
     declared = platform.drag_form
@@ -126,11 +127,12 @@ def check_platform(platform: Platform) -> None:
     """
     for each in (platform, *platform.robots.values()):
         check_body(each)
-        check_effects(each, KNOWN_EFFECTS)
+        in_numbers = in_codes(each)
+        check_effects(in_numbers, KNOWN_EFFECTS)
         check_sensors(each, SENSORS)
         _check_drag_form(each)
         for place in (*LAWS, *SENSOR_LAWS):
-            for name, value in each.effects.get(place, {}).items():
+            for name, value in in_numbers.effects.get(place, {}).items():
                 _check_code(f"{each.origin}: 'effects.{place}.{name}'", name, value)
 
 
@@ -147,7 +149,7 @@ def parameter_row(platform: Platform) -> Floats:
 def active_bits(platform: Platform) -> int:
     """The effects that act on a robot of this kind: one bit of EFFECT_BIT for each."""
     bits = EVERYWHERE
-    for effect in platform.effects:
+    for effect in effects_of(platform):
         bits |= EFFECT_BIT.get(effect, 0)
     return bits | (EFFECT_BIT["anisotropic_drag"] if _drag_form(platform) else 0)
 
@@ -159,7 +161,7 @@ def build_faults(platforms: Sequence[Platform]) -> Faults | None:
     for robot, platform in enumerate(platforms):
         for name, value in _chosen(platform, _SIMULATED_ERRORS).items():
             faults.error[robot, ERROR_COLUMNS[name]] = value
-        for topic, value in platform.effects.get("sensor_latency", {}).items():
+        for topic, value in effects_of(platform).get("sensor_latency", {}).items():
             if topic in LATE_TOPICS:
                 faults.latency[robot, LATE_TOPICS.index(topic)] = value
     return faults if (faults.error != neutral).any() or faults.latency.any() else None
@@ -171,7 +173,7 @@ def not_simulated(robots: Mapping[str, Platform]) -> list[str]:
     for robot, platform in robots.items():
         found = [
             f"{effect} of {name}" if effect in ("sensor_latency", "clock_skew") else effect
-            for effect, parameters in platform.effects.items()
+            for effect, parameters in effects_of(platform).items()
             for name in parameters
             if name in {part.name for part in RECORDING_EFFECTS.get(effect, ())}
         ]
@@ -189,7 +191,7 @@ def _chosen(platform: Platform, columns: Mapping[str, int]) -> dict[str, float]:
     """The numbers of the platform's effects that have a column, by its name."""
     numbers = {
         f"{effect}.{name}": value
-        for effect, parameters in platform.effects.items()
+        for effect, parameters in effects_of(platform).items()
         for name, value in parameters.items()
     }
     return {name: value for name, value in numbers.items() if name in columns}

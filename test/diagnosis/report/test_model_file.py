@@ -17,6 +17,7 @@ from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.world.laws.law import Law
+from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 Example = Callable[[str], Diagnosis]
@@ -209,18 +210,21 @@ def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
 
 
 def test_laws_outside_the_catalogue_take_free_places(example: Example, tmp_path: Path) -> None:
-    """Two laws, two places; the codes are those of the simulator's tables, whatever unit the coefficient has."""
+    """Two laws, two places, in words; they load as the codes of the simulator's tables."""
     found = replace(example("mismatch"), effects=(law("unknown:world_x~x"), law("unknown:yaw~sin_t", "N m", omega=0.2)))
     model = written(tmp_path, found, origin())
+    assert model.laws["law_1"]["world_x"].text == "-0.0003 * x"
+    assert model.laws["law_2"]["yaw"].text == "-0.0003 * sin_t"
+    effects = effects_of(model)
     codes = {regressor.name: code for code, regressor in enumerate(REGRESSORS)}
-    assert model.effects["law_1"] == {
+    assert effects["law_1"] == {
         "coefficient": -3e-4, "equation": 4.0,
         "regressor_1": codes["x"], "power_1": 1.0, "signed_1": 1.0,
         "regressor_2": codes["1"], "power_2": 1.0, "signed_2": 1.0,
     }  # fmt: skip
-    assert model.effects["law_2"]["equation"] == 3.0
-    assert model.effects["law_2"]["regressor_1"] == codes["sin_t"]
-    assert model.effects["law_2"]["omega"] == 0.2
+    assert effects["law_2"]["equation"] == 3.0
+    assert effects["law_2"]["regressor_1"] == codes["sin_t"]
+    assert effects["law_2"]["omega"] == 0.2
     more = written(tmp_path, replace(found, effects=(law("unknown:surge~t"),)), origin(model), "more.yaml")
     assert set(more.effects) == {"law_1", "law_2", "law_3"}
 
@@ -231,7 +235,8 @@ def test_a_law_that_the_platform_had_gets_another_coefficient(example: Example, 
     again = replace(law("unknown:world_x~x"), simulated_as="law_1")
     stronger = replace(again, parameters={"coefficient": replace(again.parameters["coefficient"], value=-5e-4)})
     model = written(tmp_path, replace(example("mismatch"), effects=(stronger,)), origin(known), "more.yaml")
-    assert model.effects == {"law_1": known.effects["law_1"] | {"coefficient": -5e-4}}
+    assert effects_of(model) == {"law_1": effects_of(known)["law_1"] | {"coefficient": -5e-4}}
+    assert list(model.effect_quantities["law_1"]) == ["world_x"]
 
 
 def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: Path) -> None:
@@ -240,7 +245,8 @@ def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: P
     settings |= {"regressor_2": 0.0, "power_2": 1.0, "signed_2": 1.0}
     compass = replace(law("unknown:compass~|thrust|", "rad/N"), topic="compass", settings=settings)
     model = written(tmp_path, replace(example("mismatch"), effects=(compass,)), origin())
-    assert model.effects == {"sensor_law_1": {"coefficient": -3e-4, **settings}}
+    assert effects_of(model) == {"sensor_law_1": {"coefficient": -3e-4, **settings}}
+    assert model.laws["sensor_law_1"]["compass"].text == "-0.0003 * |thrust|"
 
 
 def test_an_eddy_is_an_effect_of_its_own(example: Example, tmp_path: Path) -> None:
