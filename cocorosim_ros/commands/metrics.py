@@ -7,14 +7,9 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from cocorosim_ros.commands.show_results import metrics_table
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.graph.runs.results import json_text, write_json
-from cocorosim_ros.library.recording import read_recording
-from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
-from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
+from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 STANDARD_OUTPUT = Path("-")
 
@@ -43,8 +38,14 @@ def command(
     console = Console(stderr=to_stdout)
     for file in (None if to_stdout else json_file, picture):
         check_file(file, force=force)
-    recording = read_recording(bag)
-    statistics = recording.measure(_seconds(interval))
+    seconds, opened = _seconds(interval), read_bag(bag)
+    # Loaded here: a path that is wrong is said before the weight comes.
+    from cocorosim_ros.commands.show_results import metrics_table
+    from cocorosim_ros.graph.runs.results import json_text, write_json
+    from cocorosim_ros.library.recording import Recording
+
+    recording = Recording(opened)
+    statistics = recording.measure(seconds)
     show_table(console, metrics_table(statistics, paper_only=not all_metrics))
     for sentence in statistics.findings:
         say(console, sentence, "yellow")
@@ -60,6 +61,9 @@ def command(
 
 def _seconds(interval: str | None) -> float | None:
     """The time that was typed."""
+    from cocorosim_ros.scenario.reading.entry import Entry
+    from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
+
     if interval is None:
         return None
-    return read_nanoseconds(Entry(interval, "the command line", 0, "--interval")) / NANOSECONDS
+    return read_nanoseconds(Entry(interval, "the command line", 0, "--interval")) / 1e9
