@@ -24,6 +24,7 @@ COMMANDS: dict[str, str] = {
     "experiment": "many runs without ROS, resumable, as one table",
     "report": "an experiment's table as a page with figures and tables",
     "claims": "the paper's claims beside what experiments show",
+    "explain": "what a key, an effect, a metric, a topic or a controller means: unit, range, default, source, users",
     "digest": "the digest of recordings, and where two of them differ",
 }
 

@@ -20,11 +20,13 @@ def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, f
     """Write one self-contained HTML page about RESULTS, folders that `cocorosim experiment` has made."""
     from cocorosim_ros.study.experiments.folder_layout import check_folder
 
-    for folder in results:  # before the page, which lies in the first of them if no other place is given
-        check_folder(folder)
+    if out is None:  # the page lies with the results then, and would be said to lie in no folder
+        check_folder(results[0])
     page = out or results[0] / "report.html"
     for path in (page, summary):
         check_file(path, force=force)
+    for folder in results:
+        check_folder(folder)
     from cocorosim_ros.study.results.report import render_report
     from cocorosim_ros.study.results.results import load_all
 

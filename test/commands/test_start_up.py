@@ -13,9 +13,10 @@ from pathlib import Path
 import pytest
 
 from cocorosim_ros.commands.main import COMMANDS
+from cocorosim_ros.library.explaining.index import every_explanation
 
 HEAVY = ("numba", "llvmlite", "scipy", "matplotlib", "pandas", "pyarrow", "rosbags", "jinja2", "rclpy", "dask", "rerun")
-HELP = [(name, "--help") for name in COMMANDS]
+HELP = [*((name, "--help") for name in COMMANDS), ("explain", "lockstep.patience")]
 WRONG = {
     ("run", "elephant"): "name of no scenario",
     ("run", "misspelt.yaml"): "did you mean 'tick'",
@@ -30,6 +31,7 @@ WRONG = {
     ("report", "elephant"): "holds no experiment",
     ("claims", "elephant"): "holds no experiment",
     ("digest", "elephant"): "does not exist",
+    ("explain", "patiense"): "did you mean patience",
 }
 PROGRAM = """
 import contextlib, io, json, sys
@@ -56,6 +58,7 @@ def said(tmp_path_factory: pytest.TempPathFactory) -> Said:
     folder = tmp_path_factory.mktemp("start_up")
     scenario = Path(__file__).parents[2] / "config" / "scenarios" / "one_lily.yaml"
     (folder / "misspelt.yaml").write_text(scenario.read_text().replace("\ntick:", "\ntikc:"))
+    every_explanation()  # made once for each state of the sources, for the process below too
     lines = [("--help",), ("--version",), *HELP, *WRONG]
     call = [sys.executable, "-c", PROGRAM, json.dumps([HEAVY, lines])]
     done = subprocess.run(call, cwd=folder, capture_output=True, text=True, timeout=120, check=True)
