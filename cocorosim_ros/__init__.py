@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from cocorosim_ros.library.design import DesignResults, Watch, run_design
     from cocorosim_ros.library.diagnose import diagnose
     from cocorosim_ros.library.diagnosis_result import DiagnosisResult
+    from cocorosim_ros.library.explain import explain
+    from cocorosim_ros.library.explaining.explanation import Explanation
     from cocorosim_ros.library.measure import measure
     from cocorosim_ros.library.record import record
     from cocorosim_ros.library.recording import Recording, read_recording
@@ -59,6 +61,7 @@ _HOMES = {
     "Design": "study.experiments.design",
     "DesignResults": "library.design",
     "DiagnosisResult": "library.diagnosis_result",
+    "Explanation": "library.explaining.explanation",
     "Platform": "scenario.parts.platform",
     "PoseTrack": "world.state.pose_track",
     "RecordedTrack": "wire.bags.tracks",
@@ -70,6 +73,7 @@ _HOMES = {
     "Watch": "library.design",
     "convert": "library.convert",
     "diagnose": "library.diagnose",
+    "explain": "library.explain",
     "load_design": "study.experiments.design",
     "load_platform": "scenario.parts.platform",
     "load_scenario": "library.scenario",
@@ -87,6 +91,7 @@ __all__ = [
     "Design",
     "DesignResults",
     "DiagnosisResult",
+    "Explanation",
     "Platform",
     "PoseTrack",
     "RecordedTrack",
@@ -98,6 +103,7 @@ __all__ = [
     "Watch",
     "convert",
     "diagnose",
+    "explain",
     "load_design",
     "load_platform",
     "load_scenario",

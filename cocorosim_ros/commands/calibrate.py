@@ -48,12 +48,16 @@ class _Target:
 
 def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: _Target) -> None:
     from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.wire.bags.bag_reader import check_there
+
+    check_file(target.out, force=target.force)
+    platform = load_platform(platform_name)
+    check_there(bag)
+    # Loaded here: a path that is wrong is said before the weight comes.
     from cocorosim_ros.study.calibration.calibration_run import read_calibration_run
     from cocorosim_ros.study.calibration.fit import fit_platform
     from cocorosim_ros.study.calibration.platform_file import write_platform
 
-    check_file(target.out, force=target.force)
-    platform = load_platform(platform_name)
     fit = fit_platform(platform, read_calibration_run(bag, platform, robot))
     console.print(fit_table(fit, platform_name))
     for name in fit.not_shown:

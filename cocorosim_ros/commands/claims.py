@@ -38,15 +38,19 @@ def command(
 
     With --run the designs are run, or gone on with, in FOLDER/boids and so on; the two designs of single choices too.
     """
-    from cocorosim_ros.study.claims.all_claims import STUDIES, all_answers
-    from cocorosim_ros.study.claims.claims_page import by_claim, claims_page
-    from cocorosim_ros.study.results.results import load_all
-
     if bool(results) == (runs is not None):
         raise CocorosimError(
             "Give either RESULTS, folders of finished experiments, or --run and a folder to run them in."
         )
     check_file(out, force=force)
+    from cocorosim_ros.study.experiments.folder_layout import check_folder
+
+    for folder in results:
+        check_folder(folder)
+    from cocorosim_ros.study.claims.all_claims import STUDIES, all_answers
+    from cocorosim_ros.study.claims.claims_page import by_claim, claims_page
+    from cocorosim_ros.study.results.results import load_all
+
     if runs is not None:
         results = tuple(_run(ctx, name, runs / name, replicates) for name in STUDIES)
     experiments = {found.about["design"]: found for found in load_all(results)}

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
 
-from cocorosim_ros.library.convert import ConvertedRecording, TopicExtent, convert
+if TYPE_CHECKING:
+    from cocorosim_ros.library.convert import ConvertedRecording, TopicExtent
 
 _MOST_SHOWN_IN_FULL = 3
 
@@ -23,6 +25,8 @@ def command(map_file: str, source: Path, out: Path, force: bool) -> None:
     SOURCE is a file or a folder of them: CSV, Parquet, npz, mat; or one log: a bag of ROS 1 or 2, a ULog, a DataFlash
     log, a tlog. If it holds several runs, each becomes a recording of its own below the folder given with --out.
     """
+    from cocorosim_ros.library.convert import convert
+
     console = Console(highlight=False, soft_wrap=True, markup=False)
     with console.status("reading") as status:
         done = convert(map_file, source, out, force=force, progress=lambda run: status.update(f"reading {run}"))

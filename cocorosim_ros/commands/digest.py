@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
 
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.bags.bag_writer import METADATA_NAME
-from cocorosim_ros.wire.bags.comparison import bag_digest, difference
-from cocorosim_ros.wire.bags.digest import Digest
+
+if TYPE_CHECKING:
+    from cocorosim_ros.wire.bags.digest import Digest
 
 EQUAL, DIFFERENT = 0, 1
 
@@ -31,6 +32,8 @@ def command(ctx: click.Context, /, bags: tuple[Path, ...], topics: bool) -> None
     """
     console = Console()
     opened = [read_bag(path) for path in bags]
+    from cocorosim_ros.wire.bags.comparison import bag_digest
+
     digests = [bag_digest(bag) for bag in opened]
     pairs = list(zip(opened, digests, strict=True))
     untouched = [_show(console, bag, digest, topics=topics) for bag, digest in pairs]
@@ -44,6 +47,8 @@ def _show(console: Console, bag: Bag, digest: Digest, *, topics: bool) -> bool:
     for line in digest.lines() if topics else []:
         topic, type_name, count, topic_digest = line.split(" ")
         say(console, f"  {topic_digest}  {count:>8}  {topic}  {type_name}")
+    from cocorosim_ros.wire.bags.bag_writer import METADATA_NAME
+
     errors = Console(file=sys.stderr)
     if bag.summary.damage:
         say(errors, bag.summary.damage, "yellow")
@@ -56,6 +61,8 @@ def _show(console: Console, bag: Bag, digest: Digest, *, topics: bool) -> bool:
 
 def _compare(console: Console, first: Bag, digest: Digest, other: Bag, other_digest: Digest) -> bool:
     """Say whether two recordings are equal, and where they differ."""
+    from cocorosim_ros.wire.bags.comparison import difference
+
     if digest.hexdigest() == other_digest.hexdigest():
         say(console, f"{first.path} and {other.path} are equal.")
         return True

@@ -54,6 +54,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.pass_context
 def command(ctx: click.Context, /, **options: Any) -> None:
     """Run DESIGN (a name in config/designs, or a file): groups x replicates, one row a run in a Parquet table."""
+    from cocorosim_ros.scenario.reading.config_files import find_config
+    from cocorosim_ros.scenario.reading.yaml_file import load_yaml
+
+    load_yaml(find_config("designs", options["design"]))  # what is no file of YAML is said before the weight comes
     from cocorosim_ros.study.experiments.design import load_design
     from cocorosim_ros.world.controllers.plain.faults import ControllerError
     from cocorosim_ros.world.controllers.plain.plain_controller import check_plain

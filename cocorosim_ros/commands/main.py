@@ -24,6 +24,9 @@ COMMANDS: dict[str, str] = {
     "experiment": "many runs without ROS, resumable, as one table",
     "report": "an experiment's table as a page with figures and tables",
     "claims": "the paper's claims beside what experiments show",
+    "new": "a commented platform, controller, scenario or map to begin with",
+    "doctor": "what is installed, whether two processes can talk and how fast, cache and folders",
+    "explain": "what a key, an effect, a metric, a topic or a controller means: unit, range, default, source, users",
     "digest": "the digest of recordings, and where two of them differ",
 }
 

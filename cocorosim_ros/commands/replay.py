@@ -17,10 +17,10 @@ from cocorosim_ros.commands.interruption import Interruption
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.bags.playback import Span, choose_span, choose_topics
 
 if TYPE_CHECKING:
     from cocorosim_ros.graph.nodes.replay import Position, Replay
+    from cocorosim_ros.wire.bags.playback import Span
 
 INTERRUPTED = 130
 SHOWN_EVERY = 0.1  # s
@@ -73,6 +73,8 @@ def command(ctx: click.Context, /, **options: object) -> None:
     choices = ReplayChoices(**options)  # type: ignore[arg-type]
     console = Console()
     bag = read_bag(choices.bag)
+    from cocorosim_ros.wire.bags.playback import choose_span, choose_topics
+
     span = choose_span(bag, choices.start, choices.end)
     topics = choose_topics(bag, choices.topics)
     if bag.summary.damage:

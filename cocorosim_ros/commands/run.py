@@ -5,24 +5,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
 
-from cocorosim_ros.commands.run_folder import prepare_folder
-from cocorosim_ros.commands.run_modes import (
-    Outcome,
-    RunChoices,
-    check_startable,
-    run_as_graph,
-    run_in_one_process,
-    run_without_ros,
-)
-from cocorosim_ros.commands.show_results import show_results
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.library.scenario import load_scenario
-from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
+
+if TYPE_CHECKING:
+    from cocorosim_ros.commands.run_modes import Outcome, RunChoices
+    from cocorosim_ros.scenario.scenario import Scenario
 
 FAILED, INTERRUPTED = 1, 130
 # OpenBLAS would start threads that a fork does not take along.
@@ -55,6 +47,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.pass_context
 def command(ctx: click.Context, /, **options: object) -> None:
     """Run SCENARIO (a name in config/scenarios, or a file) and leave a folder with bag, statistics and picture."""
+    from cocorosim_ros.commands.run_folder import prepare_folder
+    from cocorosim_ros.commands.run_modes import RunChoices, check_startable
+    from cocorosim_ros.library.scenario import load_scenario
+
     choices = RunChoices(**options)  # type: ignore[arg-type]
     console = Console()
     scenario = load_scenario(
@@ -65,6 +61,8 @@ def command(ctx: click.Context, /, **options: object) -> None:
         controller=choices.controller,
     )
     check_startable(scenario, choices)
+    from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
+
     for sentence in not_simulated({robot.name: robot.platform for robot in scenario.robots}):
         console.print(sentence, style="yellow", markup=False, highlight=False)
     folder = prepare_folder(choices.out or Path("runs") / scenario.name, force=choices.force)
@@ -73,12 +71,16 @@ def command(ctx: click.Context, /, **options: object) -> None:
     except CocorosimError as error:
         click.echo(f"cocorosim: {error}{_what_is_left(folder)}", err=True)
         ctx.exit(FAILED)
+    from cocorosim_ros.commands.show_results import show_results
+
     show_results(console, scenario, folder, outcome)
     ctx.exit(INTERRUPTED if outcome.interrupted else 0)
 
 
 def _mode(choices: RunChoices) -> Callable[[Scenario, RunChoices, Path, Console], Outcome]:
     """The function that does the run."""
+    from cocorosim_ros.commands.run_modes import run_as_graph, run_in_one_process, run_without_ros
+
     if choices.in_process:
         return run_without_ros
     return run_in_one_process if choices.composed else run_as_graph

@@ -17,11 +17,7 @@ from cocorosim_ros.commands.missing_package import check_ros
 from cocorosim_ros.commands.progress import RunProgress
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.latency import check_latency
-from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.wire.topics.body import describe_body
-from cocorosim_ros.world.controllers.plain.plain_controller import check_plain, rehearse_plain
-from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 if TYPE_CHECKING:
     from cocorosim_ros.graph.nodes.graph import GraphPlan
@@ -80,6 +76,12 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
         check_ros("give --in-process, which does the same run without ROS")
         check_latency(scenario)
         _check_environment()
+    # Loaded here: what is wrong with options and environment is said before the weight comes.
+    from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
+    from cocorosim_ros.wire.topics.body import describe_body
+    from cocorosim_ros.world.controllers.plain.plain_controller import check_plain, rehearse_plain
+    from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
+
     for robot in scenario.robots:
         check_platform(robot.platform)
     check_plain(scenario.robots)

@@ -10,7 +10,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from cocorosim_ros.commands.terminal import say, show_table
-from cocorosim_ros.graph.runs.results import write_json
+from cocorosim_ros.foundation.json_file import write_json
 from cocorosim_ros.library.recording import read_recording
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics
 from cocorosim_ros.scenario.scenario import Scenario

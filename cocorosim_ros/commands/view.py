@@ -6,6 +6,7 @@ import tempfile
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
@@ -13,10 +14,10 @@ from rich.console import Console
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.graph.runs.results import no_poses, scenario_facts
-from cocorosim_ros.library.recording import Recording, read_recording
-from cocorosim_ros.study.pictures.facts import MetricSeries
-from cocorosim_ros.study.pictures.player import player_page
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+
+if TYPE_CHECKING:
+    from cocorosim_ros.library.recording import Recording
 
 
 @click.command("view", short_help="look at a recording: a page that plays it, or a 3-D scene")
@@ -39,7 +40,8 @@ def command(bag: Path, in_3d: bool, against: Path | None, out: Path | None, no_o
     if against is not None and not in_3d:
         raise CocorosimError("--against shows two recordings side by side, in three dimensions only; add --3d.")
     check_file(out, force=force)
-    recordings = [_with_poses(path) for path in (bag, against) if path is not None]
+    opened = [read_bag(path) for path in (bag, against) if path is not None]
+    recordings = [_with_poses(each) for each in opened]
     if in_3d:
         from cocorosim_ros.commands.rerun_viewer import open_viewer, write_scenes
 
@@ -57,14 +59,21 @@ def command(bag: Path, in_3d: bool, against: Path | None, out: Path | None, no_o
         say(console, "no browser was found here; open the page in one")
 
 
-def _with_poses(path: Path) -> Recording:
-    recording = read_recording(path)
+def _with_poses(bag: Bag) -> Recording:
+    from cocorosim_ros.graph.runs.results import no_poses
+    from cocorosim_ros.library.recording import Recording
+
+    recording = Recording(bag)
     if not any(track.stamp_ns.size for track in recording.tracks.values()):
         raise CocorosimError(no_poses(recording.bag, list(recording.tracks)))
     return recording
 
 
 def _write_page(recording: Recording, file: Path) -> None:
+    from cocorosim_ros.graph.runs.results import scenario_facts
+    from cocorosim_ros.study.pictures.facts import MetricSeries
+    from cocorosim_ros.study.pictures.player import player_page
+
     findings = [recording.damage] if recording.damage else []
     series = None
     try:

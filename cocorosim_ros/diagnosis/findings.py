@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.state.state import SURGE, YAW, YAW_RATE, X
-from cocorosim_ros.world.terms.course import Course
+
+if TYPE_CHECKING:  # the compiler behind these would double the time to the help of `cocorosim diagnose`
+    from cocorosim_ros.foundation.arrays import Floats
+    from cocorosim_ros.world.laws.law import Law
+    from cocorosim_ros.world.terms.course import Course
 
 Verdict = Literal["consistent", "recalibrate", "mismatch", "insufficient"]
 Tier = Literal["suspected", "confirmed"]

@@ -11,17 +11,15 @@ import numpy as np
 
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.data_frame import data_frame
-from cocorosim_ros.library.recording import Recording, read_recording
 from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
 from cocorosim_ros.scenario.reading.config_files import find_config
-from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
-from cocorosim_ros.wire.conversion.assembly import Stream
-from cocorosim_ros.wire.conversion.conversion import Converted
-from cocorosim_ros.wire.conversion.conversion import convert as convert_source
-from cocorosim_ros.wire.conversion.map_file import load_map
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from cocorosim_ros.library.recording import Recording
+    from cocorosim_ros.wire.conversion.assembly import Stream
+    from cocorosim_ros.wire.conversion.conversion import Converted
 
 
 @dataclass(frozen=True)
@@ -56,6 +54,8 @@ class ConvertedRecording(Shown):
 
     def read(self) -> Recording:
         """The recording, opened. Raises CocorosimError if it is no longer there."""
+        from cocorosim_ros.library.recording import read_recording
+
         return read_recording(self.folder)
 
     def to_frame(self) -> pd.DataFrame:
@@ -129,10 +129,17 @@ def convert(
     Example: `convert("hovercraft_epfl", "logs", "recordings").recordings[0].read().tracks`.
     """
     function(progress, "progress")
-    mapped = load_map(find_config("maps", place_text(map, "map")))
-    made = convert_source(
-        mapped, Path(place_text(source, "source")), Path(place_text(out, "out")), force=force, progress=progress
-    )
+    # Loaded here and one after the other: what is wrong with names and paths is said before the weight comes.
+    file = find_config("maps", place_text(map, "map"))
+    from cocorosim_ros.wire.conversion.map_file import load_map
+
+    mapped, place = load_map(file), Path(place_text(source, "source"))
+    from cocorosim_ros.wire.conversion.sources import check_there
+
+    check_there(mapped, place)
+    from cocorosim_ros.wire.conversion.conversion import convert as convert_source
+
+    made = convert_source(mapped, place, Path(place_text(out, "out")), force=force, progress=progress)
     return Conversion(mapped.name, tuple(_described(part) for part in made))
 
 
@@ -142,6 +149,8 @@ def _described(made: Converted) -> ConvertedRecording:
 
 
 def _extent(stream: Stream) -> TopicExtent:
+    from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
+
     stamps = stream.stamp_ns
     if len(stamps) < 2:
         return TopicExtent(stream.robot, stream.topic, len(stamps), 0.0, None, None)

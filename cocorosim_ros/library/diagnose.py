@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from cocorosim_ros.foundation.errors import ArgumentError
-from cocorosim_ros.library.diagnosis_result import DiagnosisResult
-from cocorosim_ros.library.recording import Recording
 from cocorosim_ros.scenario.parts.known_effects import knowing
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
+from cocorosim_ros.wire.bags.bag_reader import check_there
 
-Source = Place | Recording
+if TYPE_CHECKING:
+    from cocorosim_ros.library.diagnosis_result import DiagnosisResult
+    from cocorosim_ros.library.recording import Recording
+
+    Source = Place | Recording
 Progress = Callable[[str, float], None]
 
 
@@ -41,7 +46,6 @@ def diagnose(
 
     Example: `diagnose("tank_bag", "lily").to_frame()`.
     """
-    from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.diagnosis.report.output_folder import check_folder
 
     function(progress, "progress")
@@ -49,8 +53,12 @@ def diagnose(
         check_folder(Path(place_text(out, "out")), force=force)
     model = _platform(platform, "platform")
     model = model if known is None else knowing(model, _platform(known, "known"))
-    progress("reading", 0.0)
     judged, well = _paths(bags, "bags"), [] if against is None else _paths(against, "against")
+    # Loaded here: a path that is wrong is said before the weight comes.
+    from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
+    from cocorosim_ros.library.diagnosis_result import DiagnosisResult
+
+    progress("reading", 0.0)
     whole = gather_evidence([*judged, *well], model)
     evidence = replace(whole, recordings=whole.recordings[: len(judged)])
     # Loaded here: recordings that cannot be used are refused before the filter is.
@@ -77,4 +85,12 @@ def _paths(bags: Source | Sequence[Source], name: str) -> list[Path]:
     several = list(bags) if isinstance(bags, Sequence) and not isinstance(bags, str) else [bags]
     if not several:
         raise ArgumentError(f"The argument '{name}' has no recording; give one at least.", name)
-    return [bag.path if isinstance(bag, Recording) else Path(place_text(bag, name)) for bag in several]
+    return [_path(bag, name) for bag in several]
+
+
+def _path(bag: object, name: str) -> Path:
+    if isinstance(bag, str | PathLike):
+        return check_there(place_text(bag, name))
+    from cocorosim_ros.library.recording import Recording
+
+    return bag.path if isinstance(bag, Recording) else Path(place_text(bag, name))

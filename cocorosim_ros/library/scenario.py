@@ -19,7 +19,6 @@ from cocorosim_ros.scenario.reading.entry import argument_entry
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks import loading
-from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 
 def load_scenario(
@@ -79,5 +78,7 @@ def check_runs_here(scenario: Scenario) -> None:
             f"The controller of {scenario.external[0]} is left to somebody else, who cannot answer within one process; "
             "take the robot out of the scenario's 'external', or start the nodes with `cocorosim run`."
         )
+    from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
+
     for robot in scenario.robots:
         check_platform(robot.platform)

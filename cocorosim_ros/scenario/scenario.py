@@ -9,16 +9,17 @@ from typing import TYPE_CHECKING, Literal
 from cocorosim_ros.foundation.card import Card, Shown
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.scenario.parts.controller_choice import AnyController
-from cocorosim_ros.scenario.parts.corruption import Corruption, corruptions_tree, read_corruptions
+from cocorosim_ros.scenario.parts.corruption import CORRUPTIONS, Corruption
 from cocorosim_ros.scenario.parts.light import Light
 from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.scenario.parts.swarm import SwarmGroup, read_swarm, swarm_tree
+from cocorosim_ros.scenario.parts.swarm import SWARM, SwarmGroup
 from cocorosim_ros.scenario.parts.tank import Box, Sphere, Tank
 from cocorosim_ros.scenario.parts.water import Water
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text, read_nanoseconds
 from cocorosim_ros.scenario.reading.records import (
     TEXT,
+    TIME_FORM,
     choice,
     nested,
     quantity,
@@ -48,6 +49,9 @@ def _read_names(entry: Entry) -> tuple[str, ...]:
     return tuple(part.text() for part in entry.items())
 
 
+_SEED = stored(lambda entry: entry.whole_number(0, _LARGEST_SEED), int, form=f"whole number from 0 to {_LARGEST_SEED}")
+
+
 def _read_topics(entry: Entry) -> Literal["all"] | tuple[str, ...]:
     return "all" if entry.value == "all" else _read_names(entry)
 
@@ -60,7 +64,7 @@ class Integrator:
     """
 
     name: Literal["rk4", "semi_implicit_euler"] = field(metadata=choice("rk4", "semi_implicit_euler"))
-    step_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="step"))
+    step_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="step", form=TIME_FORM))
     contact: Literal["inelastic", "stop_position"] = field(
         default="inelastic", metadata=choice("inelastic", "stop_position")
     )
@@ -107,7 +111,7 @@ class RecordedTopics:
     """Which topics are recorded: all, or those with these names."""
 
     topics: Literal["all"] | tuple[str, ...] = field(
-        default="all", metadata=stored(_read_topics, lambda topics: topics)
+        default="all", metadata=stored(_read_topics, lambda topics: topics, form="all, or a list of names of topics")
     )
 
 
@@ -132,17 +136,19 @@ class Scenario(Shown):
 
     name: str = field(metadata=TEXT)
     description: str = field(metadata=TEXT)
-    seed: int = field(metadata=stored(lambda entry: entry.whole_number(0, _LARGEST_SEED), int))
-    tick_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="tick"))
-    duration_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="duration"))
+    seed: int = field(metadata=_SEED)
+    tick_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="tick", form=TIME_FORM))
+    duration_ns: int = field(metadata=stored(read_nanoseconds, nanoseconds_text, key="duration", form=TIME_FORM))
     tank: Tank = field(metadata=nested(Tank))
     integrator: Integrator = field(metadata=nested(Integrator))
-    swarm: tuple[SwarmGroup, ...] = field(metadata=stored(read_swarm, swarm_tree))
-    external: tuple[str, ...] = field(default=(), metadata=stored(_read_names, list))
+    swarm: tuple[SwarmGroup, ...] = field(metadata=SWARM)
+    external: tuple[str, ...] = field(
+        default=(), metadata=stored(_read_names, list, form="list of names or patterns of robots")
+    )
     radio: Radio = field(default_factory=Radio, metadata=nested(Radio))
     blue_light: BlueLight = field(default_factory=BlueLight, metadata=nested(BlueLight))
     light: Light = field(default_factory=Light, metadata=nested(Light))
-    corruption: tuple[Corruption, ...] = field(default=(), metadata=stored(read_corruptions, corruptions_tree))
+    corruption: tuple[Corruption, ...] = field(default=(), metadata=CORRUPTIONS)
     lockstep: LockStep = field(default_factory=LockStep, metadata=nested(LockStep))
     recording: RecordedTopics = field(default_factory=RecordedTopics, metadata=nested(RecordedTopics))
     water: Water | None = field(default=None, metadata=nested(Water))

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario import load_platform
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.config_files import config_names
 from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.tick.assembly import build_world

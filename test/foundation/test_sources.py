@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from cocorosim_ros.foundation.compiling.cache import KEPT_DAYS, cache_base, folder_of, folder_of_text
+from cocorosim_ros.foundation.compiling.cache import KEPT_DAYS, folder_of, folder_of_text
+from cocorosim_ros.foundation.compiling.cache_place import cache_base
 from cocorosim_ros.foundation.compiling.sources import PACKAGE, digest_of, sources_of
 
 FILTER = PACKAGE / "diagnosis" / "filter" / "filter.py"

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 import time
 from collections.abc import Callable, Iterable
 from functools import cache
@@ -20,6 +19,7 @@ from typing import Any
 import numba
 import numpy
 
+from cocorosim_ros.foundation.compiling.cache_place import cache_base
 from cocorosim_ros.foundation.compiling.sources import digest_of, sources_of
 from cocorosim_ros.foundation.compiling.switches import VECTORS
 
@@ -27,19 +27,6 @@ KEPT_DAYS = 30.0
 _DAY = 86400.0  # s
 TOOLS = (numba.__version__, numpy.__version__, f"vectors={VECTORS}")
 Compiler = Callable[[Callable[..., Any]], Callable[..., Any]]
-
-
-@cache
-def cache_base() -> Path:
-    """The folder of all: below NUMBA_CACHE_DIR, XDG_CACHE_HOME or the user's own cache, else among temporary files."""
-    named = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-    bases = (Path(named) / "cocorosim_ros", Path(tempfile.gettempdir()) / f"cocorosim_ros-{_user()}")
-    return next((base for base in bases if _is_writable(base)), bases[-1])
-
-
-def _user() -> str:
-    """Tell users of one folder of temporary files apart; Windows has numbers of none, and gives each a folder."""
-    return str(os.getuid()) if hasattr(os, "getuid") else "user"
 
 
 @cache
@@ -83,11 +70,3 @@ def _remove_unused(base: Path) -> None:
             continue
         if unused:
             shutil.rmtree(folder, ignore_errors=True)
-
-
-def _is_writable(base: Path) -> bool:
-    try:
-        base.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return False
-    return os.access(base, os.W_OK)

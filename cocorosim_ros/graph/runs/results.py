@@ -5,13 +5,10 @@ from __future__ import annotations
 import json
 import platform
 from collections.abc import Mapping
-from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import Any
 
 from cocorosim_ros import __version__
-from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
@@ -54,24 +51,6 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
         f"{bag.path} holds no poses: {there}{damage}; there must be a topic NAMESPACE/pose of type "
         "geometry_msgs/msg/PoseStamped for each robot."
     )
-
-
-def json_text(content: dict[str, Any]) -> str:
-    """`content` as indented JSON; NaN cannot occur in it."""
-    return json.dumps(content, indent=2, allow_nan=False) + "\n"
-
-
-def write_json(path: Path, content: dict[str, Any]) -> None:
-    """Write `content` as `json_text` has it. Raises CocorosimError if there is no room."""
-    text = json_text(content)
-    provisional = path.with_name(path.name + ".part")
-    try:
-        provisional.write_text(text, "utf-8")
-        provisional.replace(path)
-    except OSError as error:
-        with suppress(OSError):
-            provisional.unlink(missing_ok=True)
-        raise CocorosimError(f"{path} cannot be written: {error.strerror}; choose another place.") from error
 
 
 def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, PoseTrack], series: MetricSeries) -> None:

@@ -96,7 +96,11 @@ class ControllerDescription:
     behaviour: str = field(metadata=TEXT)
     description: str = field(metadata=TEXT)
     parameters: Mapping[str, Parameter] = field(
-        default_factory=dict, hash=False, metadata=stored(_read_parameters, _parameters_tree)
+        default_factory=dict,
+        hash=False,
+        metadata=stored(
+            _read_parameters, _parameters_tree, form="mapping of names to numbers with unit, range and source"
+        ),
     )
     origin: str = field(default="", compare=False)
 

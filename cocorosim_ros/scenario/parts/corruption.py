@@ -12,8 +12,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.entry import Entry, listed
 from cocorosim_ros.scenario.reading.quantity import Sign, quantity_text, read_quantity
+from cocorosim_ros.scenario.reading.records import form_of, stored
 
 OWN = "that of the channel"
 TICKS = "ticks"
@@ -84,6 +85,19 @@ def purposes(corruptions: Sequence[Corruption]) -> list[str]:
     return [f"{kind} {kinds[:index].count(kind)}" for index, kind in enumerate(kinds)]
 
 
+def _form(dimension: str, sign: Sign) -> str:
+    """In words, what may stand for a number of these dimension and sign."""
+    if dimension == TICKS:
+        return f"whole number of ticks from 1 to {MOST_TICKS}"
+    if dimension == PROBABILITY:
+        return "pure number from 0 to 1"
+    return (
+        f"number in a unit of the channel's{'' if sign == 'any' else ', ' + sign}"
+        if dimension == OWN
+        else form_of(dimension, sign)
+    )
+
+
 def read_corruptions(entry: Entry) -> tuple[Corruption, ...]:
     """The corruptions that a list describes."""
     return tuple(_read_one(part) for part in entry.items())
@@ -92,6 +106,18 @@ def read_corruptions(entry: Entry) -> tuple[Corruption, ...]:
 def corruptions_tree(corruptions: tuple[Corruption, ...]) -> list[dict[str, Any]]:
     """The corruptions as plain values that `read_corruptions` reads back."""
     return [_tree(corruption) for corruption in corruptions]
+
+
+CORRUPTIONS = stored(read_corruptions, corruptions_tree, form="list of mappings") | {
+    "described_by": Corruption,
+    "several": True,
+    "also": {
+        "channel": listed(CHANNELS),
+        "kind": listed(KINDS),
+        **{name: _form(*rule) for numbers in KINDS.values() for name, rule in numbers.items()},
+        "robots": "list of names of robots; all of them if left out",
+    },
+}
 
 
 def longest_delay(corruptions: Sequence[Corruption]) -> int:

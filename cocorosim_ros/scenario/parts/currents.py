@@ -60,7 +60,7 @@ class GriddedCurrent:
     sha256: digest of the file; a scenario that states it refuses a file that has changed since.
     """
 
-    file: FlowFile = field(metadata=stored(read_flow_file, flow_file_text))
+    file: FlowFile = field(metadata=stored(read_flow_file, flow_file_text, form="path of a netCDF file"))
     kind: Literal["gridded"] = field(default="gridded", metadata=choice("gridded"))
 
 

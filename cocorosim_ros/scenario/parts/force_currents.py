@@ -11,7 +11,7 @@ from typing import Literal
 
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text, quantity_text, read_nanoseconds, read_quantity
-from cocorosim_ros.scenario.reading.records import choice, nested, quantity, read_record, record_tree, stored
+from cocorosim_ros.scenario.reading.records import TIME_FORM, choice, nested, quantity, read_record, record_tree, stored
 
 PAPER_OR_RELEASED = ("paper", "released")
 Source = Literal["paper", "released"]
@@ -24,7 +24,7 @@ def _read_fraction(entry: Entry) -> float:
     return value
 
 
-FRACTION = stored(_read_fraction, lambda value: quantity_text(value, "pure number"))
+FRACTION = stored(_read_fraction, lambda value: quantity_text(value, "pure number"), form="pure number from 0 to 1")
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class ColdSpots:
     force: float = field(metadata=quantity("force", "not negative"))
     probability: float = field(default=0.0015, metadata=FRACTION)
     lifetime_ns: int = field(
-        default=12_500_000_000, metadata=stored(read_nanoseconds, nanoseconds_text, key="lifetime")
+        default=12_500_000_000, metadata=stored(read_nanoseconds, nanoseconds_text, key="lifetime", form=TIME_FORM)
     )
     spawning: Source = field(default="paper", metadata=choice(*PAPER_OR_RELEASED))
     neighbours: Literal["surrounding_26", "released_18"] = field(
@@ -75,7 +75,9 @@ class ForceCurrents:
     cold_spots: ColdSpots | None = field(default=None, metadata=nested(ColdSpots))
     wakes: Wakes | None = field(default=None, metadata=nested(Wakes))
     patch: float = field(default=0.1, metadata=quantity("length", "positive"))
-    step_ns: int = field(default=500_000_000, metadata=stored(read_nanoseconds, nanoseconds_text, key="step"))
+    step_ns: int = field(
+        default=500_000_000, metadata=stored(read_nanoseconds, nanoseconds_text, key="step", form=TIME_FORM)
+    )
     diffusion: Literal["paper_equation_5", "released"] = field(
         default="paper_equation_5", metadata=choice("paper_equation_5", "released")
     )
@@ -116,4 +118,4 @@ def read_force_currents(entry: Entry) -> ForceCurrents:
     return forces
 
 
-FORCE_CURRENTS = stored(read_force_currents, record_tree)
+FORCE_CURRENTS = stored(read_force_currents, record_tree, form="mapping") | {"inside": ForceCurrents}

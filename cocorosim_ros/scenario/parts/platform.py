@@ -88,14 +88,24 @@ class Platform(Shown):
     sensors: Sensors = field(metadata=nested(Sensors))
     operating_system: OperatingSystem | None = field(default=None, metadata=nested(OperatingSystem))
     effect_quantities: Effects = field(
-        default_factory=dict, hash=False, metadata=stored(_read_effects, _effects_tree, key="effects")
+        default_factory=dict,
+        hash=False,
+        metadata=stored(_read_effects, _effects_tree, key="effects", form="mapping of effects to their numbers"),
     )
     thrust_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     drag_form: DragForm | None = field(default=None, metadata=choice(*DRAG_FORMS))
-    ranges: Ranges = field(default_factory=dict, hash=False, metadata=stored(read_ranges, ranges_tree))
-    frame_corrections: Mapping[str, str] = field(default_factory=dict, hash=False, metadata=stored(_read_words, dict))
+    ranges: Ranges = field(
+        default_factory=dict,
+        hash=False,
+        metadata=stored(read_ranges, ranges_tree, form="mapping of keys to the lowest and the highest value"),
+    )
+    frame_corrections: Mapping[str, str] = field(
+        default_factory=dict,
+        hash=False,
+        metadata=stored(_read_words, dict, form="mapping of topics to what is mixed up"),
+    )
     robots: Mapping[str, Platform] = field(default_factory=dict, hash=False)
     origin: str = field(default="", compare=False)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from cocorosim_ros.scenario.parts.vehicle_parts import Vector3
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text, read_nanoseconds
-from cocorosim_ros.scenario.reading.records import quantity, stored, vector
+from cocorosim_ros.scenario.reading.records import TIME_FORM, quantity, stored, vector
 
 
 @dataclass(frozen=True)
@@ -21,4 +21,6 @@ class Plume:
     rate: float = field(metadata=quantity("mass rate", "positive"))
     diffusivity: float = field(metadata=quantity("area rate", "not negative"))
     initial_size: float = field(default=0.05, metadata=quantity("length", "positive"))
-    interval_ns: int = field(default=5_000_000_000, metadata=stored(read_nanoseconds, nanoseconds_text, key="interval"))
+    interval_ns: int = field(
+        default=5_000_000_000, metadata=stored(read_nanoseconds, nanoseconds_text, key="interval", form=TIME_FORM)
+    )

@@ -16,7 +16,7 @@ from cocorosim_ros.scenario.parts.vehicle_parts import Vector3
 from cocorosim_ros.scenario.reading.config_files import referenced_config
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import quantity_text, read_vector
-from cocorosim_ros.scenario.reading.records import nested, read_record, record_tree, stored, vector
+from cocorosim_ros.scenario.reading.records import TEXT, nested, read_record, record_tree, stored, vector
 
 Pose = tuple[float, float, float, float]
 MOST_ROBOTS = 100_000
@@ -60,18 +60,41 @@ class Start:
     """Where a group starts: in a box at random, or at given poses (x, y, z [m; world], yaw [rad])."""
 
     box: StartBox | None = field(default=None, metadata=nested(StartBox))
-    poses: tuple[Pose, ...] | None = field(default=None, metadata=stored(_read_poses, _poses_tree))
+    poses: tuple[Pose, ...] | None = field(
+        default=None, metadata=stored(_read_poses, _poses_tree, form="list of [x, y, z, yaw] in m and rad; world")
+    )
+
+
+def _read_platform_choice(entry: Entry) -> Platform:
+    if isinstance(entry.value, dict):
+        return read_platform(entry)
+    return read_platform_file(referenced_config("platforms", entry))
+
+
+def _whole_count(entry: Entry) -> int:
+    return entry.whole_number(1, MOST_ROBOTS)
+
+
+_COUNT_FORM = f"whole number from 1 to {MOST_ROBOTS}; that of the poses, where `start` has them, if left out"
+_PLATFORM = stored(
+    _read_platform_choice, platform_tree, form="name in config/platforms, a file, or the platform's own keys"
+)
+_CONTROLLER = stored(
+    read_controller_choice,
+    controller_choice_tree,
+    form="name in config/controllers, a file, my_file.py:MyController, or {file, parameters}",
+)
 
 
 @dataclass(frozen=True)
 class SwarmGroup:
     """Equal robots: `count` of one platform and controller, called `prefix`_01, `prefix`_02, ..."""
 
-    platform: Platform
-    count: int
-    prefix: str
-    controller: AnyController
-    start: Start
+    platform: Platform = field(metadata=_PLATFORM)
+    count: int = field(metadata=stored(_whole_count, int, form=_COUNT_FORM))
+    prefix: str = field(metadata=TEXT | {"form": "small letters, digits and single underscores"})
+    controller: AnyController = field(metadata=_CONTROLLER)
+    start: Start = field(metadata=nested(Start))
 
     def robot_names(self) -> list[str]:
         """The names of the robots, which are their ROS namespaces."""
@@ -107,22 +130,14 @@ def read_group(entry: Entry) -> SwarmGroup:
 
 def swarm_tree(groups: tuple[SwarmGroup, ...]) -> list[dict[str, Any]]:
     """The groups as nested plain values that `read_swarm` reads, platforms and controllers written out."""
-    return [
-        {
-            "platform": platform_tree(group.platform),
-            "count": group.count,
-            "prefix": group.prefix,
-            "controller": controller_choice_tree(group.controller),
-            "start": record_tree(group.start),
-        }
-        for group in groups
-    ]
+    return [record_tree(group) for group in groups]
 
 
-def _read_platform_choice(entry: Entry) -> Platform:
-    if isinstance(entry.value, dict):
-        return read_platform(entry)
-    return read_platform_file(referenced_config("platforms", entry))
+SWARM = stored(read_swarm, swarm_tree, form="list of mappings") | {
+    "inside": SwarmGroup,
+    "several": True,
+    "also": {"overrides": "mapping of names of the controller's parameters to other values"},
+}
 
 
 def _read_start(entry: Entry) -> Start:
@@ -139,7 +154,7 @@ def _read_count(entry: Entry, section: dict[str, Entry], start: Start) -> int:
         count = Entry(len(start.poses or ()), entry.file, section["start"].line, f"{entry.key}.start.poses")
         return count.whole_number(1, MOST_ROBOTS)
     count = section["count"]
-    number = count.whole_number(1, MOST_ROBOTS)
+    number = _whole_count(count)
     if start.poses is not None and len(start.poses) != number:
         raise count.problem(f"has '{number}' but 'start.poses' has {len(start.poses)} poses; make them equal.")
     return number

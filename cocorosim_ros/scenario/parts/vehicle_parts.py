@@ -13,6 +13,7 @@ from cocorosim_ros.scenario.reading.records import (
     FLAG,
     TEXT,
     choice,
+    form_of,
     list_of,
     other_flags,
     quantities,
@@ -38,11 +39,19 @@ def _direction_tree(direction: Vector3) -> list[str]:
     return [quantity_text(part, "pure number") for part in direction]
 
 
+_DIRECTION = stored(_read_direction, _direction_tree, form="list of 3: a direction in the body, not all zero")
+
+
 def _read_cone(entry: Entry) -> float:
     angle = read_quantity(entry, "angle", "positive")
     if angle > 2 * math.pi:
         raise entry.problem(f"has {entry.found()}; a cone is at most 360 deg wide.")
     return angle
+
+
+_CONE = stored(
+    _read_cone, lambda value: quantity_text(value, "angle"), form=f"{form_of('angle', 'positive')}, 2 pi at most"
+)
 
 
 @dataclass(frozen=True)
@@ -64,7 +73,7 @@ class Thruster:
 
     name: str = field(metadata=TEXT)
     position: Vector3 = field(metadata=vector("length", 3))
-    direction: Vector3 = field(metadata=stored(_read_direction, _direction_tree))
+    direction: Vector3 = field(metadata=_DIRECTION)
     maximum: float = field(metadata=quantity("force", "positive"))
     maximum_reverse: float | None = field(default=None, metadata=quantity("force", "not negative"))
     kind: Literal["thruster"] = field(default="thruster", metadata=choice("thruster"))
@@ -92,7 +101,7 @@ class BlueLightSensor:
     name: str = field(metadata=TEXT)
     azimuth: float = field(metadata=quantity("angle"))
     elevation: float = field(metadata=quantity("angle"))
-    cone_angle: float = field(metadata=stored(_read_cone, lambda value: quantity_text(value, "angle")))
+    cone_angle: float = field(metadata=_CONE)
     neighbour_range: float = field(metadata=quantity("length", "not negative"))
     obstacle_range: float = field(metadata=quantity("length", "not negative"))
     obstacle_rays: tuple[float, ...] = field(default=(0.0,), metadata=quantities("angle"))

@@ -10,21 +10,45 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
-from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.scenario.reading.quantity import Sign, quantity_text, read_list, read_quantity, read_vector
+from cocorosim_ros.scenario.reading.entry import Entry, listed
+from cocorosim_ros.scenario.reading.quantity import (
+    Sign,
+    quantity_text,
+    read_list,
+    read_quantity,
+    read_vector,
+    si_unit,
+)
 
 Record = TypeVar("Record")
 Rule = dict[str, Any]
 
 
-def stored(read: Callable[[Entry], Any], write: Callable[[Any], Any], key: str = "") -> Rule:
-    """The rule of a field with its own reader and writer; `key` where YAML calls it otherwise."""
-    return {"read": read, "write": write, "key": key}
+def stored(read: Callable[[Entry], Any], write: Callable[[Any], Any], key: str = "", *, form: str) -> Rule:
+    """The rule of a field with its own reader and writer.
+
+    key: where YAML calls it otherwise. form: in words, what may stand there.
+    """
+    return {"read": read, "write": write, "key": key, "form": form}
+
+
+def form_of(dimension: str, sign: Sign = "any") -> str:
+    """The words for one number of a dimension: "length [m], greater than zero"."""
+    unit = "" if dimension == "pure number" else f" [{si_unit(dimension)}]"
+    limit = {"any": "", "not negative": ", not negative", "positive": ", greater than zero"}[sign]
+    return f"{dimension}{unit}{limit}"
+
+
+TIME_FORM = form_of("time", "positive")
 
 
 def quantity(dimension: str, sign: Sign = "any") -> Rule:
     """The rule of a field that holds one SI number."""
-    return stored(lambda entry: read_quantity(entry, dimension, sign), lambda value: quantity_text(value, dimension))
+    return stored(
+        lambda entry: read_quantity(entry, dimension, sign),
+        lambda value: quantity_text(value, dimension),
+        form=form_of(dimension, sign),
+    )
 
 
 def vector(dimension: str, size: int, sign: Sign = "any") -> Rule:
@@ -32,6 +56,7 @@ def vector(dimension: str, size: int, sign: Sign = "any") -> Rule:
     return stored(
         lambda entry: read_vector(entry, [dimension] * size, sign),
         lambda values: [quantity_text(value, dimension) for value in values],
+        form=f"list of {size}: {form_of(dimension, sign)}",
     )
 
 
@@ -40,6 +65,7 @@ def quantities(dimension: str) -> Rule:
     return stored(
         lambda entry: read_list(entry, dimension),
         lambda values: [quantity_text(value, dimension) for value in values],
+        form=f"list of any length: {form_of(dimension)}",
     )
 
 
@@ -48,21 +74,21 @@ def other_flags() -> Rule:
 
     Such a field is a mapping, empty by default.
     """
-    return {"read": Entry.flag, "write": dict, "key": "", "others": True}
+    return {"read": Entry.flag, "write": dict, "key": "", "form": "true or false", "others": True}
 
 
-TEXT: Rule = stored(Entry.text, str)
-FLAG: Rule = stored(Entry.flag, bool)
+TEXT: Rule = stored(Entry.text, str, form="text")
+FLAG: Rule = stored(Entry.flag, bool, form="true or false")
 
 
 def choice(*options: str) -> Rule:
     """The rule of a field that holds one of some words."""
-    return stored(lambda entry: entry.choice(options), str)
+    return stored(lambda entry: entry.choice(options), str, form=listed(options))
 
 
 def nested(kind: type[Any]) -> Rule:
     """The rule of a field that holds another record."""
-    return stored(lambda entry: read_record(kind, entry), record_tree)
+    return stored(lambda entry: read_record(kind, entry), record_tree, form="mapping") | {"inside": kind}
 
 
 def list_of(kind: type[Any] | Mapping[str, type[Any]]) -> Rule:
@@ -71,14 +97,15 @@ def list_of(kind: type[Any] | Mapping[str, type[Any]]) -> Rule:
     def read(entry: Entry) -> tuple[Any, ...]:
         return tuple(read_record(_type_of(part, kind), part) for part in entry.items())
 
-    return stored(read, lambda records: [record_tree(record) for record in records])
+    rule = stored(read, lambda records: [record_tree(record) for record in records], form="list of mappings")
+    return rule | {"inside": kind, "several": True}
 
 
 def read_record(kind: type[Record], entry: Entry) -> Record:
     """The record that a mapping describes; CocorosimError for unknown or missing keys and bad values."""
     readable = [field for field in dataclasses.fields(kind) if "read" in field.metadata]  # type: ignore[arg-type]
-    rules = {_key(field): field for field in readable if not field.metadata.get("others")}
-    required = [key for key, field in rules.items() if _is_required(field)]
+    rules = {key_of(field): field for field in readable if not field.metadata.get("others")}
+    required = [key for key, field in rules.items() if is_required(field)]
     collected = next((field for field in readable if field.metadata.get("others")), None)
     others = {} if collected is None else _flags_beside(rules, entry)
     section = entry.section(required, (*rules, *others))
@@ -96,7 +123,7 @@ def record_tree(record: Any) -> dict[str, Any]:
     for field, value in values:
         if value is not None and value != {}:
             written = field.metadata["write"](value)
-            tree |= written if field.metadata.get("others") else {_key(field): written}
+            tree |= written if field.metadata.get("others") else {key_of(field): written}
     return tree
 
 
@@ -107,11 +134,13 @@ def _flags_beside(rules: Mapping[str, Any], entry: Entry) -> dict[str, bool]:
     }
 
 
-def _key(field: dataclasses.Field[Any]) -> str:
+def key_of(field: dataclasses.Field[Any]) -> str:
+    """How YAML calls a field."""
     return field.metadata["key"] or field.name
 
 
-def _is_required(field: dataclasses.Field[Any]) -> bool:
+def is_required(field: dataclasses.Field[Any]) -> bool:
+    """Whether the key of a field must be there."""
     return field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
 
 

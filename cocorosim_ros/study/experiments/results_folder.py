@@ -1,9 +1,4 @@
-"""What the folder of an experiment holds, as it is read: the design that it belongs to and the rows that are there.
-
-design.json        which design and which code the rows belong to
-parts/*.parquet    rows of finished chunks; each appears at once or not at all
-results.parquet    all rows, in the order of the design
-"""
+"""What the folder of an experiment holds, as it is read: the design that it belongs to and the rows that are there."""
 
 from __future__ import annotations
 
@@ -17,9 +12,9 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
+from cocorosim_ros.study.experiments.folder_layout import DESIGN, PARTS, RESULTS
 from cocorosim_ros.study.experiments.rows import SCHEMA, RowKey
 
-DESIGN, PARTS, RESULTS = "design.json", "parts", "results.parquet"
 KEYS = ("numerics", "group", "replicate")
 """The columns that tell rows apart."""
 _NOTED = set("design digest description baseline replicates metrics robots tank ticks tick cells version".split())

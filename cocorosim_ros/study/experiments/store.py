@@ -18,16 +18,8 @@ import pyarrow.parquet as pq
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.study.experiments.code_version import version
 from cocorosim_ros.study.experiments.design import CONTROLLER_FILES, Design
-from cocorosim_ros.study.experiments.results_folder import (
-    DESIGN,
-    KEYS,
-    PARTS,
-    RESULTS,
-    part_files,
-    read_folder,
-    read_note,
-    row_keys,
-)
+from cocorosim_ros.study.experiments.folder_layout import DESIGN, PARTS, RESULTS
+from cocorosim_ros.study.experiments.results_folder import KEYS, part_files, read_folder, read_note, row_keys
 from cocorosim_ros.study.experiments.rows import RowKey
 
 _NEW = ".new"

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.experiments.design import Cell, Design
-from cocorosim_ros.study.experiments.results_folder import KEYS, RESULTS, read_note, read_rows
+from cocorosim_ros.study.experiments.folder_layout import RESULTS
+from cocorosim_ros.study.experiments.results_folder import KEYS, read_note, read_rows
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,8 @@ import pyarrow as pa
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.study.experiments.results_folder import DESIGN, group_rows, read_folder, read_note
+from cocorosim_ros.study.experiments.folder_layout import DESIGN, check_folder
+from cocorosim_ros.study.experiments.results_folder import group_rows, read_folder, read_note
 from cocorosim_ros.study.metrics import METRICS
 from cocorosim_ros.study.results.effect_size import Effect, effect
 
@@ -101,12 +102,6 @@ def load_all(folders: Sequence[Path]) -> list[Results]:
             )
         seen[name] = folder
     return found
-
-
-def check_folder(folder: Path) -> None:
-    """Nothing, if the folder holds an experiment. Raises CocorosimError otherwise."""
-    if not (folder / DESIGN).is_file():
-        raise CocorosimError(f"{folder} holds no experiment; give a folder that 'cocorosim experiment --out' has made.")
 
 
 def load_results(folder: Path) -> Results:

@@ -80,14 +80,20 @@ class Bag:
                 yield RecordedMessage(topic, type_name, log_time_ns, publish_time_ns, plain)
 
 
+def check_there(path: Path | str) -> Path:
+    """The path, if anything lies there. Raises CocorosimError otherwise."""
+    place = Path(path)
+    if not place.exists():
+        raise CocorosimError(f"{place} does not exist; give a rosbag2 folder or an .mcap file.")
+    return place
+
+
 def read_bag(path: Path | str) -> Bag:
     """The recording at a path: a rosbag2 folder with MCAP files, one MCAP file, or the folder of a run (its `bag`).
 
     Raises CocorosimError if there is no recording, or nothing of it can be read.
     """
-    place = Path(path)
-    if not place.exists():
-        raise CocorosimError(f"{place} does not exist; give a rosbag2 folder or an .mcap file.")
+    place = check_there(path)
     if not place.is_dir():
         _refuse_sqlite(place, [place])
         return Bag(place, [McapFile(place)], [])

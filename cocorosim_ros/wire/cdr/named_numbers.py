@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.wire.cdr.kernels.places import NUMBER_BYTES, aligned
+from cocorosim_ros.wire.cdr.alignment import NUMBER_BYTES, aligned
 from cocorosim_ros.wire.cdr.primitives import ByteOrder, Reader
 from cocorosim_ros.wire.cdr.stamped_numbers import FRAME_LENGTH, PADDING, Stamps, decode_layout
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr import type_store
-from cocorosim_ros.wire.cdr.kernels.places import NUMBER_BYTES
+from cocorosim_ros.wire.cdr.alignment import NUMBER_BYTES
 from cocorosim_ros.wire.cdr.primitives import ENCAPSULATION, pack_length, pack_stamp, pack_text, padding
 
 TYPE = "cocorosim_msgs/msg/Neighbours"

@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import Literal, TypeVar
 
 from cocorosim_ros.foundation.arrays import Integers
-from cocorosim_ros.wire.cdr.kernels.places import BODY, LENGTH_BYTES, NUMBER_BYTES, STAMP_BYTES, aligned
+from cocorosim_ros.wire.cdr.alignment import BODY, LENGTH_BYTES, NUMBER_BYTES, STAMP_BYTES, aligned
 
 ByteOrder = Literal["<", ">"]
 Whole = TypeVar("Whole", int, Integers)

@@ -16,8 +16,8 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.wire.cdr.alignment import MALFORMED, NUMBER_BYTES
 from cocorosim_ros.wire.cdr.kernels.inbox_rows import rows_of_inbox
-from cocorosim_ros.wire.cdr.kernels.places import MALFORMED, NUMBER_BYTES
 from cocorosim_ros.wire.cdr.primitives import ENCAPSULATION, Reader, pack_length, pack_numbers, pack_stamp, pack_text
 
 Result = TypeVar("Result")

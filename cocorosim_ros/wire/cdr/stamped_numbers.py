@@ -14,7 +14,7 @@ import numpy as np
 from rosbags.interfaces import Nodetype
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
-from cocorosim_ros.wire.cdr.kernels.places import BODY, LENGTH_BYTES, NUMBER_BYTES, STAMP_BYTES, aligned
+from cocorosim_ros.wire.cdr.alignment import BODY, LENGTH_BYTES, NUMBER_BYTES, STAMP_BYTES, aligned
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS, ByteOrder, byte_order
 from cocorosim_ros.wire.cdr.type_store import type_store
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from rosbags.interfaces import Nodetype
 
-from cocorosim_ros.wire.cdr.kernels.places import BODY, LENGTH_BYTES, STAMP_BYTES
+from cocorosim_ros.wire.cdr.alignment import BODY, LENGTH_BYTES, STAMP_BYTES
 from cocorosim_ros.wire.cdr.primitives import BIG_STAMP, NANOSECONDS, STAMP
 from cocorosim_ros.wire.cdr.type_store import is_known, type_store
 

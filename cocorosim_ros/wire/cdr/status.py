@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from cocorosim_ros.wire.cdr import type_store
-from cocorosim_ros.wire.cdr.kernels.places import LENGTH_BYTES
+from cocorosim_ros.wire.cdr.alignment import LENGTH_BYTES
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS, padding
 
 OK, WARN, ERROR = 0, 1, 2

@@ -23,7 +23,7 @@ from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
 from cocorosim_ros.wire.conversion.formats import FORMATS
 from cocorosim_ros.wire.conversion.formats.format import FileFormat, Log, LogFormat, check_file
 from cocorosim_ros.wire.conversion.rows import Rows
-from cocorosim_ros.wire.conversion.sources import Run, find_runs, sha256_of
+from cocorosim_ros.wire.conversion.sources import Run, check_there, find_runs, sha256_of
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
@@ -64,6 +64,7 @@ def convert(
     if out.exists() and not force:
         told = f"{out} exists already; choose another place with 'out', or replace it with 'force'."
         raise ArgumentError(told, "out", "force")
+    check_there(mapped, source)
     conversions = []
     for run, recording, read in _runs(mapped, source):
         progress(run)
@@ -120,8 +121,6 @@ def _file_source(mapped: ConversionMap, chosen: FileFormat, run: Run) -> _Source
 
 
 def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Source:
-    if not source.exists():
-        raise CocorosimError(f"{source} does not exist; give {chosen.summary}.")
     log = chosen.open(source)
     found = _Source()
     files = [source] if source.is_file() else sorted(path for path in source.iterdir() if path.is_file())

@@ -12,6 +12,8 @@ from pathlib import Path
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import listed
 from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
+from cocorosim_ros.wire.conversion.formats import FORMATS
+from cocorosim_ros.wire.conversion.formats.format import LogFormat
 
 
 @dataclass(frozen=True)
@@ -31,13 +33,19 @@ class Run:
     files: tuple[tuple[SourceFile, ...], ...]
 
 
+def check_there(mapped: ConversionMap, source: Path) -> None:
+    """Nothing, if anything lies at the path. Raises CocorosimError otherwise."""
+    if not source.exists():
+        chosen = FORMATS[mapped.format]
+        wanted = chosen.summary if isinstance(chosen, LogFormat) else "a file or a folder"
+        raise CocorosimError(f"{source} does not exist; give {wanted}.")
+
+
 def find_runs(mapped: ConversionMap, source: Path) -> list[Run]:
     """The runs in a folder, or the one that a file belongs to, sorted by name.
 
-    Raises CocorosimError: nothing there, no file fits, or the file fits none of the map's patterns.
+    Raises CocorosimError: no file fits, or the file fits none of the map's patterns.
     """
-    if not source.exists():
-        raise CocorosimError(f"{source} does not exist; give a file or a folder.")
     if source.is_dir():
         return _runs(mapped, source, None)
     for table in mapped.tables:

@@ -12,7 +12,6 @@ from cocorosim_ros.scenario.reading.records import read_record
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks.controlled import with_controller, with_external_named
-from cocorosim_ros.world.checks.scenario_checks import check_scenario
 
 
 def load_scenario(
@@ -52,5 +51,8 @@ def read_scenario(entry: Entry) -> Scenario:
     scenario, sections = replace(read_record(Scenario, entry), origin=entry.file), entry.mapping()
     if scenario.external:
         scenario = with_external_named(scenario, sections["external"])
+    # Loaded here: what is wrong with keys and units is said before the compiler, which comes with the model, is loaded.
+    from cocorosim_ros.world.checks.scenario_checks import check_scenario
+
     check_scenario(scenario, sections)
     return scenario

@@ -12,7 +12,8 @@ from hypothesis import strategies as some
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 import cocorosim_ros
-from cocorosim_ros.wire.cdr.kernels.places import MALFORMED, after_text, aligned, aligned_place, length_at
+from cocorosim_ros.wire.cdr.alignment import MALFORMED, aligned
+from cocorosim_ros.wire.cdr.kernels.places import after_text, aligned_place, length_at
 from cocorosim_ros.wire.cdr.primitives import (
     ENCAPSULATION,
     NANOSECONDS,

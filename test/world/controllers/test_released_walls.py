@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from cocorosim_ros.scenario import load_platform
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.tick.assembly import build_world

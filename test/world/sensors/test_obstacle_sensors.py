@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario import load_platform
-from cocorosim_ros.scenario.parts.platform import platform_tree, read_platform
+from cocorosim_ros.scenario.parts.platform import load_platform, platform_tree, read_platform
 from cocorosim_ros.scenario.reading.entry import entry_of
 from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.seeding.seeding import start_poses

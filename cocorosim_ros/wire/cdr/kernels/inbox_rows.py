@@ -6,17 +6,8 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.wire.cdr.kernels.places import (
-    BODY,
-    LENGTH_BYTES,
-    MALFORMED,
-    NUMBER_BYTES,
-    STAMP_BYTES,
-    Bytes,
-    after_text,
-    aligned_place,
-    length_at,
-)
+from cocorosim_ros.wire.cdr.alignment import BODY, LENGTH_BYTES, MALFORMED, NUMBER_BYTES, STAMP_BYTES
+from cocorosim_ros.wire.cdr.kernels.places import Bytes, after_text, aligned_place, length_at
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT
 
 

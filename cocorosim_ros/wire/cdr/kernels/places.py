@@ -1,8 +1,4 @@
-"""Where the primitives of CDR stand: alignment for Python and for compiled functions, and how the latter find lengths.
-
-Numbers are aligned to their own size, counted from the end of the encapsulation header (CORBA 3.3 part 2, 9.3; OMG
-DDSI-RTPS 2.5, chapter 10).
-"""
+"""How compiled functions find lengths and texts in CDR bytes."""
 
 from __future__ import annotations
 
@@ -10,20 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.wire.cdr.alignment import LENGTH_BYTES, MALFORMED, aligned
 
 Bytes = NDArray[np.uint8]
-
-BODY = 4  # where the body begins, behind the encapsulation header
-LENGTH_BYTES = 4  # a uint32, before a text and before the elements of a list
-STAMP_BYTES = 8  # seconds (int32), nanoseconds (uint32)
-NUMBER_BYTES = 8  # a float64
-MALFORMED = -1
-
-
-def aligned(at: int, size: int) -> int:
-    """The first place from `at` on where a number of `size` bytes may stand, counted from the encapsulation header."""
-    return at + (BODY - at) % size
-
 
 aligned_place = kernel(aligned)
 

@@ -1,0 +1,33 @@
+"""`cocorosim new`: a commented file to begin with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from cocorosim_ros.commands.terminal import say
+
+_KINDS = ("platform", "controller", "scenario", "map")
+_NEXT = {
+    "platform": "cocorosim diagnose BAG --platform {file} --out found",
+    "controller": "cocorosim run eleven_lilys --controller {file}:{name} --in-process",
+    "scenario": "cocorosim run {file}",
+    "map": "cocorosim convert {file} LOG --out bag",
+}
+
+
+@click.command("new", short_help="a commented file to begin with")
+@click.argument("kind", metavar=f"[{'|'.join(_KINDS)}]", type=click.Choice(_KINDS))
+@click.argument("name")
+@click.option("--out", type=click.Path(path_type=Path), help="the file [default: NAME.yaml or NAME.py, here]")
+@click.option("--force", is_flag=True, help="replace a file that is there")
+def command(kind: str, name: str, out: Path | None, force: bool) -> None:
+    """Write a commented platform, controller, scenario or map called NAME, which works as it is."""
+    from cocorosim_ros.library.beginning import begin_file, class_name
+
+    file = begin_file(kind, name, out, force=force)
+    console = Console()
+    say(console, f"wrote {file}; next:")
+    say(console, f"  {_NEXT[kind].format(file=file, name=class_name(name))}")
