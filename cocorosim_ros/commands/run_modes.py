@@ -18,6 +18,7 @@ from cocorosim_ros.commands.progress import RunProgress
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
+from cocorosim_ros.graph.runs.scenery import scenery_topics
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.world.controllers.plain.plain_controller import check_plain, rehearse_plain
@@ -84,7 +85,8 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
         check_platform(robot.platform)
     check_plain(scenario.robots)
     bodies = [describe_body(robot) for robot in scenario.robots]
-    selected_topics(run_topics(bodies), scenario.recording.topics)
+    drawn = scenery_topics([body.name for body in bodies])
+    selected_topics({**run_topics(bodies), **drawn}, scenario.recording.topics)
     rehearse_plain(scenario.robots, scenario.seed)
 
 

@@ -17,6 +17,7 @@ from cocorosim_ros.graph.runs.body_side import BodySide
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, run_topics
+from cocorosim_ros.graph.runs.scenery import scenery_topics, standing_messages
 from cocorosim_ros.scenario.parts.corruption import longest_delay
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
@@ -68,6 +69,7 @@ class PhysicsShell:
             for topic, row in run_topics(self.bodies).items()
             if row not in ANSWERS and topic != STATISTICS_TOPIC
         }
+        self._scenery = self._set_scenery(node)
         self._complaints = Complaints(self._speakers[STATUS_TOPIC], terms.tell)
         self._answers = [Answers(node, body, self.complain) for body in self.bodies]
         self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
@@ -195,6 +197,14 @@ class PhysicsShell:
             speakers = [self._speakers[STATUS_TOPIC]] if recorded else self._speakers.values()
             if all(speaker.all_received() for speaker in speakers):
                 return
+
+    def _set_scenery(self, node: Node) -> list[Speaker]:
+        """Say once, for all who come later, what robots and tank look like; what said it must stay."""
+        rows, speakers = scenery_topics([body.name for body in self.bodies]), []
+        for topic, data in standing_messages(self.scenario.robots, self.scenario.tank, self.scenario.light).items():
+            speakers.append(Speaker(node, TOPICS[rows[topic]].type_name, topic, TOPICS[rows[topic]].quality))
+            speakers[-1].publish(data)
+        return speakers
 
     def _switch_off(self) -> None:
         """Take the actuators from controllers of a free run that have died or are silent for too long."""

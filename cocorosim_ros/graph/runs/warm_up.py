@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.graph.runs.body_side import BodySide
+from cocorosim_ros.graph.runs.scenery import Scenery
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.wire.bags.tracks import decode_poses
@@ -33,3 +34,4 @@ def compile_everything(scenario: Scenario) -> None:
     command = np.zeros(len(robot.platform.actuators))
     conduct_one(build_crew([robot]), 0, blank, blank_memory(1, 1)[0, 0], command, np.zeros(MESSAGE_SIZE))
     read_status(end_of_run(0, 0, 0))
+    Scenery.of(scenario)
