@@ -106,8 +106,7 @@ def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console:
     from cocorosim_ros.graph.runs.warm_up import compile_everything
 
     with _own_domain(network=choices.network) as domain:
-        with console.status("compiling (once per version)"):
-            compile_everything(scenario)
+        compile_everything(scenario, _teller(console))
         console.print(_announcement(scenario, domain, choices), markup=False)
         start = time.monotonic()
         supervisor = Supervisor(_plan(scenario, choices, folder), _warner(console))
@@ -127,7 +126,9 @@ def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, co
     """All nodes in this process, still on ROS topics."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.graph.nodes.composed import run_composed
+    from cocorosim_ros.graph.runs.warm_up import compile_everything
 
+    compile_everything(scenario, _teller(console))
     with _own_domain(network=choices.network):
         start = time.monotonic()
         with Interruption() as interruption, RunProgress(console, scenario) as progress:
@@ -144,8 +145,10 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
     """The same ticks and the same bag, without ROS."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.graph.runs.in_process import run_in_process
+    from cocorosim_ros.graph.runs.warm_up import compile_whole_run
     from cocorosim_ros.library.record import new_record
 
+    compile_whole_run(scenario, _teller(console))
     record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
     start = time.monotonic()
     with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
@@ -180,6 +183,10 @@ def _plan(scenario: Scenario, choices: RunChoices, folder: Path) -> GraphPlan:
 
 def _warner(console: Console) -> Callable[[str], None]:
     return lambda words: console.print(words, style="yellow", markup=False, highlight=False)
+
+
+def _teller(console: Console) -> Callable[[str], None]:
+    return lambda words: console.print(words, markup=False, highlight=False)
 
 
 def _announcement(scenario: Scenario, domain: int, choices: RunChoices) -> str:

@@ -26,6 +26,7 @@ from cocorosim_ros.graph.nodes.wiring import Waiter
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection
 from cocorosim_ros.graph.runs.scenery import Scenery
+from cocorosim_ros.graph.runs.warm_up import compile_recorder
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
@@ -143,10 +144,14 @@ def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
     values = declare(node, PARAMETERS)
     warn_of_unknown(node)
     subject = subject_of(values, scenario)
+    if scenario is None:
+        compile_recorder(subject.bodies, node.get_logger().info)
     life = _Life(supervised=scenario is not None)
     folder = Path(values["out"])
     kept = {"selection": subject.selection, "scenery": subject.scenery, "force": values["force"]}
     record = RunRecord(folder, subject.bodies, subject.origin, **kept)
+    if scenario is None:
+        node.get_logger().info(f"ready: records {len(record.topics)} topics into {folder}")
     if values["lock_step"] and values["scenario"]:
         record_ticks(node, record, life, subject.external)
     else:

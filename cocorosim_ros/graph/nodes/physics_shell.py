@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from rclpy.node import Node
 
+from cocorosim_ros.foundation.compiling.once import somebody_compiles
 from cocorosim_ros.graph.nodes.answers import Answers
 from cocorosim_ros.graph.nodes.complaints import Complaints, tell_on_terminal
 from cocorosim_ros.graph.nodes.recorder_link import RECORDED_AHEAD, RecorderEar
@@ -33,6 +34,7 @@ from cocorosim_ros.world.tick.step_barrier import COMMAND, RADIO_MESSAGE, StepBa
 LAST_ANSWERS = 1.0  # s, wall clock, that a tick gets to be completed when the run is to stop
 LAST_WORDS = 5.0  # s, wall clock
 RECORDER_PATIENCE = 20.0  # s, wall clock
+LOOK_AT_COMPILERS = 0.5  # s, wall clock
 Idle = Callable[[Sequence[Listener], float], None]
 
 
@@ -98,12 +100,19 @@ class PhysicsShell:
     def wait_until_connected(self) -> None:
         """Return when everybody who belongs to the run is there; robots that are missing are dealt with.
 
+        The time in which a node on this machine still compiles does not count.
+
         Raises RunError if the recorder is missing, a robot has two controllers, or a controller is missing and the
         scenario says to stop then.
         """
-        deadline = time.monotonic() + self._terms.wait
+        now = looked = time.monotonic()
+        deadline = now + self._terms.wait
         while not self.stop and not self._start_line.everybody_is_there(self._terms.dead()):
-            if time.monotonic() > deadline:
+            now = time.monotonic()
+            if now - looked > LOOK_AT_COMPILERS or now > deadline:
+                looked = now
+                deadline = now + self._terms.wait if somebody_compiles() else deadline
+            if now > deadline:
                 self._give_up_waiting()
                 return
             self._idle([], 0.01)
