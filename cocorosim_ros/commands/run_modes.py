@@ -78,6 +78,7 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
         _check_environment()
     # Loaded here: what is wrong with options and environment is said before the weight comes.
     from cocorosim_ros.graph.runs.run_record import run_topics, selected_topics
+    from cocorosim_ros.graph.runs.scenery import scenery_topics
     from cocorosim_ros.wire.topics.body import describe_body
     from cocorosim_ros.world.controllers.plain.plain_controller import check_plain, rehearse_plain
     from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
@@ -86,7 +87,8 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
         check_platform(robot.platform)
     check_plain(scenario.robots)
     bodies = [describe_body(robot) for robot in scenario.robots]
-    selected_topics(run_topics(bodies), scenario.recording.topics)
+    drawn = scenery_topics([body.name for body in bodies])
+    selected_topics({**run_topics(bodies), **drawn}, scenario.recording.topics)
     rehearse_plain(scenario.robots, scenario.seed)
 
 
@@ -106,8 +108,7 @@ def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console:
     from cocorosim_ros.graph.runs.warm_up import compile_everything
 
     with _own_domain(network=choices.network) as domain:
-        with console.status("compiling (once per version)"):
-            compile_everything(scenario)
+        compile_everything(scenario, _teller(console))
         console.print(_announcement(scenario, domain, choices), markup=False)
         start = time.monotonic()
         supervisor = Supervisor(_plan(scenario, choices, folder), _warner(console))
@@ -127,7 +128,9 @@ def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, co
     """All nodes in this process, still on ROS topics."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.graph.nodes.composed import run_composed
+    from cocorosim_ros.graph.runs.warm_up import compile_everything
 
+    compile_everything(scenario, _teller(console))
     with _own_domain(network=choices.network):
         start = time.monotonic()
         with Interruption() as interruption, RunProgress(console, scenario) as progress:
@@ -144,8 +147,10 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
     """The same ticks and the same bag, without ROS."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.graph.runs.in_process import run_in_process
+    from cocorosim_ros.graph.runs.warm_up import compile_whole_run
     from cocorosim_ros.library.record import new_record
 
+    compile_whole_run(scenario, _teller(console))
     record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
     start = time.monotonic()
     with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
@@ -180,6 +185,10 @@ def _plan(scenario: Scenario, choices: RunChoices, folder: Path) -> GraphPlan:
 
 def _warner(console: Console) -> Callable[[str], None]:
     return lambda words: console.print(words, style="yellow", markup=False, highlight=False)
+
+
+def _teller(console: Console) -> Callable[[str], None]:
+    return lambda words: console.print(words, markup=False, highlight=False)
 
 
 def _announcement(scenario: Scenario, domain: int, choices: RunChoices) -> str:

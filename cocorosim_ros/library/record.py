@@ -8,6 +8,7 @@ from pathlib import Path
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection
+from cocorosim_ros.graph.runs.scenery import Scenery
 from cocorosim_ros.library.recording import Recording, read_recording
 from cocorosim_ros.library.scenario import scenario_to_run
 from cocorosim_ros.scenario.reading.arguments import Place, Seed, Time, place_text, whole_number
@@ -59,4 +60,4 @@ def new_record(
     """
     bodies = [describe_body(robot) for robot in scenario.robots]
     metadata = {**recording_metadata(scenario), **(made_by or {})}
-    return RunRecord(folder, bodies, metadata, selection=selection, force=force)
+    return RunRecord(folder, bodies, metadata, selection=selection, scenery=Scenery.of(scenario), force=force)

@@ -14,11 +14,9 @@ import pytest
 from ruamel.yaml import YAML
 
 from cocorosim_ros.graph.runs.in_process import run_in_process
-from cocorosim_ros.graph.runs.results import recording_metadata
-from cocorosim_ros.graph.runs.run_record import RunRecord
+from cocorosim_ros.library.record import new_record
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.cdr.type_store import deserialize
-from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.topics import split_topic
 from cocorosim_ros.world.checks.loading import load_scenario
 
@@ -33,7 +31,11 @@ CONTRACT = {
     "thruster_command": "cocorosim_msgs/msg/ThrusterCommand",
     "shoal_statistics": "cocorosim_msgs/msg/ShoalStatistics",
     "diagnostics": "diagnostic_msgs/msg/DiagnosticArray",
+    "tank": "visualization_msgs/msg/MarkerArray",
+    "swarm": "visualization_msgs/msg/MarkerArray",
+    "robot_description": "std_msgs/msg/String",
 }
+MARKERS = {"/markers/tank", "/markers/swarm"}
 PAPER = {"polarisation", "angular_momentum", "shoal_speed", "separation", "lost", "shoals"}
 
 
@@ -51,7 +53,7 @@ def bag(tmp_path_factory: pytest.TempPathFactory) -> Bag:
     """The first second of the main job: eleven Lilys."""
     folder = tmp_path_factory.mktemp("layouts") / "bag"
     scenario = load_scenario("eleven_lilys", duration="1 s")
-    record = RunRecord(folder, [describe_body(robot) for robot in scenario.robots], recording_metadata(scenario))
+    record = new_record(scenario, folder)
     run_in_process(scenario, record)
     record.close()
     return read_bag(folder)
@@ -122,14 +124,19 @@ def test_foxglove_and_lichtblick(file: Path, bag: Bag) -> None:
         assert all(bag.summary.types[topic] == CONTRACT[split_topic(topic)[1]] for topic in topics)
         if name.startswith("3D!"):
             frames = {"world", *(f"{split_topic(topic)[0]}/base_link" for topic in topics)}
-            assert {panel["followTf"], *(layer["frameId"] for layer in panel["layers"].values())} <= frames
+            layers = panel["layers"].values()
+            grids = [layer["frameId"] for layer in layers if layer["layerId"] == "foxglove.Grid"]
+            assert {panel["followTf"], *grids} <= frames
+            models = [layer["topic"] for layer in layers if layer["layerId"] == "foxglove.Urdf"]
+            assert {split_topic(topic)[0] for topic in models} == {split_topic(t)[0] for t in {*topics} - MARKERS}
+            assert {bag.summary.types[topic] for topic in models} == {CONTRACT["robot_description"]}
 
 
 def test_all_robots_and_metrics_are_in_the_swarm_s_layouts(bag: Bag) -> None:
     """Eleven poses and the paper's six metrics, each under its own name."""
     poses = {topic for topic in bag.summary.types if topic.endswith("/pose")}
     content = json.loads((CONFIG / "foxglove/swarm.json").read_text("utf-8"))
-    assert set(content["configById"]["3D!tank"]["topics"]) == poses
+    assert set(content["configById"]["3D!tank"]["topics"]) == poses | MARKERS
     named = metrics_shown(bag, foxglove_numbers(content))
     assert set(named) == PAPER
     assert all(label == metric for metric, label in named.items())
@@ -147,11 +154,16 @@ def test_plotjuggler(bag: Bag) -> None:
 
 
 def test_rviz(bag: Bag) -> None:
-    """Each pose has its arrow, and RViz asks for it as it is offered: reliable and volatile."""
+    """Each robot has its arrow and its body, the markers are shown; RViz asks for each topic as it is offered."""
     content = YAML(typ="safe").load((CONFIG / "rviz/swarm.rviz").read_text("utf-8"))["Visualization Manager"]
     arrows = [each for each in content["Displays"] if each["Class"] == "rviz_default_plugins/Pose"]
     assert {each["Topic"]["Value"] for each in arrows} == {t for t in bag.summary.types if t.endswith("/pose")}
-    for each in arrows:
-        assert bag.summary.types[each["Topic"]["Value"]] == CONTRACT["pose"]
-        assert each["Topic"]["Reliability Policy"] == "Reliable"
-        assert each["Topic"]["Durability Policy"] == "Volatile"
+    asked = [each.get("Topic") or each.get("Description Topic") for each in content["Displays"]]
+    topics = {each["Value"]: each for each in asked if each}
+    bodies = {topic for topic in bag.summary.types if topic.endswith("/robot_description")}
+    assert set(topics) == {each["Topic"]["Value"] for each in arrows} | bodies | MARKERS
+    for topic, each in topics.items():
+        assert bag.summary.types[topic] == CONTRACT[split_topic(topic)[1]]
+        offered = {entry.topic: entry.offered_qos_profiles for entry in bag.summary.topics}[topic]
+        assert f"reliability: {each['Reliability Policy'].lower()}" in offered
+        assert f"durability: {each['Durability Policy'].lower().replace(' ', '_')}" in offered

@@ -10,7 +10,9 @@ import time
 
 from rclpy.node import Node
 
-from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.graph.nodes.answers import COMMAND
+from cocorosim_ros.graph.nodes.recorder_link import speakers_of_recorder
+from cocorosim_ros.graph.nodes.wiring import Listener
 from cocorosim_ros.graph.runs.pose_moments import Moment, PoseMoments
 from cocorosim_ros.graph.runs.run_record import STATISTICS_TOPIC, STATUS_TOPIC, RunRecord
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
@@ -29,8 +31,8 @@ class ArrivalRecorder:
         self.record = record
         self.announced: int | None = None  # ticks of the whole run, once its last status has come
         self._node = node
-        row = TOPICS[STATISTICS_TOPIC]
-        self._statistics = Speaker(node, row.type_name, STATISTICS_TOPIC, row.quality)
+        self._speakers = speakers_of_recorder(node)
+        self._commands: dict[str, bytes] = {}
         self._listeners = {
             topic: Listener(node, TOPICS[row].type_name, topic, TOPICS[row].quality, keep_all=True)
             for topic, row in record.topics.items()
@@ -70,12 +72,13 @@ class ArrivalRecorder:
                 self.announced = int(values["ticks"])
         elif topic in self._robots:
             self._moments.add(self._robots[topic], moment, data, time.monotonic())
+        elif type_name == COMMAND.type_name:
+            self._commands[topic] = data
 
     def _measure(self, moments: list[Moment]) -> None:
         for moment, poses in moments:
-            statistics = self.record.measure(moment, poses)
-            self.record.write(STATISTICS_TOPIC, moment, statistics)
-            self._statistics.publish(statistics)
+            for topic, data in self.record.measure(moment, poses, self._commands).items():
+                self._speakers[topic].publish(data)
         if self._moments.late and not self._told_of_late_poses:
             self._told_of_late_poses = True
             self._node.get_logger().warning(

@@ -20,6 +20,7 @@ from cocorosim_ros.graph.nodes.wiring import Listener, Waiter
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import RunRecord
+from cocorosim_ros.graph.runs.scenery import Scenery
 from cocorosim_ros.wire.topics.body import describe_body
 
 CLOSE_PATIENCE = 10.0  # s of wall clock that the last messages get to arrive
@@ -81,7 +82,8 @@ def run_composed(
         scenario = plan.scenario
         bodies = [describe_body(robot) for robot in scenario.robots]
         selection = scenario.recording.topics
-        record = RunRecord(plan.out / "bag", bodies, recording_metadata(scenario), selection=selection)
+        metadata, scenery = recording_metadata(scenario), Scenery.of(scenario)
+        record = RunRecord(plan.out / "bag", bodies, metadata, selection=selection, scenery=scenery)
         stack.callback(record.close)
         graph = ComposedGraph(plan, record, tell)
         on_start(graph)

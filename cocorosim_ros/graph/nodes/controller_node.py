@@ -21,6 +21,7 @@ from cocorosim_ros.graph.nodes.controller_shell import ControllerShell
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
 from cocorosim_ros.graph.nodes.wiring import LONGEST_WAIT, Waiter
+from cocorosim_ros.graph.runs.warm_up_controller import compile_controller
 from cocorosim_ros.scenario.parts.controller_choice import AnyController, chosen_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.parts.python_controller import PythonController
@@ -110,14 +111,23 @@ def run_controller(node: Node, described: RobotDescription | None = None) -> Non
     values = declare(node, PARAMETERS)
     robot, seed = robot_of(node, values) if described is None else (described, 0)
     warn_of_unknown(node)
+    if described is None:
+        compile_controller(robot, node.get_logger().info)
     waiter = Waiter(node, 16)
     shell = ControllerShell(node, robot, seed if values["seed"] < 0 else values["seed"])
     on_termination(lambda: setattr(shell, "stop", True), supervised=described is not None)
+    if described is None:
+        node.get_logger().info(_ready(robot, values["period"]))
     if values["period"] > 0.0:
         answer_periodically(shell, node, values)
     else:
         shell.wait_until_heard(values["listeners"])
         answer_sets(shell, waiter)
+
+
+def _ready(robot: RobotDescription, period: float) -> str:
+    when = f"commands every {period:g} s" if period else "answers every complete set of readings"
+    return f"ready: '{robot.controller.name}' {when} of {robot.name}"
 
 
 def controller(arguments: Sequence[str]) -> None:

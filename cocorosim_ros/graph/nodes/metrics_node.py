@@ -25,6 +25,8 @@ from cocorosim_ros.graph.nodes.tick_recorder import TickRecorder
 from cocorosim_ros.graph.nodes.wiring import Waiter
 from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection
+from cocorosim_ros.graph.runs.scenery import Scenery
+from cocorosim_ros.graph.runs.warm_up import compile_recorder
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
@@ -59,6 +61,7 @@ class Subject:
 
     bodies: tuple[BodyDescription, ...]
     origin: dict[str, str]  # what the bag says of where it comes from
+    scenery: Scenery
     external: tuple[str, ...] = ()
     selection: Selection = "all"
 
@@ -68,13 +71,14 @@ def subject_of(values: dict[str, Any], scenario: Scenario | None) -> Subject:
     if values["scenario"]:
         scenario = scenario or scenario_of(values)
         bodies = tuple(describe_body(robot) for robot in scenario.robots)
-        return Subject(bodies, recording_metadata(scenario), scenario.external, scenario.recording.topics)
+        origin, scenery = recording_metadata(scenario), Scenery.of(scenario)
+        return Subject(bodies, origin, scenery, scenario.external, scenario.recording.topics)
     names = values["robots"].split()
     if not names:
         raise CocorosimError("metrics_node: give 'scenario', or 'robots' with the names of the robots to record.")
     platform, idle = load_platform(values["platform"]), load_controller("idle")
     robots = [RobotDescription(name, platform, idle, external=True) for name in names]
-    return Subject(tuple(describe_body(robot) for robot in robots), {"robots": " ".join(names)})
+    return Subject(tuple(describe_body(robot) for robot in robots), {"robots": " ".join(names)}, Scenery(robots))
 
 
 class _Life:
@@ -140,9 +144,14 @@ def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
     values = declare(node, PARAMETERS)
     warn_of_unknown(node)
     subject = subject_of(values, scenario)
+    if scenario is None:
+        compile_recorder(subject.bodies, node.get_logger().info)
     life = _Life(supervised=scenario is not None)
     folder = Path(values["out"])
-    record = RunRecord(folder, subject.bodies, subject.origin, selection=subject.selection, force=values["force"])
+    kept = {"selection": subject.selection, "scenery": subject.scenery, "force": values["force"]}
+    record = RunRecord(folder, subject.bodies, subject.origin, **kept)
+    if scenario is None:
+        node.get_logger().info(f"ready: records {len(record.topics)} topics into {folder}")
     if values["lock_step"] and values["scenario"]:
         record_ticks(node, record, life, subject.external)
     else:

@@ -14,6 +14,8 @@ from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_m
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
 from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell, Terms
 from cocorosim_ros.graph.nodes.wiring import Waiter
+from cocorosim_ros.graph.runs.latency import check_latency
+from cocorosim_ros.graph.runs.warm_up import compile_physics
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks.loading import load_scenario
 
@@ -79,6 +81,9 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     values = declare(node, PARAMETERS)
     warn_of_unknown(node)
     scenario = scenario_of(values) if supervision is None else supervision.scenario
+    if supervision is None:
+        check_latency(scenario)
+        compile_physics(scenario, node.get_logger().info)
     waiter = Waiter(node, 2 * len(scenario.robots) + 1)
 
     def idle(listeners: Sequence[Any], seconds: float) -> None:
@@ -91,6 +96,8 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     shell = PhysicsShell(node, scenario, idle, terms)
     progress: Progress = (lambda ticks, missing: None) if supervision is None else supervision.report
     on_termination(shell.request_stop, supervised=supervision is not None)
+    if supervision is None:
+        node.get_logger().info(_ready(scenario, values["rate"]))
     try:
         shell.wait_until_connected()
         if values["rate"] > 0.0:
@@ -100,6 +107,11 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     finally:
         shell.end()
         shell.linger()
+
+
+def _ready(scenario: Scenario, rate: float) -> str:
+    pace = f"at {rate:g} x real time" if rate else "in lock-step"
+    return f"ready: {len(scenario.robots)} robots of '{scenario.name}' {pace}, which begins when all are there"
 
 
 def physics(arguments: Sequence[str]) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from rclpy.node import Node
 
+from cocorosim_ros.foundation.compiling.once import somebody_compiles
 from cocorosim_ros.graph.nodes.answers import Answers
 from cocorosim_ros.graph.nodes.complaints import Complaints, tell_on_terminal
 from cocorosim_ros.graph.nodes.recorder_link import RECORDED_AHEAD, RecorderEar
@@ -17,6 +18,7 @@ from cocorosim_ros.graph.runs.body_side import BodySide
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, run_topics
+from cocorosim_ros.graph.runs.scenery import scenery_topics, standing_messages
 from cocorosim_ros.scenario.parts.corruption import longest_delay
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
@@ -32,6 +34,7 @@ from cocorosim_ros.world.tick.step_barrier import COMMAND, RADIO_MESSAGE, StepBa
 LAST_ANSWERS = 1.0  # s, wall clock, that a tick gets to be completed when the run is to stop
 LAST_WORDS = 5.0  # s, wall clock
 RECORDER_PATIENCE = 20.0  # s, wall clock
+LOOK_AT_COMPILERS = 0.5  # s, wall clock
 Idle = Callable[[Sequence[Listener], float], None]
 
 
@@ -68,6 +71,7 @@ class PhysicsShell:
             for topic, row in run_topics(self.bodies).items()
             if row not in ANSWERS and topic != STATISTICS_TOPIC
         }
+        self._scenery = self._set_scenery(node)
         self._complaints = Complaints(self._speakers[STATUS_TOPIC], terms.tell)
         self._answers = [Answers(node, body, self.complain) for body in self.bodies]
         self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
@@ -96,12 +100,19 @@ class PhysicsShell:
     def wait_until_connected(self) -> None:
         """Return when everybody who belongs to the run is there; robots that are missing are dealt with.
 
+        The time in which a node on this machine still compiles does not count.
+
         Raises RunError if the recorder is missing, a robot has two controllers, or a controller is missing and the
         scenario says to stop then.
         """
-        deadline = time.monotonic() + self._terms.wait
+        now = looked = time.monotonic()
+        deadline = now + self._terms.wait
         while not self.stop and not self._start_line.everybody_is_there(self._terms.dead()):
-            if time.monotonic() > deadline:
+            now = time.monotonic()
+            if now - looked > LOOK_AT_COMPILERS or now > deadline:
+                looked = now
+                deadline = now + self._terms.wait if somebody_compiles() else deadline
+            if now > deadline:
                 self._give_up_waiting()
                 return
             self._idle([], 0.01)
@@ -195,6 +206,14 @@ class PhysicsShell:
             speakers = [self._speakers[STATUS_TOPIC]] if recorded else self._speakers.values()
             if all(speaker.all_received() for speaker in speakers):
                 return
+
+    def _set_scenery(self, node: Node) -> list[Speaker]:
+        """Say once, for all who come later, what robots and tank look like; what said it must stay."""
+        rows, speakers = scenery_topics([body.name for body in self.bodies]), []
+        for topic, data in standing_messages(self.scenario.robots, self.scenario.tank, self.scenario.light).items():
+            speakers.append(Speaker(node, TOPICS[rows[topic]].type_name, topic, TOPICS[rows[topic]].quality))
+            speakers[-1].publish(data)
+        return speakers
 
     def _switch_off(self) -> None:
         """Take the actuators from controllers of a free run that have died or are silent for too long."""

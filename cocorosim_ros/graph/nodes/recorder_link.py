@@ -10,8 +10,10 @@ from __future__ import annotations
 from rclpy.node import Node
 
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.graph.runs.run_record import MADE_BY_RECORDER
 from cocorosim_ros.wire.cdr.primitives import ENCAPSULATION, Reader, pack_counter
 from cocorosim_ros.wire.topics.service_quality import STREAM
+from cocorosim_ros.wire.topics.topics import TOPICS
 
 TOPIC, TYPE = "/_cocorosim/recorded", "std_msgs/msg/UInt64"
 RECORDED_AHEAD = 40  # ticks; well below the depth of the topics
@@ -50,3 +52,9 @@ class RecorderMouth:
     def is_heard(self) -> bool:
         """Whether a physics node listens."""
         return self._speaker.subscribers > 0
+
+
+def speakers_of_recorder(node: Node) -> dict[str, Speaker]:
+    """What the recorder publishes of its own: statistics, and markers of what moves."""
+    rows = {topic: TOPICS[topic] for topic in MADE_BY_RECORDER}
+    return {topic: Speaker(node, row.type_name, topic, row.quality) for topic, row in rows.items()}

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from rclpy.node import Node
 
 from cocorosim_ros.graph.nodes.wiring import Speaker
-from cocorosim_ros.graph.runs.run_record import STATISTICS_TOPIC
+from cocorosim_ros.graph.runs.run_record import MADE_BY_RECORDER
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
 from cocorosim_ros.wire.bags.offered_quality import offered_quality
@@ -164,7 +164,7 @@ class Replay:
 
     def _publish(self, message: Playing) -> None:
         topic = message.topic
-        if topic == STATISTICS_TOPIC and self._node.count_publishers(topic) > 1:
+        if topic in MADE_BY_RECORDER and self._node.count_publishers(topic) > 1:
             return  # a metrics node measures the replay
         self._speakers[topic].publish(message.data)
         self.position.messages += 1

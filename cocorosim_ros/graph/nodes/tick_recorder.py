@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 from rclpy.node import Node
 
-from cocorosim_ros.graph.nodes.recorder_link import RecorderMouth
-from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
+from cocorosim_ros.graph.nodes.recorder_link import RecorderMouth, speakers_of_recorder
+from cocorosim_ros.graph.nodes.wiring import Listener
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, RunRecord
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.cdr.status import RUN, read_status
@@ -32,8 +32,7 @@ class TickRecorder:
         self.ticks = 0
         self.announced: int | None = None  # ticks of the whole run, once the physics node has said so
         self._mouth = RecorderMouth(node)
-        row = TOPICS[STATISTICS_TOPIC]
-        self._statistics = Speaker(node, row.type_name, STATISTICS_TOPIC, row.quality)
+        self._speakers = speakers_of_recorder(node)
         self._listeners = {
             topic: Listener(node, TOPICS[row].type_name, topic, TOPICS[row].quality)
             for topic, row in record.topics.items()
@@ -120,7 +119,8 @@ class TickRecorder:
                 continue
             if self._owed - messages.keys() - self._excused.get(stamp, set()):
                 break
-            self._statistics.publish(self.record.write_tick(stamp, self._pending.pop(stamp)))
+            for topic, data in self.record.write_tick(stamp, self._pending.pop(stamp)).items():
+                self._speakers[topic].publish(data)
             self._excused.pop(stamp, None)
             self._last_written = stamp
             self.ticks += 1

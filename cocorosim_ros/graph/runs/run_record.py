@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.runs.scenery import SWARM, Scenery
 from cocorosim_ros.study.metrics import METRICS
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
@@ -18,6 +19,7 @@ from cocorosim_ros.wire.topics.topics import TOPICS, robot_topic
 
 STATISTICS_TOPIC = "/shoal_statistics"
 STATUS_TOPIC = "/diagnostics"
+MADE_BY_RECORDER = (STATISTICS_TOPIC, SWARM)
 ANSWERS = ("thruster_command", "radio_tx", "blue_light_tx")  # what controllers publish; the rest is from the bodies
 Selection = Literal["all"] | tuple[str, ...]  # topics to record: their names in the table of topics, or in full
 
@@ -81,43 +83,66 @@ class RunRecord:
         metadata: Mapping[str, str],
         *,
         selection: Selection = "all",
+        scenery: Scenery | None = None,
         force: bool = False,
     ) -> None:
-        """`selection`: which topics are recorded. Raises CocorosimError if the folder exists or cannot be written."""
+        """`selection`: which topics are recorded; `scenery`: what is drawn for viewers.
+
+        Raises CocorosimError if the folder exists or cannot be written.
+        """
         self.topics = run_topics(bodies)
         self.owed = owed_topics(bodies)
         self.monitor = ShoalMonitor(len(bodies))
         # In the order of the names, as in the statistics of a finished recording.
         self.pose_topics = [robot_topic(name, "pose") for name in sorted(body.name for body in bodies)]
         self._statistics = statistics_message()
-        self._selected = selected_topics(self.topics, selection)
+        self._begun = False
+        self._scenery = scenery
+        self._selected = selected_topics({**self.topics, **(scenery.topics if scenery else {})}, selection)
         rows = {topic: TOPICS[row] for topic, row in self._selected.items()}
         channels = [Channel(topic, row.type_name, row.quality) for topic, row in rows.items()]
         self.writer = BagWriter(folder, channels, metadata=metadata, force=force)
 
-    def write_tick(self, stamp_ns: int, messages: Mapping[str, bytes]) -> bytes:
-        """Record the messages of one tick, measure the shoal, record that too; return the statistics' bytes.
+    def write_tick(self, stamp_ns: int, messages: Mapping[str, bytes]) -> dict[str, bytes]:
+        """Record the messages of one tick, and what is made of them; return the latter, by topic.
 
         Messages are written in the order of the topics, whatever the order in which they came.
         """
+        self._begin(stamp_ns)
         write = self.writer.write
         for topic in self._selected:
             if topic in messages:
                 write(topic, stamp_ns, stamp_ns, messages[topic])
-        statistics = self.measure(stamp_ns, [messages[topic] for topic in self.pose_topics])
-        self.write(STATISTICS_TOPIC, stamp_ns, statistics)
-        return statistics
+        return self.measure(stamp_ns, [messages[topic] for topic in self.pose_topics], messages)
 
     def write(self, topic: str, stamp_ns: int, data: bytes) -> None:
         """Record one message, if its topic is to be recorded."""
+        self._begin(stamp_ns)
         if topic in self._selected:
             self.writer.write(topic, stamp_ns, stamp_ns, data)
 
-    def measure(self, stamp_ns: int, poses: Sequence[bytes | None]) -> bytes:
-        """The bytes of the statistics for the poses of all robots at one moment; None for a robot that is absent."""
+    def measure(self, stamp_ns: int, poses: Sequence[bytes | None], messages: Mapping[str, bytes]) -> dict[str, bytes]:
+        """Record what is made of the poses of all robots at one moment, and return it by topic.
+
+        poses: None for a robot that is absent. messages: others of that moment, of which commands are drawn.
+        """
         position, yaw = decode_poses([pose or b"" for pose in poses])
         values = self.monitor.update(stamp_ns, position, yaw, [pose is not None for pose in poses])
-        return self._statistics.encode(stamp_ns, values[None])[0]
+        made = {STATISTICS_TOPIC: self._statistics.encode(stamp_ns, values[None])[0]}
+        markers = None if self._scenery is None else self._scenery.swarm(stamp_ns, position, yaw, messages)
+        if markers is not None:
+            made[SWARM] = markers
+        for topic, data in made.items():
+            self.write(topic, stamp_ns, data)
+        return made
+
+    def _begin(self, stamp_ns: int) -> None:
+        """Record what holds during the whole run, before anything else."""
+        if self._begun:
+            return
+        self._begun = True
+        for topic, data in self._scenery.standing.items() if self._scenery else ():
+            self.write(topic, stamp_ns, data)
 
     def close(self, extra: Mapping[str, str] | None = None) -> str:
         """Complete the bag; return its digest."""

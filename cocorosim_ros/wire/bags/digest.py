@@ -3,7 +3,8 @@
 The digest of a topic is the sha256 over (stamp [ns, int64], length [uint64], bytes) of its messages in
 recorded order; that of the recording is the sha256 over the lines `topic type count digest` of all topics
 that have messages, sorted. When a message was received and how topics interleave does not matter. A message
-without a stamp counts with its log time.
+without a stamp counts with its log time. Topics that are drawn from the rest for viewers (robots as URDF,
+markers) are left out, so that a recording with them and one without are equal.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import hashlib
 import struct
 
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
+from cocorosim_ros.wire.topics.topics import is_drawn
 
 _pack_head = struct.Struct("<qQ").pack
 
@@ -55,8 +57,8 @@ class Digest:
         self.topic(topic, type_name).add(log_time_ns, data)
 
     def lines(self) -> list[str]:
-        """`topic type count digest` of every topic that has messages, sorted."""
-        return sorted(topic.line() for topic in self.topics.values() if topic.count)
+        """`topic type count digest` of every topic that counts and has messages, sorted."""
+        return sorted(each.line() for each in self.topics.values() if each.count and not is_drawn(each.topic))
 
     def hexdigest(self) -> str:
         """The digest of all that was added so far, as 64 hexadecimal digits."""

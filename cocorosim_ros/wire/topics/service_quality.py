@@ -48,4 +48,5 @@ CLOCK = ServiceQuality(
     "every tick is recorded; a reliable offer also serves the best-effort time sources of other nodes",
 )
 TRANSFORMS = ServiceQuality("transforms", "reliable", "volatile", 100, "what tf2 broadcasters offer and listeners ask")
-PROFILES = {profile.name: profile for profile in (STREAM, CLOCK, TRANSFORMS)}
+LATCHED = ServiceQuality("latched", "reliable", "transient_local", 1, "said once, and heard by all who come later")
+PROFILES = {profile.name: profile for profile in (STREAM, CLOCK, TRANSFORMS, LATCHED)}

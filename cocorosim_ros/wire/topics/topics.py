@@ -5,11 +5,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
-from cocorosim_ros.wire.topics.service_quality import CLOCK, STREAM, TRANSFORMS, ServiceQuality
+from cocorosim_ros.wire.topics.service_quality import CLOCK, LATCHED, STREAM, TRANSFORMS, ServiceQuality
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.sensor import Sensor
 
-__all__ = ["GLOBAL_TOPICS", "ROBOT_TOPICS", "TOPICS", "Topic", "robot_topic", "split_topic", "stamp_ns"]
+__all__ = [
+    "DRAWN",
+    "GLOBAL_TOPICS",
+    "ROBOT_TOPICS",
+    "TOPICS",
+    "Topic",
+    "is_drawn",
+    "robot_topic",
+    "split_topic",
+    "stamp_ns",
+]
 
 
 @dataclass(frozen=True)
@@ -22,6 +32,7 @@ class Topic:
     quality: ServiceQuality
     optional: bool
     meaning: str
+    drawn: bool = False  # for viewers alone and made from the rest: no part of a recording's digest
 
     @property
     def per_robot(self) -> bool:
@@ -48,6 +59,8 @@ _ROBOT = [
           "what the robot has heard over its blue-light sensors, where the controller asks for it"),
     Topic("neighbours", "cocorosim_msgs/msg/Neighbours", "simulation", STREAM, True,
           "exact places and velocities of all robots within 0.5 m, where the controller asks for it"),
+    Topic("robot_description", "std_msgs/msg/String", "simulation", LATCHED, True,
+          "the robot as URDF, made from its platform", drawn=True),
 ]  # fmt: skip
 _GLOBAL = [
     Topic("/clock", "rosgraph_msgs/msg/Clock", "simulation", CLOCK, False,
@@ -58,15 +71,27 @@ _GLOBAL = [
           "the shoal's metrics at this moment"),
     Topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", "simulation", STREAM, True,
           "what went wrong with which robot, and how the run ended"),
+    Topic("/tf_static", "tf2_msgs/msg/TFMessage", "simulation", LATCHED, True,
+          "each base_link to the robot's thrusters, and to its sensors that look in a direction", drawn=True),
+    Topic("/markers/tank", "visualization_msgs/msg/MarkerArray", "simulation", LATCHED, True,
+          "tank, obstacles, lamps and the robots' names, to be drawn", drawn=True),
+    Topic("/markers/swarm", "visualization_msgs/msg/MarkerArray", "metrics", STREAM, True,
+          "trails of the robots and jets of their thrusters, every 2 s, to be drawn", drawn=True),
 ]  # fmt: skip
 ROBOT_TOPICS = {topic.name: topic for topic in _ROBOT}
 GLOBAL_TOPICS = {topic.name: topic for topic in _GLOBAL}
+DRAWN = frozenset(name for name, topic in {**ROBOT_TOPICS, **GLOBAL_TOPICS}.items() if topic.drawn)
 TOPICS = {**ROBOT_TOPICS, **GLOBAL_TOPICS}
 
 
 def robot_topic(namespace: str, name: str) -> str:
     """The absolute name of a robot's topic: ("lily_01", "pose") is /lily_01/pose."""
     return "/" + "/".join(part for part in (namespace.strip("/"), name) if part)
+
+
+def is_drawn(topic: str) -> bool:
+    """Whether an absolute topic is for viewers alone."""
+    return topic in DRAWN or split_topic(topic)[1] in DRAWN
 
 
 def split_topic(topic: str) -> tuple[str, str]:

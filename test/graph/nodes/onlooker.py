@@ -2,6 +2,7 @@
 
 onlooker.py names NAME...     ends with status 0 as soon as all these nodes are there
 onlooker.py describe NODE     prints the node's parameters as JSON: name to value, type, description, range
+onlooker.py description TOPIC prints the robot's description, which was published before this looked
 """
 
 import json
@@ -12,6 +13,8 @@ import rclpy
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
 from rclpy.node import Node
 from rclpy.parameter import parameter_value_to_python
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import String
 
 LIMIT = 120.0  # s
 
@@ -45,6 +48,17 @@ def describe(node, name):
     }
 
 
+def description(node, topic):
+    """The text of a latched std_msgs/String."""
+    heard = []
+    profile = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    node.create_subscription(String, topic, heard.append, profile)
+    deadline = time.monotonic() + LIMIT
+    while not heard and time.monotonic() < deadline:
+        rclpy.spin_once(node, timeout_sec=0.1)
+    return heard[0].data
+
+
 def sees(node, names):
     """Whether all these nodes come up."""
     deadline = time.monotonic() + LIMIT
@@ -62,6 +76,9 @@ def main():
     node = Node("onlooker")
     if sys.argv[1] == "describe":
         print(json.dumps(describe(node, sys.argv[2])), flush=True)
+        return 0
+    if sys.argv[1] == "description":
+        print(description(node, sys.argv[2]), flush=True)
         return 0
     return 0 if sees(node, set(sys.argv[2:])) else 1
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from urdf_parser_py.urdf import URDF
 
 from cocorosim_ros.graph.nodes.path_choice import PATH_VARIABLE
 from cocorosim_ros.wire.bags.bag_reader import read_bag
@@ -94,6 +95,10 @@ def test_three_shells_give_the_bag_of_the_command(
     own = {name: row for name, row in parameters.items() if name in ("scenario", "rate", "seed", "recorded", "wait")}
     assert len(own) == 5
     assert all(row["description"] and row["read_only"] for row in own.values())
+
+    late = start(ONLOOKER, "description", "/lily_02/robot_description", env=shell)
+    assert late.finish() == 0, late.output
+    assert URDF.from_xml_string(late.output.strip().encode()).get_root() == "lily_02/base_link"
 
     controllers = [
         start("controller_node", "--ros-args", "-r", f"__ns:=/lily_0{number}", "-p", f"scenario:={path}", env=shell)

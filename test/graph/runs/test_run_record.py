@@ -10,8 +10,10 @@ import pytest
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.run_record import RunRecord, Selection, run_topics, selected_topics
+from cocorosim_ros.graph.runs.scenery import Scenery
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.wire.bags.comparison import bag_digest
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.world.checks.loading import load_scenario
 
@@ -46,6 +48,31 @@ def test_a_selection_is_all_that_is_recorded(record: Callable[[str, Selection], 
     chosen = record("some", ("pose", "/lily_03/compass", "/shoal_statistics"))
     expected = {f"/lily_{number:02d}/pose": 3 for number in range(1, 12)}
     assert chosen == {**expected, "/lily_03/compass": 3, "/shoal_statistics": 3}
+
+
+def test_scenery_is_recorded_and_changes_nothing_else(scenario: Scenario, tmp_path: Path) -> None:
+    """What holds all the time comes first and once, markers every 2 s; digest and all other messages stay the same."""
+    bodies = [describe_body(robot) for robot in scenario.robots]
+    bags = []
+    for name, scenery in (("plain", None), ("drawn", Scenery.of(scenario))):
+        recorded = RunRecord(tmp_path / name, bodies, {}, scenery=scenery)
+        run_in_process(scenario, recorded)
+        recorded.close()
+        bags.append(read_bag(tmp_path / name))
+    plain, drawn = ([(each.topic, each.log_time_ns, each.data) for each in bag.messages()] for bag in bags)
+    standing = ["/tf_static", *(f"/lily_{number:02d}/robot_description" for number in range(1, 12)), "/markers/tank"]
+    assert [topic for topic, _, _ in drawn[: len(standing)]] == standing
+    assert [topic for topic, _, _ in drawn].count("/markers/swarm") == 1
+    assert [each for each in drawn if each[0] not in {*standing, "/markers/swarm"}] == plain
+    digests = [bag.summary.metadata["cocorosim"]["digest"] for bag in bags]
+    assert digests[0] == digests[1] == bag_digest(bags[1]).hexdigest()
+
+
+def test_scenery_can_be_left_out(scenario: Scenario) -> None:
+    """Its topics can be named in a selection, and are left out of one that does not name them."""
+    topics = {**run_topics([describe_body(robot) for robot in scenario.robots]), **Scenery.of(scenario).topics}
+    chosen = selected_topics(topics, ("pose", "robot_description", "/markers/swarm"))
+    assert len(chosen) == 11 + 11 + 1
 
 
 def test_a_selection_must_fit(scenario: Scenario) -> None:
