@@ -45,7 +45,7 @@ def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
 
     So the mix-ups of the judged side are those that the other does not have.
     """
-    well = take_in(good)
+    well = take_in(good, bad.recordings)
     recordings = tuple(
         replace(
             recording,
@@ -56,7 +56,7 @@ def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
         )
         for recording in bad.recordings
     )
-    return take_in(replace(bad, recordings=recordings)), well
+    return take_in(replace(bad, recordings=recordings), good.recordings), well
 
 
 def in_parts(good: Evidence) -> Evidence:

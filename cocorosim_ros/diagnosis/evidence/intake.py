@@ -33,17 +33,18 @@ class Intake:
     reasons: tuple[str, ...]
 
 
-def take_in(evidence: Evidence) -> Intake:
+def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = ()) -> Intake:
     """Leave out robots with too little information, and bring streams into the frames and units of the contract.
 
     Streams are compared in every recording of a robot alone, then in all its recordings together, for mix-ups that one
     recording is too short to show. A stream that cannot be corrected is left out. Remarks report every change.
+    beside: further recordings of the same robots that the evidence is fitted together with; they are not changed.
     """
-    reasons = reasons_to_abstain(evidence)
+    reasons = reasons_to_abstain(evidence, beside)
     if reasons:
         without_robots = tuple(replace(recording, robots=()) for recording in evidence.recordings)
         return Intake(replace(evidence, recordings=without_robots), (), reasons)
-    recordings = list(without_unusable(evidence).recordings)
+    recordings = list(without_unusable(evidence, beside).recordings)
     found: list[Mixup] = []
     for name in sorted({robot.name for recording in recordings for robot in recording.robots}):
         places = [number for number, recording in enumerate(recordings) if _robot(recording, name)]
