@@ -26,7 +26,7 @@ from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
-from cocorosim_ros.diagnosis.showing.framing import mixed_up
+from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.free_runs import Unseen, held_out_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.location import locate
@@ -74,7 +74,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
     final_courses = smoothed_tracks(naming.fit)
-    against = objections(Case(naming.fit, naming.named, effects, final_courses, table))
+    against = (*unexplained(intake), *objections(Case(naming.fit, naming.named, effects, final_courses, table)))
     effects = stopped(effects, against)
     return Diagnosis(
         verdict,

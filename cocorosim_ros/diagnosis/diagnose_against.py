@@ -29,7 +29,7 @@ from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
 from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
-from cocorosim_ros.diagnosis.showing.framing import mixed_up
+from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -122,7 +122,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     tried = {each.candidate.entry.id for each in naming.screened}
     courses = smoothed_tracks(base), smoothed_tracks(final)
-    stops = objections(Case(final, naming.named, effects, courses[1], table))
+    stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
     effects = stopped(effects, stops)
     verdict = _verdict(effects, moved, unseen, naming.nameless)
     return Diagnosis(

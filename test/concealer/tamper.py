@@ -21,8 +21,9 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from concealer.bag import new_writer
 from concealer.seal import canonical, file_digest, publish, seal
 
+AIR = 101325.0  # Pa, of the contract
 Message = Any
-Change = Callable[[Message, float], Message]  # message, time since its stream's first [s] -> message
+Change = Callable[[Message, float], Message | None]  # message, time since its stream's first [s] -> message, None: gone
 
 
 def stamp_of(message: Message) -> int:
@@ -160,6 +161,42 @@ def drift_change(rate: float) -> Change:
     return change
 
 
+def pressure_gain_change(factor: float) -> Change:
+    """A gauge that shows the weight of the water wrong by a factor; air is right."""
+
+    def change(message: Message, _time: float) -> Message:
+        message.fluid_pressure = AIR + factor * (message.fluid_pressure - AIR)
+        return message
+
+    return change
+
+
+def hidden_change(_amount: float) -> Change:
+    """A stream that was not recorded."""
+    return lambda message, _time: None
+
+
+def axis_change(_amount: float) -> Change:
+    """Poses whose y counts the other way."""
+
+    def change(message: Message, _time: float) -> Message:
+        message.pose.position.y = -message.pose.position.y
+        return message
+
+    return change
+
+
+def right_down_change(_amount: float) -> Change:
+    """Velocities forward-right-down."""
+
+    def change(message: Message, _time: float) -> Message:
+        linear = message.twist.linear
+        linear.y, linear.z = -linear.y, -linear.z
+        return message
+
+    return change
+
+
 def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
     """Topic to alter, how to alter a message, and the truth; `how` may end in :topic or :actuator number.
 
@@ -175,6 +212,10 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
     pressure     pressure plus amount [Pa]
     gyroscale    turn rate about the vertical times (1 + amount)
     heading      reading of the compass plus amount [rad]
+    pressuregain pressure of the water times (1 + amount)
+    hidden:TOPIC all messages left out
+    axis         y of the positions with its sign changed
+    rightdown    y and z of the velocities with their signs changed
     """
     kind, _, detail = how.partition(":")
     ways: dict[str, Callable[[], tuple[str, Change, dict[str, Any]]]] = {
@@ -197,6 +238,12 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
             "compass", heading_change(amount), _told("compass_distortion", offset=amount, sin=0.0, cos=0.0),
         ),
         "drift": lambda: ("pressure", drift_change(amount), _told("pressure_drift", rate=amount)),
+        "pressuregain": lambda: (
+            "pressure", pressure_gain_change(1.0 + amount), _told("pressure_gain", gain=1.0 + amount),
+        ),
+        "hidden": lambda: (detail, hidden_change(amount), _told("nothing")),
+        "axis": lambda: ("pose", axis_change(amount), _told("frame_mixup", correction="y of the poses")),
+        "rightdown": lambda: ("velocity", right_down_change(amount), _told("frame_mixup", correction="y and z")),
     }  # fmt: skip
     if kind not in ways:
         raise ValueError(f"{how} is not a way to tamper; there are {', '.join(ways)}")
@@ -238,8 +285,10 @@ def copy(source: Path, target: Path, topic: str, change: Change) -> int:
                 message = store.deserialize_cdr(data, link.msgtype)
                 first = stamp_of(message) if first is None else first
                 message = change(message, 1e-9 * (stamp_of(message) - first))
-                body = bytes(store.serialize_cdr(message, link.msgtype))
                 changed += 1
+                if message is None:
+                    continue
+                body = bytes(store.serialize_cdr(message, link.msgtype))
             writer.write(links[link.id], logged, body)
     return changed
 

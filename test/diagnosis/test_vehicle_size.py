@@ -13,7 +13,9 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, UNSCALED, full_forces, sizes
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, UNSCALED, full_forces, shortest_coasting, sizes
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import dimension_of, si_unit
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
@@ -37,6 +39,19 @@ def test_what_cannot_turn_itself_is_turned_all_the_same() -> None:
 def test_what_only_drifts_has_a_lilys_measure() -> None:
     """No actuator at all is no reason for forces of nothing."""
     assert min(full_forces(vehicle(0.0, 0.0, 0.0, 0.0))[::2]) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("slocum_glider", 70.0 / math.sqrt(7.5 * 250e-6 * 1004 * 9.81)),  # its pump alone; no thruster, no turn
+        ("lily", 0.44 / math.sqrt(1.7778 * 10e-6 * 1000 * 9.81)),  # the pump brings it to speed sooner than thrusters
+        ("tauv_pool", 2.0 / (math.sqrt(4.0 * 30.0) + 2.0)),  # linear drag brakes too
+    ],
+)
+def test_the_shortest_coasting_is_that_of_the_strongest_axis(name: str, expected: float) -> None:
+    """m dv/dt = -k v^2 halves the speed v = sqrt(F / k) in m / (k v)."""
+    assert shortest_coasting(vehicle_model(load_platform(name))) == pytest.approx(expected, rel=1e-6)
 
 
 def measured(force: tuple[float, ...], mass: float, inertia: float, drag: float, yaw_drag: float) -> Any:

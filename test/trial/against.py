@@ -1,8 +1,7 @@
 """Arm four: altered logs judged against unaltered ones of the same vehicle, drawn by a seed, beside honest controls.
 
 Each vehicle's recordings are split into two halves. One half is GOOD; of the other a log is altered in a way and by
-an amount that a seed draws, or nothing is altered. Data sets and their ways stand in one table, SETS: a further data
-set is a line there.
+an amount that a seed draws, or nothing is altered. Data sets and their ways stand in `draws`.
 """
 
 from __future__ import annotations
@@ -10,14 +9,13 @@ from __future__ import annotations
 import json
 import math
 import random
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from trial.draws import FACTORS, NOTHING, SETS, DataSet
 from trial.examiner import Task, Terms
 from trial.provenance import sentence
-from trial.recordings import dives, hovercraft
 from trial.sealed import diagnose
 from trial.tampered import altered, listed
 from trial.ways import Way, answer, effects
@@ -25,7 +23,6 @@ from trial.ways import Way, answer, effects
 WITHIN = 0.3  # of what was put in, by which a number may be off
 RIGHT, SILENT, BLIND, WRONG, NONE = "right", "silent", "cannot be seen", "something else", "no diagnosis"
 OUTCOMES = (RIGHT, BLIND, SILENT, WRONG, NONE)
-Bags = Callable[[Path, Path], list[Path]]
 
 
 @dataclass(frozen=True)
@@ -36,90 +33,6 @@ class Halves:
     platform: str
     good: tuple[Path, ...]
     bad: tuple[Path, ...]
-
-
-@dataclass(frozen=True)
-class Draw:
-    """How one way to alter a log is drawn: the least and the greatest amount, of either sign where it may have both."""
-
-    how: str
-    least: float
-    most: float
-    both: bool = True
-
-    def drawn(self, chance: random.Random) -> Way:
-        """The way with an amount, and what it does."""
-        amount = round(chance.uniform(self.least, self.most), 4)
-        return way_of(self.how, -amount if self.both and chance.random() < 0.5 else amount)
-
-
-@dataclass(frozen=True)
-class DataSet:
-    """A data set: its recordings in groups that are alike, how many of a group are taken, and ways to alter them."""
-
-    folder: str
-    platform: str
-    groups: Callable[[Path, Path], Iterator[tuple[str, list[Path]]]]
-    most: int
-    ways: tuple[Draw, ...]
-
-
-def way_of(how: str, amount: float) -> Way:
-    """What is to be found of a way to alter a log: effect, stream, number and its size."""
-    kind, _, detail = how.partition(":")
-    if kind == "gain":  # what the log understates, the thruster has more of
-        factor = 1.0 / (1.0 + amount)
-        sign = -1.0 if detail == "0" else 1.0
-        return Way(how, amount, "thruster_asymmetry", None, "difference", sign * 2.0 * (factor - 1.0) / (factor + 1.0))
-    if how == "delay:thruster_command":  # stamps that are late: thrust is there before its command
-        return Way(how, amount, "command_delay", None, "delay", -amount)
-    if kind == "delay":
-        return Way(how, amount, "sensor_latency", detail, "latency", amount)
-    effect, topic, number, change = {
-        "scale": ("camera_scale", "pose", "scale", 1.0 + amount),
-        "compass": ("compass_distortion", "compass", "sin", amount),
-        "heading": ("compass_distortion", "compass", "offset", amount),
-        "mirror": ("frame_mixup", "compass", "", math.nan),
-        "gyro": ("imu_bias", "imu", "gyro_z", amount),
-        "gyroscale": ("unknown:imu~r", "imu", "coefficient", amount),
-        "pressure": ("pressure_offset", "pressure", "offset", amount),
-        "drift": ("pressure_drift", "pressure", "rate", amount),
-    }[kind]
-    return Way(how, amount, effect, topic, number, change)
-
-
-def _by_day(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
-    runs = hovercraft(data, out)
-    for day in ("2019-04-11", "2019-04-16"):
-        yield f"hovercraft_{day}", [bag for bag in runs if day in bag.name]
-
-
-def _of_reference(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
-    bags = dives(data, out, "reference")
-    for first in range(0, len(bags) - 15, 16):
-        yield f"haizhe_{first:03d}", bags[first : first + 16]
-
-
-SETS = (
-    DataSet(
-        "hovercraft_epfl", "hovercraft_epfl", _by_day, 6,
-        (
-            Draw("gain:0", -0.3, -0.1, both=False), Draw("gain:1", -0.3, -0.1, both=False),
-            Draw("delay:pose", 0.05, 0.2, both=False), Draw("delay:thruster_command", -0.3, -0.1, both=False),
-            Draw("scale", 0.05, 0.15),
-        ),
-    ),
-    DataSet(
-        "haizhe_auv", "haizhe_auv", _of_reference, 16,
-        (
-            Draw("delay:compass", 0.1, 0.4, both=False), Draw("delay:imu", 0.1, 0.4, both=False),
-            Draw("delay:pressure", 0.3, 0.8, both=False),
-            Draw("compass", 0.1, 0.3), Draw("heading", 0.1, 0.5), Draw("mirror", 1.0, 1.0, both=False),
-            Draw("gyro", 0.02, 0.08), Draw("gyroscale", 0.1, 0.3), Draw("pressure", 300.0, 1500.0),
-            Draw("drift", 20.0, 80.0),
-        ),
-    ),
-)  # fmt: skip
 
 
 def halves(data: Path, out: Path) -> list[tuple[Halves, DataSet]]:
@@ -168,7 +81,7 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
     own = [each for each in named if way and _is_it(each, way)]
     beside = [each["id"] for each in named if each not in own]
     outcome = RIGHT if own and any(_fits(each, way) for each in own) else WRONG if named else SILENT
-    if way is None:
+    if way is None or way.effect == NOTHING:
         outcome = WRONG if named else RIGHT
     elif outcome == SILENT and way.effect in said["not_shown_by_this_recording"]:
         outcome = BLIND
@@ -188,7 +101,7 @@ def _fits(effect: dict[str, Any], way: Way | None) -> bool:
     if told is None or told["value"] is None:
         return False
     low, high = (each if each is not None else math.nan for each in told["ci95"])
-    neutral = 1.0 if way.effect == "camera_scale" else 0.0
+    neutral = 1.0 if way.effect in FACTORS else 0.0
     off = abs(float(told["value"]) - way.change)
     return off <= max(WITHIN * abs(way.change - neutral), 0.5 * (high - low) if math.isfinite(high - low) else 0.0)
 

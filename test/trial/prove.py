@@ -75,7 +75,9 @@ def _real(options: argparse.Namespace) -> int:
     from trial.provenance import noted
     from trial.real import prove
 
-    return prove(options.data, options.out, options.pages, terms_of(options), noted(options.out, _command(options)))
+    sets = tuple(options.sets.split(",")) if options.sets else ()
+    source = noted(options.out, _command(options))
+    return prove(options.data, options.out, options.pages, terms_of(options), source, sets)
 
 
 def _against(options: argparse.Namespace) -> int:
@@ -111,10 +113,11 @@ def parser() -> argparse.ArgumentParser:
     one.set_defaults(run=_sealed)
     for name, run, words in (("tampered", _tampered, "altered logs"), ("real", _real, "recordings as they are")):
         other = commands.add_parser(name, parents=[common], help=f"real recordings: {words}")
-        other.add_argument("--data", type=Path, required=True, help="folder with hovercraft_epfl and haizhe_auv")
+        other.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")
+        other.add_argument("--sets", default="", help="real: folders of the data sets, by commas; all if left out")
         other.set_defaults(run=run)
     four = commands.add_parser("against", parents=[common], help="altered logs against unaltered ones")
-    four.add_argument("--data", type=Path, required=True, help="folder with hovercraft_epfl and haizhe_auv")
+    four.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")
     four.add_argument("--count", type=int, default=200, help="altered logs, beside a control for each group")
     four.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
     four.set_defaults(run=_against)

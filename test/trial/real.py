@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from trial.examiner import Task, Terms
 from trial.provenance import sentence
-from trial.recordings import Group, dives, hovercraft
+from trial.recordings import Group, dives, flights, hovercraft, minutes_in_the_pool, parts_of_a_mission
 from trial.sealed import diagnose
 from trial.ways import answer, effects
 
@@ -23,15 +24,53 @@ MEASURED_AGAINST = (
 )
 
 
-def groups(data: Path, out: Path) -> list[tuple[Group, Group]]:
-    """Recordings to learn from, and recordings of the same vehicle that are held out."""
-    runs, whole, faulty = hovercraft(data, out), dives(data, out, "reference"), dives(data, out, "runs_under_test")
-    pairs = []
+def _hovercraft(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    runs = hovercraft(data, out)
     for day in ("2019-04-11", "2019-04-16"):
         own = [bag for bag in runs if day in bag.name]
-        pairs.append((f"hovercraft_{day}", "hovercraft_epfl", own[0::2], own[1::2]))
-    pairs.append(("haizhe_reference", "haizhe_auv", whole[0:16:2], whole[1:16:2]))
-    pairs.append(("haizhe_under_test", "haizhe_auv", faulty[0:16:2], faulty[1:16:2]))
+        yield f"hovercraft_{day}", "hovercraft_epfl", own[0::2], own[1::2]
+
+
+def _haizhe(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    for name, kind in (("haizhe_reference", "reference"), ("haizhe_under_test", "runs_under_test")):
+        own = dives(data, out, kind)
+        yield name, "haizhe_auv", own[0:16:2], own[1:16:2]
+
+
+def _tauv(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    own = minutes_in_the_pool(data, out)[1:9]  # before it the vehicle is let into the water, later it hardly moves
+    yield "tauv_pool", "tauv_pool", own[0::2], own[1::2]
+
+
+def _rgblimp(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    own = flights(data, out)
+    yield "rgblimp", "rgblimp", own[0::2], own[1::2]
+
+
+def _glider(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    own = parts_of_a_mission(data, out)
+    yield "slocum_glider", "slocum_glider", own[:1], own[1:]
+
+
+SETS: dict[str, Callable[[Path, Path], Iterator[tuple[str, str, list[Path], list[Path]]]]] = {
+    "hovercraft_epfl": _hovercraft,
+    "haizhe_auv": _haizhe,
+    "tauv_pool": _tauv,
+    "rgblimp": _rgblimp,
+    "slocum_glider": _glider,
+}
+"""By folder of the data: groups of recordings by name and platform, those learnt from and those held out."""
+
+
+def groups(data: Path, out: Path, sets: Sequence[str]) -> list[tuple[Group, Group]]:
+    """Recordings to learn from, and recordings of the same vehicle that are held out, of the data sets asked for.
+
+    Raises ValueError for a data set that is not in SETS.
+    """
+    unknown = [name for name in sets if name not in SETS]
+    if unknown:
+        raise ValueError(f"{unknown[0]} is not a data set of real recordings; there are {', '.join(SETS)}")
+    pairs = [pair for name in sets if (data / name).exists() for pair in SETS[name](data, out)]
     return [
         (Group(name, platform, tuple(some)), Group(f"{name}_held_out", platform, tuple(others)))
         for name, platform, some, others in pairs
@@ -40,14 +79,21 @@ def groups(data: Path, out: Path) -> list[tuple[Group, Group]]:
 
 
 def learn(pair: tuple[Group, Group], out: Path) -> list[Task]:
-    """Diagnoses by the platform's nominal model, of what is learnt from and of what is held out."""
-    return [Task(group.name, group.bags, out / "diagnoses" / group.name, group.platform) for group in pair]
+    """Diagnoses by the platform's nominal model, of what is learnt from and held out, and of one half by the other."""
+    own, others = pair
+    control = Task(f"{own.name}_halves", others.bags, out / "diagnoses" / f"{own.name}_halves", own.platform, own.bags)
+    return [
+        *(Task(group.name, group.bags, out / "diagnoses" / group.name, group.platform) for group in pair), control,
+    ]  # fmt: skip
 
 
-def replay(pair: tuple[Group, Group], out: Path) -> Task:
-    """The held-out recordings with the model that the others gave as the nominal one."""
-    model = out / "diagnoses" / pair[0].name / "model.yaml"
-    return Task(f"{pair[1].name}_by_model", pair[1].bags, out / "diagnoses" / f"{pair[1].name}_by_model", str(model))
+def replay(pair: tuple[Group, Group], out: Path) -> list[Task]:
+    """Both halves with the model that the first gave as the nominal one: the held-out half, and the same again."""
+    model, own, others = out / "diagnoses" / pair[0].name / "model.yaml", pair[0], pair[1]
+    return [
+        Task(f"{group.name}_by_model", group.bags, out / "diagnoses" / f"{group.name}_by_model", str(model))
+        for group in (others, own)
+    ]
 
 
 def _number(value: Any) -> str:
@@ -94,23 +140,82 @@ def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
     return lines
 
 
-def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any]) -> int:
-    """Converts, diagnoses, tries on what was held out, and writes the page; source: what made it."""
-    pairs = groups(data, out)
-    diagnose([task for pair in pairs for task in learn(pair, out)], replace(terms, keep_reports=True))
-    again = [replay(pair, out) for pair in pairs if answer(out / "diagnoses" / pair[0].name)]
-    diagnose(again, replace(terms, keep_reports=True))
-    text = [
-        "# Real recordings as they are", "",
-        "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half.", "",
-        sentence(source), "",
-        "## What was found", "", *[line for pair in pairs for line in findings(pair, out)], "",
-        "## Free runs on data that no fit of the numbers saw", "",
-        *MEASURED_AGAINST, "",
+def again(pair: tuple[Group, Group], out: Path) -> str:
+    """Row: what is said of the recordings learnt from by the model found there, and of one half against the other."""
+    cells = []
+    for name in (f"{pair[0].name}_by_model", f"{pair[0].name}_halves"):
+        said = answer(out / "diagnoses" / name)
+        named = ", ".join(f"`{effect['id']}`" for effect in effects(said))
+        cells.append("no diagnosis" if said is None else f"{said['verdict']}{': ' if named else ''}{named}")
+    return f"| {pair[0].name} | {cells[0]} | {cells[1]} |"
+
+
+HEADS = {
+    "found": ["## What was found", ""],
+    "runs": [
+        "", "## Free runs on data that no fit of the numbers saw", "", *MEASURED_AGAINST, "",
         "| recordings | channel | nominal | recalibrated | augmented | noise floor"
         " | unseen recordings, nominal | unseen recordings, found model |",
-        "|---|---|---|---|---|---|---|---|", *[line for pair in pairs for line in held_out(pair, out)], "",
+        "|---|---|---|---|---|---|---|---|",
+    ],
+    "again": [
+        "", "## The same model again, and one half against the other", "",
+        "The found model finds nothing twice if the same recordings are `consistent` with it; so are two halves of one",
+        "vehicle in one state, compared by `--against`.", "",
+        "| recordings | the same recordings, found model | held-out half against the other |", "|---|---|---|",
+    ],
+}  # fmt: skip
+
+
+def _page(
+    pairs: Sequence[tuple[Group, Group]], out: Path, made: Sequence[str], kept: dict[str, list[str]]
+) -> list[str]:
+    """Lines of the page; made: by what; kept: lines of other data sets by section, from the page that was there."""
+    own = {
+        "found": [line for pair in pairs for line in findings(pair, out)],
+        "runs": [line for pair in pairs for line in held_out(pair, out)],
+        "again": [again(pair, out) for pair in pairs],
+    }
+    head = [
+        "# Real recordings as they are", "",
+        "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half.", "",
+        *made, "",
     ]  # fmt: skip
+    return head + [line for name, words in HEADS.items() for line in (*words, *kept.get(name, []), *own[name])] + [""]
+
+
+def kept_lines(page: Path, names: Sequence[str]) -> tuple[list[str], dict[str, list[str]]]:
+    """What made an earlier page, and its lines on recordings other than `names` by section; nothing without a page."""
+    if not page.exists():
+        return [], {}
+    made: list[str] = []
+    kept: dict[str, list[str]] = {name: [] for name in HEADS}
+    section, group = "", ""
+    for line in page.read_text(encoding="utf-8").splitlines():
+        section = next((name for name, words in HEADS.items() if line.startswith("## ") and line in words), section)
+        if line.startswith("Made by"):
+            made.append(line)
+        elif line.startswith("- "):
+            group = line[2:].split(" ")[0].rstrip(":")
+        elif line.startswith("| ") and not line.startswith("| recordings"):
+            group = line[2:].split(" ")[0]
+        if section and line.lstrip().startswith(("- ", "| ")) and not line.startswith("| recordings"):
+            kept[section] += [line] if group not in names else []
+    return made if any(kept.values()) else [], kept
+
+
+def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any], sets: Sequence[str] = ()) -> int:
+    """Converts, diagnoses, tries on what was held out, and writes the page; source: what made it.
+
+    sets: data sets by folder, all if left out; what an earlier page says of others is kept.
+    """
+    pairs = groups(data, out, sets or tuple(SETS))
+    diagnose([task for pair in pairs for task in learn(pair, out)], replace(terms, keep_reports=True))
+    rest = [task for pair in pairs if answer(out / "diagnoses" / pair[0].name) for task in replay(pair, out)]
+    diagnose(rest, replace(terms, keep_reports=True))
+    made, kept = kept_lines(pages / "real.md", [pair[0].name for pair in pairs])
+    mine = f"{sentence(source)} ({', '.join(pair[0].name for pair in pairs)})"
+    text = _page(pairs, out, [*(line for line in made if line != mine), mine], kept)
     pages.mkdir(parents=True, exist_ok=True)
     (pages / "real.md").write_text("\n".join(text), encoding="utf-8")
     facts = {

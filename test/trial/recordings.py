@@ -43,3 +43,18 @@ def hovercraft(data: Path, out: Path) -> list[Path]:
 def dives(data: Path, out: Path, kind: str) -> list[Path]:
     """Dives of the four-propeller vehicle: `reference` as it was built, or `runs_under_test`."""
     return converted("haizhe_auv", data / "haizhe_auv" / kind, out / f"haizhe_{kind}")
+
+
+def minutes_in_the_pool(data: Path, out: Path) -> list[Path]:
+    """The minutes of the AUV with eight thrusters."""
+    return converted("tauv_pool", data / "tauv_pool", out / "tauv_pool")
+
+
+def flights(data: Path, out: Path) -> list[Path]:
+    """The flights of the blimp."""
+    return converted("rgblimp", data / "rgblimp", out / "rgblimp")
+
+
+def parts_of_a_mission(data: Path, out: Path) -> list[Path]:
+    """The two parts of the glider's mission."""
+    return converted("slocum_glider", data / "slocum_glider", out / "slocum_glider")

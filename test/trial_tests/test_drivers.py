@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import random
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -170,3 +171,58 @@ def test_every_way_is_one_of_the_concealers() -> None:
         assert truth["id"] == way.effect and way.topic in (None, topic)
         if way.parameter and way.effect != "camera_scale":
             assert truth["parameters"][way.parameter] == pytest.approx(way.change)
+
+
+def test_every_draw_is_one_of_the_concealers() -> None:
+    """The Concealer alters the stream whose effect the driver looks for, whatever the amount."""
+    from concealer.tamper import plan
+    from trial.draws import SETS
+
+    for draw in [draw for data_set in SETS for draw in data_set.ways]:
+        way = draw.drawn(random.Random(1))
+        topic, _, truth = plan(way.how, way.amount)
+        assert way.topic in (None, topic)
+        if way.effect not in ("thruster_gain", "command_delay", "unknown:imu~r"):  # told otherwise by the Concealer
+            assert truth["id"] == way.effect
+
+
+def test_a_hidden_stream_is_nothing_to_be_found() -> None:
+    """Silence is right, and any name is wrong; a gain of one thruster is told by its factor."""
+    from trial.against import judged
+    from trial.draws import way_of
+
+    none = {"effects": [], "recalibrated": [], "not_shown_by_this_recording": []}
+    hidden = way_of("hidden:velocity", 1.0)
+    assert judged(none, hidden)["outcome"] == "right"
+    assert judged(none | said("steady_current"), hidden)["outcome"] == "something else"
+    gain = way_of("gain:2", -0.2, "down")
+    assert judged(none | said("thruster_gain", "down", 1.25), gain)["outcome"] == "right"
+    assert judged(none | said("thruster_gain", "down", 1.4), gain)["outcome"] == "something else"
+    assert judged(none | said("thruster_gain", "ahead", 1.25), gain)["outcome"] == "something else"
+
+
+def test_an_earlier_page_is_kept_but_for_what_was_done_again(tmp_path: Path) -> None:
+    """Findings with what stands below them, rows of free runs, and what made them."""
+    from trial.real import kept_lines
+
+    page = tmp_path / "real.md"
+    page.write_text(
+        "# Real\n\nMade by `one`.\n\n## What was found\n\n- ship (3 recordings): mismatch\n  - `lag` (9 nats)\n"
+        "- boat: no diagnosis\n\n## Free runs on data that no fit of the numbers saw\n\n"
+        "| recordings | channel |\n|---|---|\n| boat | depth |\n| ship | depth |\n"
+    )
+    made, kept = kept_lines(page, ["boat"])
+    assert made == ["Made by `one`."]
+    assert kept["found"] == ["- ship (3 recordings): mismatch", "  - `lag` (9 nats)"]
+    assert kept["runs"] == ["| ship | depth |"] and kept["again"] == []
+    assert kept_lines(page, ["boat", "ship"])[0] == []
+    assert kept_lines(tmp_path / "none.md", [])[0] == []
+
+
+def test_data_sets_are_asked_for_by_name(tmp_path: Path) -> None:
+    """One that there is not is said, with those that there are; one whose folder is not there makes no group."""
+    from trial.real import groups
+
+    with pytest.raises(ValueError, match="boat is not a data set of real recordings; there are hovercraft_epfl"):
+        groups(tmp_path, tmp_path, ["boat"])
+    assert groups(tmp_path, tmp_path, ["rgblimp"]) == []

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.against import ALIKE, SAME_VEHICLE
-from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
+from cocorosim_ros.diagnosis.evidence.frames.correction import put_right
 from cocorosim_ros.diagnosis.evidence.intake import Intake, take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.foundation.arrays import Flags
@@ -45,18 +45,18 @@ def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
 
     So the mix-ups of the judged side are those that the other does not have.
     """
-    well = take_in(good)
+    well = take_in(good, bad.recordings)
     recordings = tuple(
         replace(
             recording,
             robots=tuple(
-                corrected(log, [mixup.correction for mixup in well.mixups if log.name in mixup.robots])
+                put_right(log, [mixup.correction for mixup in well.mixups if log.name in mixup.robots])
                 for log in recording.robots
             ),
         )
         for recording in bad.recordings
     )
-    return take_in(replace(bad, recordings=recordings)), well
+    return take_in(replace(bad, recordings=recordings), good.recordings), well
 
 
 def in_parts(good: Evidence) -> Evidence:

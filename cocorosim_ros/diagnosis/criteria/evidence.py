@@ -252,7 +252,22 @@ class TiltCriteria:
     """[1] of a tilt beyond which the heading has no rate to speak of. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class AfloatCriteria:
+    """Signs of a vehicle that lies at the surface while its pumps lift it (`afloat`)."""
+
+    lift: float = 0.5
+    """[of the pumps' full lift] that would make it rise at once. Chosen, not measured."""
+    top: float = 0.01
+    """[1] quantile of the depths that counts as the surface, so that a few faulty readings do not. Chosen, not
+    measured."""
+    shortest: float = 30.0
+    """[s] in which such a lift would take any hull through a layer of its own length. Chosen, not measured: a glider of
+    1.8 m takes 15 s, a Lily 1 s."""
+
+
 EXCITATION = ExcitationCriteria()
+AFLOAT = AfloatCriteria()
 FILLED_IN = FilledInCriteria()
 NOISE = NoiseCriteria()
 OUTLIERS = OutlierCriteria()

@@ -87,6 +87,11 @@ class GridCriteria:
     """Steps of the filter's grid, and what one step may err by (`tracks.grid`)."""
 
     longest_step: float = 0.1
+    """[s] of vehicles that coast for less than six seconds. Chosen, not measured."""
+    steps_of_coasting: float = 60.0
+    """[steps] that make the shortest coasting time of a slower vehicle: a midpoint step h errs by (h l)^2 / 6 of a
+    motion that fades at the rate l, here 2e-4. Reckoned from that."""
+    slowest_step: float = 1.0
     """[s] however slow the vehicle is. Chosen, not measured."""
     shortest_step: float = 0.01
     """[s] however agile the vehicle is; steps are multiples of it. Chosen, not measured."""

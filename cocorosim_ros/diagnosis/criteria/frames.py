@@ -72,6 +72,33 @@ class OrientationCriteria:
 
 
 @dataclass(frozen=True)
+class KinematicsCriteria:
+    """Limits from which streams that are rates of one another contradict each other (`frames.kinematics`)."""
+
+    fewest: int = 30
+    """[readings, a second apart, or moments] fewer conclude nothing. Chosen, not measured."""
+    smooth: float = 0.5
+    """[1] correlation of a series with itself two moments later, from which it shows motion: the noise that is left
+    halves shares at most, and `other` is more than that. Reckoned from that."""
+    sure: float = 0.1
+    """[1] standard error of the share of a motion that a stream reads, below which it is known. Chosen, not
+    measured."""
+    other: float = 0.7
+    """[1] by which that share differs from 1: a stream of other axes reads nothing of it, or the opposite; none that is
+    late, noisy or scaled by a third is so far off. Chosen, not measured."""
+    latest: float = 1.0
+    """[s] by which one of the streams may come late. Chosen, not measured."""
+    exact: float = 0.95
+    """[1] correlation from which two rates are one but for their units. Chosen, not measured."""
+    explains: float = 0.9
+    """[1] share of the motion that changed axes have to explain, to be believed by noise alone. Chosen, not
+    measured."""
+    better: float = 5.0
+    """[1] quotient of what is left unexplained, of the axes as recorded over the changed ones, for the same.
+    Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class BinCriteria:
     """Widths of the bins of time in which streams are compared (`frames.motion`)."""
 
@@ -142,6 +169,7 @@ class UnitCriteria:
 
 AGREEMENT = AgreementCriteria()
 AXES = AxesCriteria()
+KINEMATICS = KinematicsCriteria()
 ORIENTATION = OrientationCriteria()
 UNITS = UnitCriteria()
 BINS = BinCriteria()

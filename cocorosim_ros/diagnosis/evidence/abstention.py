@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.evidence import SUFFICIENCY
+from cocorosim_ros.diagnosis.criteria.evidence import EXCITATION, SUFFICIENCY
 from cocorosim_ros.diagnosis.evidence.streams.excitation import command_use
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import coasting_time
@@ -15,12 +16,15 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.sensors import SENSORS
 
 
-def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
-    """Reasons, as sentences, for which the evidence allows no diagnosis; empty if at least one robot can be used."""
+def reasons_to_abstain(evidence: Evidence, beside: Sequence[RecordingLog] = ()) -> tuple[str, ...]:
+    """Reasons, as sentences, for which the evidence allows no diagnosis; empty if at least one robot can be used.
+
+    beside: further recordings of the same robots that the evidence is fitted together with.
+    """
     reasons, usable = [], 0.0
     for recording in evidence.recordings:
         for robot in recording.robots:
-            reason = why_unusable(robot, recording, evidence.platform)
+            reason = why_unusable(robot, recording, evidence.platform, (*evidence.recordings, *beside))
             if reason:
                 reasons.append(reason)
             else:
@@ -37,19 +41,26 @@ def reasons_to_abstain(evidence: Evidence) -> tuple[str, ...]:
     return tuple(reasons)
 
 
-def without_unusable(evidence: Evidence) -> Evidence:
-    """Leave out the robots that tell too little; the remarks of their recording say for which reason."""
-    recordings = []
+def without_unusable(evidence: Evidence, beside: Sequence[RecordingLog] = ()) -> Evidence:
+    """Leave out the robots that tell too little; the remarks of their recording say for which reason.
+
+    beside: further recordings of the same robots that the evidence is fitted together with.
+    """
+    recordings, together = [], (*evidence.recordings, *beside)
     for recording in evidence.recordings:
-        reasons = [why_unusable(robot, recording, evidence.platform) for robot in recording.robots]
+        reasons = [why_unusable(robot, recording, evidence.platform, together) for robot in recording.robots]
         kept = tuple(robot for robot, reason in zip(recording.robots, reasons, strict=True) if not reason)
         remarks = (*recording.remarks, *(reason for reason in reasons if reason))
         recordings.append(replace(recording, robots=kept, remarks=remarks))
     return replace(evidence, recordings=tuple(recordings))
 
 
-def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform) -> str:
-    """The reason, as a sentence, for which a robot of a recording cannot be used; empty if it can."""
+def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform, given: Sequence[RecordingLog]) -> str:
+    """The reason, as a sentence, for which a robot of a recording cannot be used; empty if it can.
+
+    given: all recordings that are fitted together. Commands that are the same throughout a recording tell enough where
+    another recording of the robot has others.
+    """
     actuators = platform.actuator_names
     place = f"{recording.origin}: {robot.name}"
     if not len(robot.command_time):
@@ -70,16 +81,28 @@ def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform) -
             f"{recording.duration:.1f} s; {SUFFICIENCY.shortest:.0f} s are the least of one recording, and ten minutes "
             "are good."
         )
-    if not any(use.varied for use in command_use(robot, actuators)):
+    if not any(use.varied for use in command_use(robot, actuators)) and not _driven_otherwise(robot, given):
         commands = ", ".join(f"{name} {value:g}" for name, value in zip(actuators, robot.command[0], strict=True))
+        alike = ", as in all other recordings of it," if len(_logs(robot.name, given)) > 1 else ""
         return (
-            f"{place} has the same commands throughout ({commands}), so that no cause can be told from another; "
-            "vary every actuator, also backwards and through zero."
+            f"{place} has the same commands throughout ({commands}){alike} so that no cause can be told from another; "
+            "vary every actuator, also backwards and through zero, or give recordings with other commands too."
         )
     if not any(_moves(topic, stream) for topic, stream in streams.items()):
         shown = ", ".join(sorted(streams))
         return f"{place} never moves: there is nothing but noise in {shown}; check that these are its readings."
     return ""
+
+
+def _logs(name: str, recordings: Sequence[RecordingLog]) -> list[RobotLog]:
+    """Logs with commands of the robot of this name."""
+    return [log for recording in recordings for log in recording.robots if log.name == name and len(log.command_time)]
+
+
+def _driven_otherwise(robot: RobotLog, recordings: Sequence[RecordingLog]) -> bool:
+    """Tell whether any recording of a robot has commands that differ noticeably from its own first ones."""
+    own = robot.command[0]
+    return any(bool((np.abs(log.command - own) > EXCITATION.tiny).any()) for log in _logs(robot.name, recordings))
 
 
 def common_time(robot: RobotLog) -> float:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.evidence.afloat import with_times_afloat
 from cocorosim_ros.diagnosis.evidence.bursts import as_taken
 from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
@@ -79,8 +80,9 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     for name in sorted({rows.robot for rows in clean}):
         mine = [ClockedRows(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
         log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
+        log, said_afloat = with_times_afloat(log, platform)
         robots.append(log)
-        remarks += [*log_remarks, *hole_sentences(log)]
+        remarks += [*log_remarks, *hole_sentences(log), *said_afloat]
     robots, identity_remarks = with_true_identities(robots, platform)
     remarks += identity_remarks
     remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]

@@ -1,8 +1,9 @@
-"""Holes of a log: times in which nothing tells what was commanded, so that no model can be run through them.
+"""Holes of a log: times through which no model can be run, mostly since nothing tells what was commanded.
 
 A reading that is missing only makes the motion less sure, since the commands foretell it. Where a recorder was off, or
 a part of the file is damaged, the commands are missing too: the last one before the hole would be taken to hold to its
 end, and what it did not do would pass for a fault of the model. So each part between holes is a course of its own.
+Times afloat are holes too: there the hull is not under water, as it is in every model.
 """
 
 from __future__ import annotations
@@ -19,7 +20,12 @@ Span = tuple[float, float]
 
 
 def holes_of(log: RobotLog) -> tuple[Span, ...]:
-    """Holes of a log, ascending: where all its streams and commands pause, and where commands pause that come evenly.
+    """Holes of a log, ascending: its pauses, and when it lies at the surface."""
+    return _merged(sorted([*_pauses_of(log), *log.afloat]))
+
+
+def _pauses_of(log: RobotLog) -> tuple[Span, ...]:
+    """Spans, ascending, in which all streams and commands pause, or commands alone that come evenly.
 
     Commands that are sent when they change hold until the next one; a pause of these alone is no hole.
     """
@@ -46,11 +52,11 @@ def parts_of(log: RobotLog) -> tuple[Span, ...]:
 
 
 def hole_sentences(log: RobotLog) -> list[str]:
-    """Remarks on the holes of a log."""
+    """Remarks on the pauses of a log."""
     return [
         f"{log.name}: no command is known from {begin:.1f} to {end:.1f} s; what was recorded before and after is taken "
         "as separate courses."
-        for begin, end in holes_of(log)
+        for begin, end in _pauses_of(log)
     ]
 
 

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from cocorosim_ros.diagnosis.evidence.abstention import reasons_to_abstain, without_unusable
 from cocorosim_ros.diagnosis.evidence.consistency import speed_sentence
-from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, corrected
+from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, put_right
+from cocorosim_ros.diagnosis.evidence.frames.kinematics import contradictions
+from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, told_apart
 from cocorosim_ros.scenario.parts.platform import Platform
+
+Sought = Callable[[Sequence[RobotLog], Platform], tuple[FrameCorrection, ...]]
+"""Corrections that logs of one robot need, by their platform."""
 
 
 @dataclass(frozen=True)
@@ -33,24 +38,28 @@ class Intake:
     reasons: tuple[str, ...]
 
 
-def take_in(evidence: Evidence) -> Intake:
+def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = ()) -> Intake:
     """Leave out robots with too little information, and bring streams into the frames and units of the contract.
 
     Streams are compared in every recording of a robot alone, then in all its recordings together, for mix-ups that one
-    recording is too short to show. A stream that cannot be corrected is left out. Remarks report every change.
+    recording is too short to show. A stream that cannot be corrected, or then still contradicts another one, is left
+    out. Remarks report every change.
+    beside: further recordings of the same robots that the evidence is fitted together with; they are not changed.
     """
-    reasons = reasons_to_abstain(evidence)
+    reasons = reasons_to_abstain(evidence, beside)
     if reasons:
         without_robots = tuple(replace(recording, robots=()) for recording in evidence.recordings)
         return Intake(replace(evidence, recordings=without_robots), (), reasons)
-    recordings = list(without_unusable(evidence).recordings)
+    recordings = list(without_unusable(evidence, beside).recordings)
     found: list[Mixup] = []
     for name in sorted({robot.name for recording in recordings for robot in recording.robots}):
         places = [number for number, recording in enumerate(recordings) if _robot(recording, name)]
         for number in places:
-            found += _put_right(recordings, [number], name, evidence.platform)
+            found += _put_right(recordings, [number], name, needed_corrections, evidence.platform)
         if len(places) > 1:
-            found += _put_right(recordings, places, name, evidence.platform)
+            found += _put_right(recordings, places, name, needed_corrections, evidence.platform)
+        for number in places:
+            found += _put_right(recordings, [number], name, _contradictory, evidence.platform)
     recordings = [_with_speeds(recording, evidence.platform) for recording in recordings]
     return Intake(replace(evidence, recordings=told_apart(recordings)), _together(found), ())
 
@@ -64,10 +73,16 @@ def _robot(recording: RecordingLog, name: str) -> RobotLog | None:
     return next((robot for robot in recording.robots if robot.name == name), None)
 
 
-def _put_right(recordings: list[RecordingLog], places: Sequence[int], name: str, platform: Platform) -> list[Mixup]:
+def _contradictory(logs: Sequence[RobotLog], platform: Platform) -> tuple[FrameCorrection, ...]:
+    return tuple(contradictions(motion_together(logs, platform)))
+
+
+def _put_right(
+    recordings: list[RecordingLog], places: Sequence[int], name: str, sought: Sought, platform: Platform
+) -> list[Mixup]:
     """Correct some recordings of a robot by what they show together, in place, and give the mix-ups."""
     logs = [log for log in (_robot(recordings[number], name) for number in places) if log]
-    corrections = needed_corrections(logs, platform)
+    corrections = sought(logs, platform)
     if corrections:
         for number in places:
             recordings[number] = _corrected(recordings[number], name, corrections)
@@ -75,19 +90,13 @@ def _put_right(recordings: list[RecordingLog], places: Sequence[int], name: str,
 
 
 def _corrected(recording: RecordingLog, name: str, corrections: Sequence[FrameCorrection]) -> RecordingLog:
-    robots = tuple(_without(corrected(robot, corrections), corrections) if robot.name == name else robot
-                   for robot in recording.robots)  # fmt: skip
+    robots = tuple(put_right(robot, corrections) if robot.name == name else robot for robot in recording.robots)
     remarks = [
         f"{name}/{correction.topic}: {correction.wrong} ({correction.because}); "
         + ("it was put right." if correction.matrix is not None else "it is not used.")
         for correction in corrections
     ]
     return replace(recording, robots=robots, remarks=(*recording.remarks, *remarks))
-
-
-def _without(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog:
-    hopeless = {correction.topic for correction in corrections if correction.matrix is None}
-    return replace(log, streams={topic: stream for topic, stream in log.streams.items() if topic not in hopeless})
 
 
 def _together(found: Sequence[Mixup]) -> tuple[Mixup, ...]:

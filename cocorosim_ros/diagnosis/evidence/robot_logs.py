@@ -47,7 +47,9 @@ def robot_log(name: str, topics: Sequence[ClockedRows], start_ns: int, actuators
         if each.rows.topic != COMMAND and len(each.rows.stamp_ns)
     }
     remarks: list[str] = []
-    finished = {topic: _finished(f"{name}/{topic}", topic, streams, remarks) for topic in streams}
+    every = {topic: _finished(f"{name}/{topic}", topic, streams, remarks) for topic in streams}
+    # An IMU that tells the attitude alone has no reading of its own.
+    finished = {topic: stream for topic, stream in every.items() if len(stream.time)}
     log = RobotLog(
         name,
         seconds(commands, start_ns) if commands else np.empty(0),

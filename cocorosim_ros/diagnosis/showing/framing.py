@@ -5,6 +5,7 @@ from __future__ import annotations
 from cocorosim_ros.diagnosis.criteria.showing import FRAMING
 from cocorosim_ros.diagnosis.evidence.intake import Intake, Mixup
 from cocorosim_ros.diagnosis.findings import FoundEffect
+from cocorosim_ros.diagnosis.showing.hard_stops import Objection
 
 
 def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:
@@ -12,6 +13,19 @@ def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:
     known = intake.evidence.platform.frame_corrections
     return tuple(
         _effect(mixup) for mixup in intake.mixups if mixup.correction.wrong not in known.get(mixup.correction.topic, "")
+    )
+
+
+def unexplained(intake: Intake) -> tuple[Objection, ...]:
+    """Object to all effects of robots of which a stream contradicts another and could not be put right."""
+    return tuple(
+        Objection(
+            f"The {mixup.correction.topic} of {', '.join(mixup.robots)} contradicts other readings ("
+            f"{mixup.correction.wrong}) and is not used; until its columns are put right, nothing is sure.",
+            mixup.robots,
+        )
+        for mixup in intake.mixups
+        if mixup.correction.matrix is None
     )
 
 

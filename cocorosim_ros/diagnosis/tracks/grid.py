@@ -11,12 +11,13 @@ from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.foundation.arrays import Floats
 
 
-def grid_step(acceleration: float, yaw_acceleration: float) -> float:
+def grid_step(acceleration: float, yaw_acceleration: float, coasting: float = 0.0) -> float:
     """Step [s] of the filter for a vehicle with these greatest accelerations [m/s^2, rad/s^2], a multiple of 10 ms.
 
-    A step h under an acceleration a that sets in or ends within it errs by up to a h^2 / 8.
+    A step h under an acceleration a that sets in or ends within it errs by up to a h^2 / 8. coasting: the shortest time
+    [s] in which the vehicle loses half of a full speed; slow vehicles have longer steps.
     """
-    step = GRID.longest_step
+    step = min(max(GRID.longest_step, coasting / GRID.steps_of_coasting), GRID.slowest_step)
     if acceleration > 0.0:
         step = min(step, math.sqrt(8.0 * GRID.place_error / acceleration))
     if yaw_acceleration > 0.0:

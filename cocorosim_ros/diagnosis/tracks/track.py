@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.tracks.surroundings import RecordedSurroundings
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.diagnosis.tracks.track_filter import TrackFilter
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel, vehicle_model
+from cocorosim_ros.diagnosis.tracks.vehicle_size import shortest_coasting
 from cocorosim_ros.scenario.parts.platform import Platform
 
 
@@ -62,7 +63,9 @@ def make_track(platform: Platform, log: RobotLog, begin: float, end: float) -> T
     """Make the track of a robot as if alone in open water; begin, end: first and last reading [s]."""
     vehicle = replace(vehicle_model(platform.of_robot(log.name)), tilts=log.attitude is not None)
     force = vehicle.force_scale
-    step = grid_step(float(np.linalg.norm(force[:3])) / vehicle.mass, force[3] / vehicle.yaw_inertia)
+    step = grid_step(
+        float(np.linalg.norm(force[:3])) / vehicle.mass, force[3] / vehicle.yaw_inertia, shortest_coasting(vehicle)
+    )
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)
     return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, start_of(vehicle, log, begin)))

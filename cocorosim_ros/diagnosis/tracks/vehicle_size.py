@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.criteria.fitting import FULL_FORCES
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
@@ -65,6 +66,25 @@ def full_forces(vehicle: VehicleModel) -> FullForces:
     surge, sway, heave, yaw = vehicle.force_scale.tolist()
     across = max(surge, sway) or FULL_FORCES.across * heave or LILY["force"]
     return FullForces(across, heave, yaw or FULL_FORCES.arm * across)
+
+
+def shortest_coasting(vehicle: VehicleModel) -> float:
+    """Time [s] in which the vehicle as given loses half of its full speed or turn, along the axis where it is shortest.
+
+    Quadratic drag k v^2 takes m / sqrt(k F) for it after a full force F, and linear drag d speeds it up by d / m. Only
+    axes along which actuators push count; 0 without any.
+    """
+    row = vehicle.row
+    drags = [row[COLUMN["drag"]]] * 3 + [row[COLUMN["yaw_drag"]]]
+    linear = [row[COLUMN[f"linear_drag.{axis}"]] for axis in ("surge", "sway", "heave", "yaw")]
+    inertias = [vehicle.mass] * 3 + [vehicle.yaw_inertia]
+    rates = [
+        (math.sqrt(drag * full) + slow) / inertia
+        for drag, slow, full, inertia in zip(drags, linear, vehicle.force_scale.tolist(), inertias, strict=True)
+        if full > 0.0
+    ]
+    fastest = max(rates, default=0.0)
+    return 1.0 / fastest if fastest > 0.0 else 0.0
 
 
 def sizes(vehicle: VehicleModel) -> Mapping[str, float]:

@@ -28,7 +28,7 @@ def hull_compressibility(row: Floats, relative: Floats, moment: Moment, paramete
 
 HULL_COMPRESSIBILITY = Effect(
     summary="hull that shrinks with depth",
-    opposite="hull that swells with depth",
+    opposite="water that grows denser with depth, or a hull that swells",
     equation="Z = -gradient * depth",
     wrench=hull_compressibility,
     parameters=(
@@ -51,5 +51,5 @@ HULL_COMPRESSIBILITY = Effect(
         ),
     ),
     search=Search(channel="heave", group=WEIGHT, manoeuvre="depth_staircase"),
-    check="A hull that gives way, or trapped air: weigh the robot in the water at two depths.",
+    check="A hull that gives way, trapped air, or denser water below: weigh the robot in the water at two depths.",
 )

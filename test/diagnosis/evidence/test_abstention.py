@@ -87,6 +87,20 @@ def test_constant_commands(log: RobotLog, lily_platform: Platform) -> None:
     assert reasons_to_abstain(evidence(lily_platform, replace(log, command=constant))) == ()
 
 
+def test_commands_that_change_from_recording_to_recording(log: RobotLog, lily_platform: Platform) -> None:
+    """Recordings of constant commands tell enough together where these differ, and say so where they do not."""
+    gentle, strong = (
+        RecordingLog(f"tank/{name}", 60.0, (replace(log, command=np.tile(command, (len(log.command_time), 1))),))
+        for name, command in (("gentle", [0.5, 0.6, 0.0]), ("strong", [0.5, 0.8, 0.0]))
+    )
+    both = Evidence(lily_platform, (gentle, strong))
+    assert reasons_to_abstain(both) == ()
+    assert [len(recording.robots) for recording in without_unusable(both).recordings] == [1, 1]
+    assert reasons_to_abstain(Evidence(lily_platform, (gentle,)), beside=(strong,)) == ()
+    alike = reasons_to_abstain(Evidence(lily_platform, (gentle, replace(gentle, origin="tank/again"))))
+    assert len(alike) == 2 and "buoyancy 0), as in all other recordings of it, so that" in alike[1]
+
+
 def test_a_robot_that_never_moves(log: RobotLog, lily_platform: Platform) -> None:
     """All streams show noise alone, whatever is commanded; one that moves is enough."""
     rng = np.random.default_rng(0)

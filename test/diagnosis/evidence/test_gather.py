@@ -139,6 +139,21 @@ def test_an_imu_without_rate(record: Record, circle: Any, topic: Any, lily_platf
     np.testing.assert_allclose(stream.value[:, 1:], readings[:, 1:])
 
 
+def test_an_imu_that_tells_the_attitude_alone(record: Record, circle: Any, topic: Any, lily_platform: Platform) -> None:
+    """Its pitch is known; without rates and forces it is no stream of readings, and nothing that follows meets one."""
+    time = circle[POSE].stamp
+    unknown = np.array([-1.0, *np.zeros(8)])
+    extra = {f"{name}_covariance": unknown for name in ("angular_velocity", "linear_acceleration")}
+    extra |= {"orientation": build("geometry_msgs/msg/Quaternion", {"y": math.sin(0.15), "w": math.cos(0.15)})}
+    circle["/lily_01/imu"] = topic(time, np.zeros((time.size, 4)), extra=extra)
+    evidence = gather_evidence([record(circle)], lily_platform)
+    robot = evidence.recordings[0].robots[0]
+    assert "imu" not in robot.streams
+    assert robot.attitude is not None
+    np.testing.assert_allclose(robot.attitude.pitch, 0.3)
+    assert take_in(evidence).reasons == ()
+
+
 def test_faulty_readings_are_left_out(record: Record, circle: Any, lily_platform: Platform, is_said: Any) -> None:
     """A compass that once says nonsense loses that reading, a pose only the wrong yaw; the noise stays."""
     heading, numbers = circle[COMPASS].numbers.copy(), circle[POSE].numbers.copy()

@@ -65,6 +65,13 @@ def test_fast_vehicles_get_small_steps(linear: float, turning: float, step: floa
     assert grid_step(linear, turning) == pytest.approx(step)
 
 
+@pytest.mark.parametrize(("coasting", "step"), [(3.3, 0.1), (16.3, 0.27), (600.0, 1.0)])
+def test_slow_vehicles_have_longer_steps(coasting: float, step: float) -> None:
+    """A sixtieth of the coasting time, not below that of a Lily, not beyond a second."""
+    assert grid_step(0.0, 0.0, coasting) == pytest.approx(step)
+    assert grid_step(10.0, 0.0, coasting) == grid_step(10.0, 0.0)
+
+
 def two_streams() -> RobotLog:
     """Poses at 0, 0.5 and 1 s, the second without x; pressures at 0.1 and 0.52 s."""
     pose = np.array([[1.0, 2.0, -1.0, 0.1], [np.nan, 2.1, -1.1, 0.2], [1.2, 2.2, -1.2, 0.3]])

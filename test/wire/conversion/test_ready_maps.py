@@ -16,6 +16,7 @@ from rosbags.rosbag1 import Writer as Rosbag1
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.wire.conversion.conversion import convert
 from cocorosim_ros.wire.conversion.formats import FORMATS
@@ -311,3 +312,47 @@ def test_ardusub_tlog(logs: SimpleNamespace, converted: Converted, tmp_path: Pat
     commands = topics["/rov/thruster_command"][0]
     assert commands.at == 7_300_000_000
     assert list(commands.content.command) == pytest.approx([0, 1, -1, 0.25, -0.25, 0])
+
+
+def test_rgblimp(converted: Converted, tmp_path: Path) -> None:
+    """1 m north, 2 m east, 3 m down, looking east with the nose up; forces as shares of 0.08 N."""
+    head = "t,p_1,p_2,p_3,e_1,e_2,e_3,Fl_series,Fr_series"
+    (tmp_path / "data_001.csv").write_text(
+        f"{head}\n0,1,2,3,0,0.1,{math.pi / 2},0.02,0.06\n0.05,1,2,3,0,0.1,1.5,0.02,0.06\n"
+    )
+    topics = converted("rgblimp", tmp_path / "data_001.csv")
+    pose = topics["/blimp/pose"][0].content.pose
+    assert (pose.position.x, pose.position.y, pose.position.z) == (2, 1, -3)
+    turn = pose.orientation  # nose up is a negative turn about the body's left axis
+    assert turn.y / turn.w == pytest.approx(-math.tan(0.05)) and abs(turn.z) < 1e-15
+    assert list(topics["/blimp/thruster_command"][0].content.command) == pytest.approx([0.25, 0.75])
+
+
+def test_slocum_glider(converted: Converted, tmp_path: Path) -> None:
+    """Pressure of the water beside that of the air, nose up, a ballast of half its range."""
+    (tmp_path / "glider_A.csv").write_text(
+        "t,pressure_bar,pitch,ballast_cc,density\n0,1,0.4,125,1005\n1,1,0.4,-125,1005\n"
+    )
+    topics = converted("slocum_glider", tmp_path / "glider_A.csv")
+    assert topics["/glider/pressure"][0].content.fluid_pressure == pytest.approx(201325)
+    assert topics["/glider/imu"][0].content.orientation.y == pytest.approx(-math.sin(0.2))
+    assert [each.content.command[0] for each in topics["/glider/thruster_command"]] == [0.5, -0.5]
+
+
+def test_tauv_pool(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any]]]) -> None:
+    """North-east-down and forward-right-down; a wrench as shares of the platform's five forces."""
+    head = "%time,field.header.stamp," + ",".join(
+        f"field.{name}.{axis}" for name in ("position", "velocity", "orientation") for axis in "xyz"
+    )
+    rows = [f"{k + 1},{k},1,2,3,0.5,0.1,0.2,0,0,{math.pi / 2}" for k in (10**9, 2 * 10**9)]
+    (tmp_path / "navigation_state_07.csv").write_text("\n".join([head, *rows]) + "\n")
+    wrench = "%time," + ",".join(f"field.{name}.{axis}" for name in ("force", "torque") for axis in "xyz")
+    (tmp_path / "wrench_07.csv").write_text(f"{wrench}\n1000000000,4,7,-8,-1,-5.5,3\n")
+    (made,) = convert(load_map(find_config("maps", "tauv_pool")), tmp_path, tmp_path / "ours")
+    topics = messages(made.folder)
+    assert place(topics["/auv/pose"][0]) == pytest.approx([2, 1, -3, 0])
+    assert motion(topics["/auv/velocity"][0])[:3] == [0.5, -0.1, -0.2]
+    command = topics["/auv/thruster_command"][0].content
+    force = load_platform("tauv_pool").actuator_limits()[:, 0] * command.command
+    wrench_up = force @ load_platform("tauv_pool").actuator_wrenches()
+    np.testing.assert_allclose(wrench_up, [4, -7, 8, -3], atol=1e-12)  # forward-left-up

@@ -58,6 +58,13 @@ def corrected(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog
     return log
 
 
+def put_right(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog:
+    """Apply corrections to a log, in their order; streams that no matrix corrects are left out."""
+    hopeless = {correction.topic for correction in corrections if correction.matrix is None}
+    right = corrected(log, corrections)
+    return replace(right, streams={name: stream for name, stream in right.streams.items() if name not in hopeless})
+
+
 def _corrected_stream(log: RobotLog, correction: FrameCorrection, matrix: Floats) -> Stream:
     stream = log.streams[correction.topic]
     value = stream.value.copy()

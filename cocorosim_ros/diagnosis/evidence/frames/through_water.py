@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.frames import AXES
+from cocorosim_ros.diagnosis.criteria.frames import AXES, KINEMATICS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
+from cocorosim_ros.diagnosis.evidence.frames.kinematics import is_smooth, noise_weight
 from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of, position_words
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, W
@@ -57,7 +59,8 @@ def velocity_axes(motion: ShownMotion, lift_nats: float) -> FrameCorrection | No
 def _best(motion: ShownMotion) -> tuple[Change, float]:
     """The best change, and its lead [nats] over leaving the stream as it is.
 
-    Deviations from the mean are compared, in world axes, because a current adds a constant there.
+    Deviations from the mean are compared, in world axes, because a current adds a constant there. Where the
+    vehicle is so slow that its motions are few, readings decide, by what a change foretells of the poses' velocity.
     """
     seen_from_body = np.isfinite(motion.course * motion.yaw).any()
     shown, into_world = (motion.course, np.exp(1j * motion.yaw)) if seen_from_body else (motion.advance, 1.0 + 0.0j)
@@ -67,12 +70,37 @@ def _best(motion: ShownMotion) -> tuple[Change, float]:
     count = independent(motion.through, shown, motion.weight)
     behind = nats_behind(np.array(scores), max(scores), count)
     simplest = int(np.flatnonzero(behind < AXES.tied)[0])
+    if candidates[simplest] == UNCHANGED and seen_from_body:
+        return _exact(motion, candidates)
     return candidates[simplest], float(behind[0])
+
+
+def _exact(motion: ShownMotion, candidates: Sequence[Change]) -> tuple[Change, float]:
+    """The change that foretells the velocity of the poses nearly to their noise where the stream as it is does not."""
+    count = independent(motion.through, motion.course, noise_weight(motion))
+    if count < KINEMATICS.fewest or not is_smooth(motion.course):
+        return UNCHANGED, 0.0
+    left = np.array([_unexplained(motion, candidate) for candidate in candidates])
+    best = int(left.argmin())
+    if left[best] > 1.0 - KINEMATICS.explains or left[0] < KINEMATICS.better * left[best]:
+        return UNCHANGED, 0.0
+    return candidates[best], float(nats_behind(1.0 - left, 1.0 - left[best], count)[0])
+
+
+def _unexplained(motion: ShownMotion, change: Change) -> float:
+    """Share of the velocity of the poses, its mean left out, by which the changed stream misses it."""
+    missed = _in_world(motion.through, np.exp(1j * motion.yaw), change) - motion.course
+    given = np.isfinite(missed)
+    return float(np.var(missed[given]) / np.var(motion.course[given]))
 
 
 def _score(read: Complex, shown: Complex, into_world: Complex | complex, change: Change) -> float:
     """Share of the motion that the readings explain; 0 if they point the opposite way."""
-    body = read * np.conj(into_world) if change.from_world else read
-    turned = 1j**change.turned.quarters * (np.conj(body) if change.turned.mirrored else body)
-    found = correlation(turned * into_world, shown)
+    found = correlation(_in_world(read, into_world, change), shown)
     return float(max(found.real, 0.0) ** 2)
+
+
+def _in_world(read: Complex, into_world: Complex | complex, change: Change) -> Complex:
+    """The changed readings in world axes."""
+    body = read * np.conj(into_world) if change.from_world else read
+    return np.asarray(1j**change.turned.quarters * (np.conj(body) if change.turned.mirrored else body) * into_world)

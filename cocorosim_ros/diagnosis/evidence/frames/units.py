@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.frames import UNITS
+from cocorosim_ros.diagnosis.criteria.frames import KINEMATICS, UNITS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import correlation, independent, slope
 from cocorosim_ros.diagnosis.evidence.frames.correction import CERTAIN, Fault, FrameCorrection, affine, scaled
+from cocorosim_ros.diagnosis.evidence.frames.kinematics import noise_weight
 from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT
@@ -25,7 +26,7 @@ def heading_in_degrees(logs: Sequence[RobotLog], motion: ShownMotion) -> FrameCo
     streams = [log.streams["compass"] for log in logs if "compass" in log.streams]
     words = "the heading is in degrees instead of radians"
     for rate, name in ((motion.turn, "the poses turn"), (motion.gyro, "the gyroscope says")):
-        ratio = _ratio(motion.swing, rate, motion.weight)
+        ratio = _ratio(motion.swing, rate, motion)
         if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
             return scaled("compass", Fault(words, f"it swings {ratio:.3g} times as fast as {name}"), CERTAIN, [DEGREE])
         if np.isfinite(ratio):
@@ -38,7 +39,7 @@ def heading_in_degrees(logs: Sequence[RobotLog], motion: ShownMotion) -> FrameCo
 def rate_in_degrees(motion: ShownMotion) -> FrameCorrection | None:
     """The correction of a gyroscope in degrees per second, by the rate of the heading; None for radians per second."""
     for rate, name in ((motion.turn, "the poses"), (motion.swing, "the compass")):
-        ratio = _ratio(motion.gyro, rate, motion.weight)
+        ratio = _ratio(motion.gyro, rate, motion)
         if UNITS.degrees[0] < ratio < UNITS.degrees[1]:
             because = f"its rate is {ratio:.3g} times that at which {name} turns"
             fault = Fault("the angular rate is in degrees per second instead of radians", because)
@@ -56,7 +57,7 @@ def pressure_unit(logs: Sequence[RobotLog], motion: ShownMotion, platform: Platf
     level = float(np.median(np.concatenate(readings)))
     if level >= UNITS.absolute:
         return None
-    per_metre = _ratio(motion.sinking, motion.climb, motion.weight)
+    per_metre = _ratio(motion.sinking, motion.climb, motion)
     weight, (shallow, steep) = platform.water_density * platform.gravity, UNITS.pressure_slope
     for unit, factor, (low, high) in UNITS.pressures:
         fits = np.isnan(per_metre) or shallow < per_metre * factor / weight < steep
@@ -71,10 +72,12 @@ def pressure_unit(logs: Sequence[RobotLog], motion: ShownMotion, platform: Platf
     return affine("pressure", fault, CERTAIN, np.eye(1), np.array([SURFACE_PRESSURE]))
 
 
-def _ratio(left: Floats, right: Floats, weight: float) -> float:
-    """Size of `left` in multiples of `right`, where the two are clearly related; else NaN."""
-    related = abs(correlation(left, right).real) > UNITS.related and independent(left, right, weight) >= UNITS.fewest
-    return abs(slope(left, right)) if related else float("nan")
+def _ratio(left: Floats, right: Floats, motion: ShownMotion) -> float:
+    """Size of `left` in multiples of `right`, two rates of one motion, where they are clearly related; else NaN."""
+    found = abs(correlation(left, right).real)
+    related = found > UNITS.related and independent(left, right, motion.weight) >= UNITS.fewest
+    exact = found > KINEMATICS.exact and independent(left, right, noise_weight(motion)) >= KINEMATICS.fewest
+    return abs(slope(left, right)) if related or exact else float("nan")
 
 
 def height_unit(motion: ShownMotion, platform: Platform) -> FrameCorrection | None:
@@ -82,7 +85,7 @@ def height_unit(motion: ShownMotion, platform: Platform) -> FrameCorrection | No
     if platform.water_density < UNITS.dense:
         return None
     metres = motion.sinking / (platform.water_density * platform.gravity)
-    ratio = _ratio(motion.climb, metres, motion.weight)
+    ratio = _ratio(motion.climb, metres, motion)
     return _length("pose", ratio, "the pressure lets")
 
 

@@ -52,6 +52,7 @@ class RobotLog:
     streams: Mapping[str, Stream]
     gaps: tuple[tuple[float, float], ...] = ()  # s: start and end of each gap of the poses
     attitude: Attitude | None = None  # roll and pitch, where they were recorded; None for a robot that stays level
+    afloat: tuple[tuple[float, float], ...] = ()  # s: begin and end of each time that it lies at the surface
 
 
 @dataclass(frozen=True)
