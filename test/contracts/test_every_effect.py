@@ -120,7 +120,7 @@ def test_it_tells_what_it_is(name: str) -> None:
     """Each parameter is told in full, the effect has a summary, and acts somewhere."""
     effect = EFFECTS[name]
     assert effect.summary
-    assert any((effect.wrench, effect.inertia, effect.water, effect.command, effect.response))
+    assert any((effect.wrench, effect.inertia, effect.water, effect.command, effect.thrust, effect.response))
     assert effect.parameters
     for parameter in effect.parameters:
         assert parameter.name.isidentifier() and parameter.unit and parameter.meaning

@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     THRUSTERS,
     active_effects,
 )
+from cocorosim_ros.diagnosis.tracks.own_numbers import Declared, gain_key, own_gains
 from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -38,8 +39,10 @@ class VehicleModel:
     nominal: Floats  # (parameters,) the platform's numbers, columns of PARAMETER_COLUMNS, SI units
     active: int  # bits of the effects that act even with neutral numbers
     actuator_wrench: Floats  # (actuators, 4) X, Y, Z, N per newton [1, 1, 1, m; body]
-    actuator_limit: Floats  # (actuators, 2) force at command +1 and -1, both positive [N]
+    actuator_limit: Floats  # (actuators, 2) force at command +1 and -1 without own gains, both positive [N]
     is_pump: Flags  # (actuators,)
+    actuator_curve: Floats  # (actuators, columns) see world.terms.curve
+    own: Mapping[str, Declared]  # by key of the platform's file, numbers of single actuators that a model has
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
     hull: float  # length of the hull [m]
@@ -73,7 +76,7 @@ class VehicleModel:
     @cached_property
     def force_scale(self) -> Floats:
         """Full wrench (4,): sum over all actuators of the amounts of X, Y, Z, N at command +1 [N, N, N, N m; body]."""
-        return np.asarray(np.abs(self.actuator_wrench * self.actuator_limit[:, AHEAD]).sum(axis=0))
+        return np.asarray(np.abs(self.actuator_wrench * self._limit(self.row)[:, AHEAD]).sum(axis=0))
 
     @property
     def row(self) -> Floats:
@@ -82,6 +85,8 @@ class VehicleModel:
         row[PHYSICS] = self.nominal
         for column, value in self.known.items():
             row[COLUMN[column]] = value
+        for number in self.own.values():
+            row[COLUMN[number.column]] = number.value
         return row
 
     def body(self, row: Floats) -> Body:
@@ -100,6 +105,7 @@ class VehicleModel:
             self.actuator_wrench,
             self._limit(row),
             self.is_pump,
+            self.actuator_curve,
             STILL,
             around.lower,
             around.upper,
@@ -122,18 +128,27 @@ class VehicleModel:
 def vehicle_model(platform: Platform) -> VehicleModel:
     """Make the model of one robot from its platform, in open water."""
     vehicles = build_vehicles([platform])
+    own = own_gains(platform)
     thrusters = [actuator.position[0] for actuator in platform.actuators if isinstance(actuator, Thruster)]
     return VehicleModel(
         vehicles.parameters[0, 0],
         int(vehicles.active[0, 0]) | ALWAYS_ACTIVE,
         vehicles.actuator_wrench[0, 0],
-        vehicles.actuator_limit[0, 0],
+        _without_gains(platform, own, vehicles.actuator_limit[0, 0]),
         vehicles.is_pump[0, 0],
+        vehicles.actuator_curve[0, 0],
+        own,
         _known_of_sensors(platform),
         {**gain_ranges(platform), **platform.ranges},
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
     )
+
+
+def _without_gains(platform: Platform, own: Mapping[str, Declared], limit: Floats) -> Floats:
+    """Limits (actuators, 2) [N] without the gains that stand in columns of their own."""
+    gains = [own[key].value if (key := gain_key(name)) in own else 1.0 for name in platform.actuator_names]
+    return np.asarray(limit / np.array(gains).reshape(-1, 1))
 
 
 def gain_ranges(platform: Platform) -> dict[str, Range]:

@@ -12,6 +12,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors
@@ -139,8 +140,8 @@ class Platform(Shown):
         if isinstance(actuator, BuoyancyPump):
             force = self.water_density * self.gravity * actuator.volume_range
             return force, force
-        reverse = actuator.maximum if actuator.maximum_reverse is None else actuator.maximum_reverse
-        return actuator.maximum, reverse
+        gain = 1.0 if actuator.gain is None else actuator.gain
+        return gain * actuator.maximum, gain * actuator.reverse
 
 
 def load_platform(name_or_path: str | Path) -> Platform:
@@ -178,6 +179,7 @@ def _read_one(entry: Entry) -> Platform:
     section = entry.mapping()
     for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
+    check_actuators(section["actuators"], platform.actuators)
     return replace(platform, ranges={**platform.ranges, **collect_ranges(entry)}, origin=entry.file)
 
 
