@@ -2,7 +2,8 @@
 
 A file that says `effects: {linear_drag: {yaw: {value: 0.3, unit: N m s, range: [0, 1], ...}}}` tells that the vehicle
 has this drag and that its size is not known. So it belongs to the base of every model of the vehicle, and is never
-named as missing. The range is a limit: no fit leaves it. The same holds of a thruster's own gain.
+named as missing. The range is a limit: no fit leaves it. The same holds of a thruster's own gain, and of
+what a rudder leaves open.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ def declared_columns(unknowns: Sequence[Unknown]) -> frozenset[str]:
 def is_steered_alone(vehicle: VehicleModel) -> bool:
     """Tell whether the platform gives the own gain of every thruster with a range, so that no common one is left."""
     gains = [key for key, number in vehicle.own.items() if number.column in OWN_GAINS]
-    return bool(gains) and len(gains) == np.count_nonzero(~vehicle.is_pump) and set(gains) <= set(vehicle.ranges)
+    return bool(gains) and len(gains) == np.count_nonzero(vehicle.is_thruster) and set(gains) <= set(vehicle.ranges)
 
 
 class _Ranged(NamedTuple):

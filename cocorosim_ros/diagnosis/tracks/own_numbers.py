@@ -7,6 +7,7 @@ from typing import NamedTuple
 from cocorosim_ros.diagnosis.tracks.columns import MOST_THRUSTERS
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.world.vehicle_model.rudders import OWN_NUMBERS, rudder_numbers, rudders_of
 
 
 class Declared(NamedTuple):
@@ -21,7 +22,18 @@ def gain_key(actuator: str) -> str:
     return f"actuators.{actuator}.gain"
 
 
-def own_gains(platform: Platform) -> dict[str, Declared]:
+def own_numbers(platform: Platform) -> dict[str, Declared]:
+    """Gains of thrusters and numbers of rudders that a model of the platform has, by key of its file."""
+    numbers = rudder_numbers(platform)
+    of_rudders = {
+        f"actuators.{rudder.name}.{name}": Declared(f"{effect}.{name}", numbers[f"{effect}.{name}"])
+        for effect, rudder in rudders_of(platform)
+        for name in OWN_NUMBERS
+    }
+    return _own_gains(platform) | of_rudders
+
+
+def _own_gains(platform: Platform) -> dict[str, Declared]:
     """The gain of every thruster that has a column for it: of the first MOST_THRUSTERS."""
     thrusters = [each for each in platform.actuators if isinstance(each, Thruster)][:MOST_THRUSTERS]
     return {

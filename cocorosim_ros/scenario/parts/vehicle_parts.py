@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.thrust_curve import ThrustCurve, read_curve
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity, read_vector
@@ -156,5 +157,7 @@ class Sensors:
         return bool(self.further.get(topic, getattr(self, topic, False)))
 
 
-Actuator = Thruster | BuoyancyPump
-ACTUATORS: dict[str, type[Thruster] | type[BuoyancyPump]] = {"thruster": Thruster, "buoyancy": BuoyancyPump}
+Actuator = Thruster | BuoyancyPump | Rudder | Azimuth
+ACTUATORS: dict[str, type[Actuator]] = {
+    "thruster": Thruster, "buoyancy": BuoyancyPump, "rudder": Rudder, "azimuth": Azimuth,
+}  # fmt: skip

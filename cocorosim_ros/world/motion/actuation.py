@@ -15,7 +15,7 @@ from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.state.state import FOLLOWED, MEMORY_SIZE, RATE
-from cocorosim_ros.world.terms.curve import thrust_share
+from cocorosim_ros.world.terms.curve import is_thruster, thrust_share, turn_thrusts
 from cocorosim_ros.world.terms.response import delayed, relaxed
 from cocorosim_ros.world.vehicle_model.hooks import bits, calls, hooks
 from cocorosim_ros.world.vehicle_model.vehicles import BUOYANCY_GAIN, LAW_BITS, THRUST_GAIN, YAW_TORQUE_GAIN, Body
@@ -69,8 +69,11 @@ def _share(body: Body, actuator: int, fraction: float) -> float:
 
 @kernel
 def _gain(body: Body, actuator: int) -> float:
-    gain: float = body.parameters[BUOYANCY_GAIN if body.is_pump[actuator] else THRUST_GAIN]
-    return gain
+    if body.is_pump[actuator]:
+        of_pumps: float = body.parameters[BUOYANCY_GAIN]
+        return of_pumps
+    of_thrusters: float = body.parameters[THRUST_GAIN]
+    return of_thrusters if is_thruster(body.is_pump, body.actuator_curve, actuator) else 1.0
 
 
 @outlined_kernel
@@ -117,7 +120,7 @@ def _follow(memory: Floats, duration: float, force: Floats) -> None:
 
 @kernel
 def actuate(command: Floats, memory: Floats, body: Body, interval: Interval, force: Floats) -> None:
-    """Write the mean force (actuators,) [N] of each actuator over an interval.
+    """Write the mean force (actuators,) [N] of each actuator over an interval; of a rudder it is the angle [rad].
 
     `command` (actuators,), fractions, holds for all of it; NaN is zero, what lies beyond -1..1 the limit. `memory`
     (MEMORY_SIZE * actuators,) is brought to the end of the interval. With length zero the force is that of the moment.
@@ -129,6 +132,8 @@ def actuate(command: Floats, memory: Floats, body: Body, interval: Interval, for
             force[actuator] = share * limit * _gain(body, actuator)
     else:
         _with_effects(command, memory, body, interval, force)
+    if body.actuator_curve.shape[1] > 0:
+        turn_thrusts(body.actuator_curve, force)
     if body.parameters[YAW_TORQUE_GAIN] != body.parameters[THRUST_GAIN] and body.parameters[THRUST_GAIN] != 0.0:
         _scale_turning(body, force)
     if body.active & LAW_BITS != 0:

@@ -9,8 +9,9 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
-from cocorosim_ros.world.terms.curve import LINEAR, SQUARE, TABLE, thrust_share
+from cocorosim_ros.world.terms.curve import ANGLE, AZIMUTH, LINEAR, SQUARE, TABLE, thrust_share, turn_thrusts
 
 _FORMS = {"linear": LINEAR, "square": SQUARE, "table": TABLE}
 _PLAIN = (LINEAR, 0.0)
@@ -19,7 +20,7 @@ _PLAIN = (LINEAR, 0.0)
 def build_curves(platforms: Sequence[Platform]) -> Floats:
     """(robots, actuators, columns) the curves of one robot per platform; without columns where all are plain."""
     actuators = max(len(platform.actuators) for platform in platforms)
-    rows = [[_row(actuator) for actuator in platform.actuators] for platform in platforms]
+    rows = [[_row(actuator, platform) for actuator in platform.actuators] for platform in platforms]
     widths = [len(row) for robot in rows for row in robot if row != _PLAIN]
     curves = np.zeros((len(platforms), actuators, max(widths, default=0)))
     if widths:
@@ -30,13 +31,18 @@ def build_curves(platforms: Sequence[Platform]) -> Floats:
 
 
 def forces_at(platform: Platform, command: Floats) -> Floats:
-    """(n, actuators) what each actuator delivers at commands (n, actuators), fractions in -1..1 [N]."""
+    """(n, actuators) what each actuator delivers at commands (n, actuators), fractions in -1..1 [N].
+
+    An azimuth has the part of its thruster's force to the left, a rudder its angle [rad].
+    """
     curves = build_curves([platform])[0]
     share = command.copy()
     if curves.shape[1] > 0:
         _into_shares(share, curves)
     forward, reverse = platform.actuator_limits().T
     force: Floats = np.where(share > 0.0, share * forward, share * reverse)
+    if curves.shape[1] > 0:
+        _turn_all(force, curves)
     return force
 
 
@@ -47,7 +53,17 @@ def _into_shares(share: Floats, curves: Floats) -> None:
             share[row, actuator] = thrust_share(curves[actuator], share[row, actuator])
 
 
-def _row(actuator: Actuator) -> tuple[float, ...]:
+@kernel
+def _turn_all(force: Floats, curves: Floats) -> None:
+    for row in range(force.shape[0]):
+        turn_thrusts(curves, force[row])
+
+
+def _row(actuator: Actuator, platform: Platform) -> tuple[float, ...]:
+    if isinstance(actuator, Rudder):
+        return ANGLE, 0.0
+    if isinstance(actuator, Azimuth):
+        return AZIMUTH, float(platform.actuator_names.index(actuator.thruster))
     if not isinstance(actuator, Thruster) or actuator.curve is None:
         return _PLAIN
     curve = actuator.curve

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+
+MADE = str(Path(__file__).resolve().parents[2] / "diagnosis" / "made")  # vehicles of several folders
+if MADE not in sys.path:
+    sys.path.append(MADE)
 
 TANK = ((-50.0, -50.0, -50.0), (50.0, 50.0, 0.0))
 
