@@ -101,7 +101,7 @@ def make_vehicles(lily: SimpleNamespace) -> Callable[..., Any]:
         limit = np.zeros((runs, robots, 3, 2))
         limit[...] = np.array([lily.thrust, lily.thrust, lily.pump])[:, None]
         pump = np.tile([False, False, True], (runs, robots, 1))
-        return Vehicles(parameters, np.full((runs, robots), bits), wrench, limit, pump)
+        return Vehicles(parameters, np.full((runs, robots), bits), wrench, limit, pump, np.zeros((runs, robots, 3, 0)))
 
     return make
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.world import effects
-from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, EFFECTS, LAWS
+from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, EFFECTS, LAWS, RUDDERS
 from cocorosim_ros.world.state.state import STATE_SIZE, SURGE, YAW_RATE, row_size
 from cocorosim_ros.world.terms.search import Strength
 from cocorosim_ros.world.vehicle_model.vehicles import (
@@ -120,13 +120,13 @@ def test_it_tells_what_it_is(name: str) -> None:
     """Each parameter is told in full, the effect has a summary, and acts somewhere."""
     effect = EFFECTS[name]
     assert effect.summary
-    assert any((effect.wrench, effect.inertia, effect.water, effect.command, effect.response))
+    assert any((effect.wrench, effect.inertia, effect.water, effect.command, effect.thrust, effect.response))
     assert effect.parameters
     for parameter in effect.parameters:
         assert parameter.name.isidentifier() and parameter.unit and parameter.meaning
 
 
-@pytest.mark.parametrize("name", [name for name in EFFECTS if name not in LAWS])
+@pytest.mark.parametrize("name", [name for name in EFFECTS if name not in (*LAWS, *RUDDERS)])
 def test_its_own_file_says_all_of_it(name: str) -> None:
     """The file is called like the effect; equation, units of the terms and examples stand there, and what to check."""
     effect = EFFECTS[name]
@@ -143,7 +143,10 @@ def test_its_own_file_says_all_of_it(name: str) -> None:
 def test_no_file_of_an_effect_is_left_out() -> None:
     """Every file beside the table is in it."""
     folder = Path(str(effects.__file__)).parent
-    assert {path.stem for path in folder.glob("*.py")} - {"__init__", "law"} == set(EFFECTS) - set(LAWS)
+    assert {path.stem for path in folder.glob("*.py")} - {"__init__", "law", "rudder"} == set(EFFECTS) - {
+        *LAWS,
+        *RUDDERS,
+    }
 
 
 @pytest.mark.parametrize("name", [name for name, effect in EFFECTS.items() if effect.neighbours])

@@ -13,7 +13,7 @@ import pytest
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.water.currents import CURRENTS
 
-PLACES = ("wrench", "inertia", "water", "command", "response")
+PLACES = ("wrench", "inertia", "water", "command", "thrust", "response")
 
 
 def functions() -> Iterator[tuple[str, str, tuple[str, ...]]]:

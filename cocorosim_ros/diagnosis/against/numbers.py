@@ -76,7 +76,7 @@ def _has_pump(tracks: Sequence[Track]) -> bool:
 
 def _commanded_alone(tracks: Sequence[Track]) -> list[bool]:
     """Tell for each thruster whether its commands have a part that no sum of the other thrusters' commands makes up."""
-    thrusters = ~tracks[0].vehicle.is_pump
+    thrusters = tracks[0].vehicle.is_thruster
     commands = np.concatenate([track.log.command[:, thrusters] for track in tracks])
     commands = np.where(np.isfinite(commands), commands, 0.0)
     found = []

@@ -13,6 +13,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import FIRST_NOISE, FULL_FORCES, RANDOMNESS, RECALIBRATION
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.fitting.declared_numbers import is_steered_alone
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import (
@@ -37,6 +38,7 @@ RECALIBRATED: dict[str, tuple[str, str]] = {
     "yaw_inertia": ("inertia", "kg m^2"),
     "buoyancy_gain": ("buoyancy_gain", "1"),
 }
+OF_ALL_THRUSTERS = ("thrust_gain", "yaw_torque_gain")  # which thrusters with gains of their own do not need
 
 
 @dataclass(frozen=True)
@@ -99,7 +101,10 @@ def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
     for robot, numbers in tracks_by_robot(tracks).items():
         vehicle = tracks[numbers[0]].vehicle
         ranges = vehicle.ranges
+        alone = is_steered_alone(vehicle)
         for column, (name, unit) in RECALIBRATED.items():
+            if alone and column in OF_ALL_THRUSTERS:
+                continue
             base = float(vehicle.nominal[PARAMETER_COLUMNS[column]])
             # Moments are known relative to the inertia alone, as forces are to the mass: inertia stays unless the file
             # gives its range.

@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.controllers.programme import ROWS
 from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
@@ -140,6 +141,9 @@ def _shares(platform: Platform) -> list[tuple[float, float, float]]:
     for actuator, wrench in zip(platform.actuators, platform.actuator_wrenches(), strict=True):
         if isinstance(actuator, BuoyancyPump):
             shares.append((0.0, 0.0, 1.0))
+            continue
+        if isinstance(actuator, (Rudder, Azimuth)):  # an azimuth stays where its thruster pushes along its own axis
+            shares.append((0.0, 1.0 if isinstance(actuator, Rudder) else 0.0, 0.0))
             continue
         ahead, rise = (math.copysign(1.0, part) if abs(part) > REPORT.along_axis else 0.0 for part in wrench[[0, 2]])
         turn = math.copysign(1.0, wrench[3]) if wrench[3] else 0.0

@@ -20,12 +20,14 @@ from cocorosim_ros.diagnosis.report.effect_keys import (
 from cocorosim_ros.diagnosis.report.laws_in_words import laws_in_words
 from cocorosim_ros.diagnosis.report.words import parameter_unit
 from cocorosim_ros.scenario.parts.platform import Effects, Platform
+from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.law_text import LawText
 from cocorosim_ros.scenario.reading.ranges import Range
-from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, sourced_tree
-from cocorosim_ros.scenario.reading.yaml_file import yaml_text
+from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, plain, sourced_tree
+from cocorosim_ros.scenario.reading.yaml_file import load_yaml, yaml_text
 
 Tree = dict[str, Any]
+ACTUATORS = "actuators"
 PLATFORM_KEYS = {"inertia": "yaw_inertia"}
 """Keys of the platform file that are called otherwise than the parameters of a diagnosis."""
 
@@ -102,7 +104,11 @@ def _put_parameters(found: Sequence[Recalibrated], origin: Origin, tree: Tree, r
 
 def _put_declared(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
     """Write numbers of effects that the platform's file gives with a range, and which were fitted within it."""
+    of_actuators = [each for each in found if each.parameter.startswith(f"{ACTUATORS}.")]
+    _put_of_actuators(of_actuators, origin, tree, robots)
     for each in found:
+        if each in of_actuators:
+            continue
         effect, _, name = each.parameter.partition(".")
         everywhere = [tree, *(part for part in robots.values() if "effects" in part)]
         for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
@@ -112,6 +118,20 @@ def _put_declared(found: Sequence[Recalibrated], origin: Origin, tree: Tree, rob
             )
             numbers = known.get(effect, {}) | {name: number}
             target["effects"] = known | {effect: numbers}
+
+
+def _put_of_actuators(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
+    """Write numbers of single actuators into the list of all of them, which replaces the one of a file that ships."""
+    if not found:
+        return
+    whole = with_base(load_yaml(Path(origin.platform.origin)), "platforms").mapping()
+    for each in found:
+        _, actuator, name = each.parameter.split(".", 2)
+        number = _ranged(_number(each.estimate, origin.source), origin.platform.ranges.get(each.parameter))
+        everywhere = [tree, *(part for part in robots.values() if ACTUATORS in part)]
+        for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
+            known = target.get(ACTUATORS, tree.get(ACTUATORS, plain(whole[ACTUATORS])))
+            target[ACTUATORS] = [part | {name: number} if part["name"] == actuator else part for part in known]
 
 
 def _put_effects(found: Sequence[FoundEffect], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:

@@ -93,10 +93,18 @@ class Actuation:
         drive, vehicle = self.drive(row, with_rates=True), self.vehicle
         lower, upper, around, own = vehicle.surroundings
         return Course(
-            smoothed.time, smoothed.mean, self.thrust(drive), drive.force, drive.rate, vehicle.acting_pump,
+            smoothed.time, smoothed.mean, self.thrust(drive), _forces_alone(vehicle, drive.force), drive.rate,
+            vehicle.acting_pump,
             (lower, upper), around[: len(smoothed.time)], own,
         )  # fmt: skip
 
     def nominal_force(self) -> Floats:
         """Forward and leftward force (points, 2) of the thrusters [N; body] under the platform's own numbers."""
         return self.thrust(self.drive(self.vehicle.row))[:, PLANE]
+
+
+def _forces_alone(vehicle: VehicleModel, force: Floats) -> Floats:
+    """Forces (points, acting) [N] with zeros in the place of the angles of rudders."""
+    if vehicle.acting_wrench.any(axis=1).all():
+        return force
+    return np.where(vehicle.acting_wrench.any(axis=1), force, 0.0)

@@ -50,7 +50,8 @@ BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in 
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
 ACTUATING = np.flatnonzero(
-    ((bits("command") | bits("response")) & BIT != 0) | np.isin(NAMES, (*GAINS, *OWN_GAINS, COMMAND_DELAY))
+    ((bits("command") | bits("thrust") | bits("response")) & BIT != 0)
+    | np.isin(NAMES, (*GAINS, *OWN_GAINS, COMMAND_DELAY))
 )
 NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law or error acts
 NEUTRAL[PHYSICS] = neutral_row()

@@ -8,24 +8,28 @@ from functools import cached_property
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.diagnosis.tracks.columns import (
     ALWAYS_ACTIVE,
     COLUMN,
     MOST_THRUSTERS,
     NEUTRAL,
+    OWN_GAINS,
     PHYSICS,
     THRUSTERS,
     active_effects,
 )
+from cocorosim_ros.diagnosis.tracks.own_numbers import Declared, gain_key, own_numbers
 from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.ranges import Range, Ranges
 from cocorosim_ros.world.laws.laws_of_platform import effects_of
+from cocorosim_ros.world.terms.curve import ANGLE, FORM
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.rudders import rudder_forces
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
 from cocorosim_ros.world.water.flow import make_flow
 
@@ -39,8 +43,12 @@ class VehicleModel:
     nominal: Floats  # (parameters,) the platform's numbers, columns of PARAMETER_COLUMNS, SI units
     active: int  # bits of the effects that act even with neutral numbers
     actuator_wrench: Floats  # (actuators, 4) X, Y, Z, N per newton [1, 1, 1, m; body]
-    actuator_limit: Floats  # (actuators, 2) force at command +1 and -1, both positive [N]
+    actuator_limit: Floats  # (actuators, 2) force at command +1 and -1 without own gains, both positive [N]
     is_pump: Flags  # (actuators,)
+    actuator_curve: Floats  # (actuators, columns) see world.terms.curve
+    full_force: Floats  # (actuators,) at command +1 as the wrench counts it [N], rudders 0
+    steering: Floats  # (4,) amounts of X, Y, Z, N of the rudders at full speed [N, N, N, N m; body]
+    own: Mapping[str, Declared]  # by key of the platform's file, numbers of single actuators that a model has
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
     hull: float  # length of the hull [m]
@@ -73,8 +81,17 @@ class VehicleModel:
 
     @cached_property
     def force_scale(self) -> Floats:
-        """Full wrench (4,): sum over all actuators of the amounts of X, Y, Z, N at command +1 [N, N, N, N m; body]."""
-        return np.asarray(np.abs(self.actuator_wrench * self.actuator_limit[:, AHEAD]).sum(axis=0))
+        """Full wrench (4,): sum over all actuators of the amounts of X, Y, Z, N at command +1 [N, N, N, N m; body].
+
+        A rudder counts with its force at full speed.
+        """
+        return np.asarray(np.abs(self.actuator_wrench * self.full_force[:, None]).sum(axis=0)) + self.steering
+
+    @property
+    def is_thruster(self) -> Flags:
+        """Flags (actuators,) of what pushes by its command."""
+        angles = self.actuator_curve.shape[1] > 0 and self.actuator_curve[:, FORM] >= ANGLE
+        return np.asarray(~self.is_pump & ~np.asarray(angles))
 
     @property
     def row(self) -> Floats:
@@ -83,6 +100,8 @@ class VehicleModel:
         row[PHYSICS] = self.nominal
         for column, value in self.known.items():
             row[COLUMN[column]] = value
+        for number in self.own.values():
+            row[COLUMN[number.column]] = number.value
         return row
 
     def body(self, row: Floats) -> Body:
@@ -101,6 +120,7 @@ class VehicleModel:
             self.actuator_wrench,
             self._limit(row),
             self.is_pump,
+            self.actuator_curve,
             STILL,
             around.lower,
             around.upper,
@@ -114,8 +134,8 @@ class VehicleModel:
         if (gains == 1.0).all():
             return self.actuator_limit
         limit = self.actuator_limit.copy()
-        single = np.flatnonzero(~self.is_pump)[:MOST_THRUSTERS]
-        limit[~self.is_pump] *= gains[0]
+        single = np.flatnonzero(self.is_thruster)[:MOST_THRUSTERS]
+        limit[self.is_thruster] *= gains[0]
         limit[single] *= gains[1 : 1 + len(single), None]
         return limit
 
@@ -123,18 +143,32 @@ class VehicleModel:
 def vehicle_model(platform: Platform) -> VehicleModel:
     """Make the model of one robot from its platform, in open water."""
     vehicles = build_vehicles([platform])
+    own = own_numbers(platform)
     thrusters = [actuator.position[0] for actuator in platform.actuators if isinstance(actuator, Thruster)]
     return VehicleModel(
         vehicles.parameters[0, 0],
         int(vehicles.active[0, 0]) | ALWAYS_ACTIVE,
         vehicles.actuator_wrench[0, 0],
-        vehicles.actuator_limit[0, 0],
+        _without_gains(platform, own, vehicles.actuator_limit[0, 0]),
         vehicles.is_pump[0, 0],
+        vehicles.actuator_curve[0, 0],
+        platform.full_forces()[:, 0],
+        rudder_forces(platform, full_speed(platform)),
+        own,
         _known_of_sensors(platform),
         {**gain_ranges(platform), **platform.ranges},
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
     )
+
+
+def _without_gains(platform: Platform, own: Mapping[str, Declared], limit: Floats) -> Floats:
+    """Limits (actuators, 2) [N] without the gains that stand in columns of their own."""
+    gains = {key: number.value for key, number in own.items() if number.column in OWN_GAINS and number.value != 1.0}
+    if not gains:
+        return limit
+    gain = [gains.get(gain_key(name), 1.0) for name in platform.actuator_names]
+    return np.asarray(limit / np.array(gain).reshape(-1, 1))
 
 
 def gain_ranges(platform: Platform) -> dict[str, Range]:

@@ -42,13 +42,14 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
     "torque": (Unit("N m"), Unit("mN m", "0.001")),
     "torque rate": (Unit("N m/s"),),
     "moment of inertia": (Unit("kg m^2", shown=True), Unit("kg cm^2", "1e-4", read=False, shown=True)),
+    "first moment of mass": (Unit("kg m"),),
     "quadratic drag": (Unit("kg/m", shown=True), Unit("g/m", "0.001", read=False, shown=True)),
     "quadratic yaw drag": (Unit("N m s^2"),),
     "linear drag": (Unit("N s/m"),),
     "linear yaw drag": (Unit("N m s"),),
     "stiffness": (Unit("N/m"),),
     "area": (
-        Unit("m^2", read=False, shown=True), Unit("cm^2", "1e-4", read=False, shown=True),
+        Unit("m^2", shown=True), Unit("cm^2", "1e-4", shown=True),
         Unit("mm^2", "1e-6", read=False, shown=True),
     ),
     "square of a speed": (

@@ -12,9 +12,11 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
-from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors
+from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
+from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors, Thruster
 from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
@@ -139,12 +141,22 @@ class Platform(Shown):
         return tuple(actuator.name for actuator in self.actuators)
 
     def actuator_wrenches(self) -> Floats:
-        """(n_actuators, 4) body force x, y, z [N/N] and moment about z [N m/N] per newton of each."""
-        return np.array([_wrench(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 4)
+        """(n_actuators, 4) body force x, y, z [N/N] and moment about z [N m/N] per newton of each.
+
+        An azimuth has the wrench of its thruster turned by 90 deg to the left, a rudder none of its own.
+        """
+        return np.array([self._wrench(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 4)
 
     def actuator_limits(self) -> Floats:
-        """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range."""
+        """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range.
+
+        Of rudders and azimuths it is the angle [rad].
+        """
         return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
+
+    def full_forces(self) -> Floats:
+        """(n_actuators, 2) greatest force [N] forwards and backwards of each, as its wrench counts it; rudders: 0."""
+        return np.array([self._full_force(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
 
     def card(self) -> Card:
         """Mass, inertia and drag, and the effects beyond the basic physics."""
@@ -163,12 +175,37 @@ class Platform(Shown):
         ]
         return Card(f"platform {self.name}", facts, ("effect", "parameter", "value", "unit"), rows, (self.description,))
 
+    def _named(self, name: str) -> Actuator:
+        return self.actuators[self.actuator_names.index(name)]
+
+    def _wrench(self, actuator: Actuator) -> tuple[float, float, float, float]:
+        if isinstance(actuator, BuoyancyPump):
+            return 0.0, 0.0, 1.0, 0.0
+        if isinstance(actuator, Rudder):
+            return 0.0, 0.0, 0.0, 0.0
+        if isinstance(actuator, Azimuth):
+            along, across, _, _ = self._wrench(self._named(actuator.thruster))
+            x, y, _ = _place(self._named(actuator.thruster))
+            return -across, along, 0.0, x * along + y * across
+        (x, y, _), (along, across, up) = actuator.position, actuator.direction
+        return along, across, up, x * across - y * along
+
+    def _full_force(self, actuator: Actuator) -> tuple[float, float]:
+        if isinstance(actuator, Rudder):
+            return 0.0, 0.0
+        if isinstance(actuator, Azimuth):
+            force = max(self._limits(self._named(actuator.thruster)))
+            return force, force
+        return self._limits(actuator)
+
     def _limits(self, actuator: Actuator) -> tuple[float, float]:
         if isinstance(actuator, BuoyancyPump):
             force = self.water_density * self.gravity * actuator.volume_range
             return force, force
-        reverse = actuator.maximum if actuator.maximum_reverse is None else actuator.maximum_reverse
-        return actuator.maximum, reverse
+        if not isinstance(actuator, Thruster):
+            return actuator.largest_angle, actuator.largest_angle
+        gain = 1.0 if actuator.gain is None else actuator.gain
+        return gain * actuator.maximum, gain * actuator.reverse
 
 
 def load_platform(name_or_path: str | Path) -> Platform:
@@ -206,6 +243,7 @@ def _read_one(entry: Entry) -> Platform:
     section = entry.mapping()
     for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
+    check_actuators(section["actuators"], platform.actuators)
     return replace(platform, ranges={**platform.ranges, **collect_ranges(entry)}, origin=entry.file)
 
 
@@ -262,11 +300,8 @@ def _check_number(place: str, number: Quantity, parameter: Parameter) -> None:
         raise CocorosimError(f"{shown}; it must not be negative.")
 
 
-def _wrench(actuator: Actuator) -> tuple[float, float, float, float]:
-    if isinstance(actuator, BuoyancyPump):
-        return 0.0, 0.0, 1.0, 0.0
-    (x, y, _), (along, across, up) = actuator.position, actuator.direction
-    return along, across, up, x * across - y * along
+def _place(actuator: Actuator) -> tuple[float, float, float]:
+    return actuator.position if isinstance(actuator, Thruster) else (0.0, 0.0, 0.0)
 
 
 def _refuse_repeated_names(entry: Entry, names: Sequence[str]) -> None:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
+from cocorosim_ros.scenario.parts.thrust_curve import ThrustCurve, read_curve
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity, read_vector
 from cocorosim_ros.scenario.reading.records import (
@@ -18,6 +20,7 @@ from cocorosim_ros.scenario.reading.records import (
     other_flags,
     quantities,
     quantity,
+    record_tree,
     stored,
     vector,
 )
@@ -69,6 +72,7 @@ class Thruster:
 
     position: [m; body, from the centre of rotation]. direction: unit vector of its push forwards [body].
     maximum, maximum_reverse: force forwards and backwards [N], the same if `maximum_reverse` is None.
+    curve: how the force grows with the command, in proportion if None. gain: what it pushes as a multiple of all this.
     """
 
     name: str = field(metadata=TEXT)
@@ -76,7 +80,14 @@ class Thruster:
     direction: Vector3 = field(metadata=_DIRECTION)
     maximum: float = field(metadata=quantity("force", "positive"))
     maximum_reverse: float | None = field(default=None, metadata=quantity("force", "not negative"))
+    curve: ThrustCurve | None = field(default=None, metadata=stored(read_curve, record_tree))
+    gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     kind: Literal["thruster"] = field(default="thruster", metadata=choice("thruster"))
+
+    @property
+    def reverse(self) -> float:
+        """Force backwards at command -1 [N], unsigned."""
+        return self.maximum if self.maximum_reverse is None else self.maximum_reverse
 
 
 @dataclass(frozen=True)
@@ -155,5 +166,7 @@ class Sensors:
         return bool(self.further.get(topic, getattr(self, topic, False)))
 
 
-Actuator = Thruster | BuoyancyPump
-ACTUATORS: dict[str, type[Thruster] | type[BuoyancyPump]] = {"thruster": Thruster, "buoyancy": BuoyancyPump}
+Actuator = Thruster | BuoyancyPump | Rudder | Azimuth
+ACTUATORS: dict[str, type[Actuator]] = {
+    "thruster": Thruster, "buoyancy": BuoyancyPump, "rudder": Rudder, "azimuth": Azimuth,
+}  # fmt: skip

@@ -22,7 +22,7 @@ STABLE_INTERVAL = {"rk4": 2.785293563405282, "semi_implicit_euler": 2.0}
 
 def fastest_rate(platform: Platform, water: float = 0.0) -> float:
     """The rate [1/s] at which the fastest motion of a robot settles in water of this speed [m/s]; 0 without drag."""
-    most = platform.actuator_limits().max(axis=1, initial=0.0)
+    most = platform.full_forces().max(axis=1, initial=0.0)
     wrench = np.abs(platform.actuator_wrenches()) * most[:, None]
     force = float(np.linalg.norm(wrench[:, :3].sum(axis=0)))
     torque = float(wrench[:, 3].sum())

@@ -4,7 +4,8 @@ BASIC_EFFECTS are what every simulation of a robot has; their texts are compiled
 to what `compiling.four` allows. CATALOGUE_EFFECTS, each off unless a platform asks for it, are what real robots
 have beyond that, and a defect of the released CoCoRoSim. An effect's own file says all that is known of it: equation,
 numbers, how a diagnosis looks for it, what to check on the robot, an example; everything else is made from this table.
-The eddy is reported as a law outside the catalogue; LAWS are places for laws that no catalogue has.
+The eddy is reported as a law outside the catalogue; LAWS are places for laws that no catalogue has. RUDDERS act for the
+rudders among a platform's actuators, and no platform names them as effects.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from cocorosim_ros.world.effects.battery_sag import BATTERY_SAG
 from cocorosim_ros.world.effects.buoyancy_trim import BUOYANCY_TRIM
 from cocorosim_ros.world.effects.eddy import EDDY
 from cocorosim_ros.world.effects.hull_compressibility import HULL_COMPRESSIBILITY
+from cocorosim_ros.world.effects.hull_lift import HULL_LIFT
 from cocorosim_ros.world.effects.law import LAW
 from cocorosim_ros.world.effects.linear_drag import LINEAR_DRAG
 from cocorosim_ros.world.effects.misplaced_root_drag import MISPLACED_ROOT_DRAG
@@ -26,6 +28,7 @@ from cocorosim_ros.world.effects.payload_shift import PAYLOAD_SHIFT
 from cocorosim_ros.world.effects.pump_lag import PUMP_LAG
 from cocorosim_ros.world.effects.quadratic_drag import QUADRATIC_DRAG
 from cocorosim_ros.world.effects.reverse_loss import REVERSE_LOSS
+from cocorosim_ros.world.effects.rudder import RUDDER
 from cocorosim_ros.world.effects.sheared_current import SHEARED_CURRENT
 from cocorosim_ros.world.effects.steady_current import STEADY_CURRENT
 from cocorosim_ros.world.effects.stratification import STRATIFICATION
@@ -70,6 +73,8 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "payload_shift": PAYLOAD_SHIFT,
     "eddy": EDDY,
     "misplaced_root_drag": MISPLACED_ROOT_DRAG,
+    "hull_lift": HULL_LIFT,
     **LAWS,
 }
-EFFECTS: dict[str, Effect] = {**BASIC_EFFECTS, **CATALOGUE_EFFECTS}
+RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}
+EFFECTS: dict[str, Effect] = {**BASIC_EFFECTS, **CATALOGUE_EFFECTS, **RUDDERS}

@@ -10,25 +10,26 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
+from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.search import Given, Search, Strength
 
 
 @kernel
-def battery_sag(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
+def battery_sag(share: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Weaken the thrusters by what is lost by `time` [s]."""
     fraction_lost, duration = unpack(parameters, 2)
     used = min(max(time / duration, 0.0), 1.0)
-    for actuator in range(fraction.shape[0]):
-        if not fitting.is_pump[actuator]:
-            fraction[actuator] *= 1.0 - fraction_lost * used
+    for actuator in range(share.shape[0]):
+        if is_thruster(fitting.is_pump, fitting.curve, actuator):
+            share[actuator] *= 1.0 - fraction_lost * used
 
 
 BATTERY_SAG = Effect(
     summary="thrust that falls during the recording",
     opposite="thrust that rises during the recording",
     equation="T (1 - fraction_lost t / duration)",
-    command=battery_sag,
+    thrust=battery_sag,
     parameters=(
         Number(
             "fraction_lost",

@@ -7,24 +7,25 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
+from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
-def reverse_loss(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
+def reverse_loss(share: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Weaken the thrusters that run backwards."""
     (loss,) = unpack(parameters, 1)
-    for actuator in range(fraction.shape[0]):
-        if not fitting.is_pump[actuator] and fraction[actuator] < 0.0:
-            fraction[actuator] *= 1.0 - loss
+    for actuator in range(share.shape[0]):
+        if is_thruster(fitting.is_pump, fitting.curve, actuator) and share[actuator] < 0.0:
+            share[actuator] *= 1.0 - loss
 
 
 REVERSE_LOSS = Effect(
     summary="thrust that is weaker backwards",
     opposite="thrust that is stronger backwards",
     equation="T (1 - loss) for command < 0",
-    command=reverse_loss,
+    thrust=reverse_loss,
     parameters=(
         Number(
             "loss",

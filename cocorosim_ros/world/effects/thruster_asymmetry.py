@@ -11,25 +11,26 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
+from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import TURN
 from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
-def thruster_asymmetry(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
+def thruster_asymmetry(share: Floats, fitting: Any, time: float, parameters: Floats) -> None:
     """Make one side stronger and the other weaker."""
     (difference,) = unpack(parameters, 1)
-    for actuator in range(fraction.shape[0]):
+    for actuator in range(share.shape[0]):
         lever = fitting.lever[actuator]
-        if not fitting.is_pump[actuator] and lever != 0.0:
-            fraction[actuator] *= 1.0 + math.copysign(0.5 * difference, lever * difference)
+        if is_thruster(fitting.is_pump, fitting.curve, actuator) and lever != 0.0:
+            share[actuator] *= 1.0 + math.copysign(0.5 * difference, lever * difference)
 
 
 THRUSTER_ASYMMETRY = Effect(
     summary="left and right thrusters that differ",
     equation="T_right / T_left = (1 + d/2) / (1 - d/2)",
-    command=thruster_asymmetry,
+    thrust=thruster_asymmetry,
     parameters=(
         Number(
             "difference",

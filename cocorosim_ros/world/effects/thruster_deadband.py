@@ -11,6 +11,7 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
+from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
@@ -20,7 +21,7 @@ def thruster_deadband(fraction: Floats, fitting: Any, time: float, parameters: F
     """Switch off the thrusters whose command is too small to move them."""
     width, ramp = unpack(parameters, 2)
     for actuator in range(fraction.shape[0]):
-        if fitting.is_pump[actuator]:
+        if not is_thruster(fitting.is_pump, fitting.curve, actuator):
             continue
         if abs(fraction[actuator]) < width:
             fraction[actuator] = 0.0

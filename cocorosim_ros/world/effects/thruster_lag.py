@@ -11,6 +11,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import LAGGED, MEMORY_SIZE
+from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import LATE
 from cocorosim_ros.world.terms.response import delayed, relaxed
@@ -24,7 +25,7 @@ def thruster_lag(force: Floats, memory: Floats, fitting: Any, duration: float, p
     """Turn the forces of the thrusters into their means behind the lag."""
     (time_constant,) = unpack(parameters, 1)
     for actuator in range(force.shape[0]):
-        if not fitting.is_pump[actuator]:
+        if is_thruster(fitting.is_pump, fitting.curve, actuator):
             at = MEMORY_SIZE * actuator + LAGGED
             target, begin = force[actuator], memory[at]
             force[actuator] = delayed(target, begin, duration, time_constant)

@@ -69,6 +69,7 @@ class Effect(Description):
     inertia(parameters, inertia) adds to the inertia (4,) against surge, sway, heave [kg] and yaw [kg m^2].
     water(place, time, parameters, total) adds to the water's velocity (3,) [m/s; world] at a place (3,) [m; world].
     command(fraction, fitting, time, parameters) changes the commands (actuators,), fractions, in place.
+    thrust(share, fitting, time, parameters) changes what they give (actuators,), as shares of the limits, in place.
     response(force, memory, fitting, duration, parameters) turns the wanted forces (actuators,) [N], which hold for
     `duration` [s], into their mean over that time, in place, and advances the memory (motion.actuation).
     """
@@ -77,4 +78,5 @@ class Effect(Description):
     inertia: Hook | None = None
     water: Hook | None = None
     command: Hook | None = None
+    thrust: Hook | None = None
     response: Hook | None = None

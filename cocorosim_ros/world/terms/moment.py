@@ -19,7 +19,7 @@ class Moment(NamedTuple):
 
     time: float  # s, from the start of the run or recording
     thrust: Floats  # (4,) wrench of the thrusters, without any effect [N, N m; body]
-    force: Floats  # (actuators,) [N]
+    force: Floats  # (actuators,) [N]; of a rudder the angle [rad]
     actuator_wrench: Floats  # (actuators, 4) per newton [1, 1, 1, m; body]
     is_pump: Flags  # (actuators,)
     pump: float  # force of the pumps [N], up positive
@@ -29,6 +29,7 @@ class Moment(NamedTuple):
     clearance: float  # to the nearest of walls, floor and surface [m]
     neighbours: Floats  # (robots, NEIGHBOUR_SIZE), the robot itself among them; empty if nobody looks
     own: int  # the row of the robot itself, -1 if it is not among them
+    advance_loss: float  # of the thrusters, fraction of the thrust lost per speed [s/m]
 
 
 @kernel

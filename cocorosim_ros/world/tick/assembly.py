@@ -32,6 +32,7 @@ from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.tick.wants import Wants
 from cocorosim_ros.world.tick.water_assembly import build_water
 from cocorosim_ros.world.tick.world import World
+from cocorosim_ros.world.vehicle_model.curves import build_curves
 from cocorosim_ros.world.vehicle_model.platform_effects import active_bits, build_faults, check_platform, parameter_row
 from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
 
@@ -109,7 +110,8 @@ def build_vehicles(platforms: Sequence[Platform], runs: int = 1) -> Vehicles:
         check_platform(platform)
     parameters = np.array([parameter_row(platform) for platform in platforms])
     active = np.array([active_bits(platform) for platform in platforms], dtype=np.int64)
-    repeated = [np.repeat(part[None], runs, axis=0) for part in (parameters, active, wrench, limit, pump)]
+    parts = (parameters, active, wrench, limit, pump, build_curves(platforms))
+    repeated = [np.repeat(part[None], runs, axis=0) for part in parts]
     return Vehicles(*repeated)
 
 

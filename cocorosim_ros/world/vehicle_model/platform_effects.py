@@ -23,6 +23,7 @@ from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, SENSOR_LA
 from cocorosim_ros.world.terms.equations import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 from cocorosim_ros.world.vehicle_model.plausible_body import check_body, displaced_mass
+from cocorosim_ros.world.vehicle_model.rudders import rudder_numbers, rudders_of
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
 
 EVERYWHERE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"]  # effects of every robot in every water
@@ -141,7 +142,7 @@ def parameter_row(platform: Platform) -> Floats:
     row = neutral_row()
     for name, number in _NUMBERS.items():
         row[PARAMETER_COLUMNS[name]] = number(platform)
-    for name, value in (_drag_form(platform) | _chosen(platform, PARAMETER_COLUMNS)).items():
+    for name, value in (_drag_form(platform) | rudder_numbers(platform) | _chosen(platform, PARAMETER_COLUMNS)).items():
         row[PARAMETER_COLUMNS[name]] = value
     return row
 
@@ -149,7 +150,7 @@ def parameter_row(platform: Platform) -> Floats:
 def active_bits(platform: Platform) -> int:
     """The effects that act on a robot of this kind: one bit of EFFECT_BIT for each."""
     bits = EVERYWHERE
-    for effect in effects_of(platform):
+    for effect in (*effects_of(platform), *(effect for effect, _ in rudders_of(platform))):
         bits |= EFFECT_BIT.get(effect, 0)
     return bits | (EFFECT_BIT["anisotropic_drag"] if _drag_form(platform) else 0)
 

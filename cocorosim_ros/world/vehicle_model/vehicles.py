@@ -23,6 +23,7 @@ class Vehicles(NamedTuple):
     actuator_wrench: Floats  # (runs, robots, actuators, 4) X, Y, Z, N per newton [1, 1, 1, m; body]
     actuator_limit: Floats  # (runs, robots, actuators, 2) force at command +1 and -1, both positive [N]
     is_pump: Flags  # (runs, robots, actuators) whether it changes the robot's volume
+    actuator_curve: Floats  # (runs, robots, actuators, columns) see terms.curve; no columns where all are plain
 
 
 class Surroundings(NamedTuple):
@@ -42,6 +43,7 @@ class Body(NamedTuple):
     actuator_wrench: Floats  # (actuators, 4)
     actuator_limit: Floats  # (actuators, 2)
     is_pump: Flags  # (actuators,)
+    actuator_curve: Floats  # (actuators, columns) see terms.curve
     flow: Floats  # velocity of the water, see water.flow; empty in still water
     lower: Floats  # (3,) [m; world]
     upper: Floats  # (3,) [m; world]
@@ -98,6 +100,7 @@ def body_of(vehicles: Vehicles, surroundings: Surroundings, run: int, robot: int
         vehicles.actuator_wrench[run, robot],
         vehicles.actuator_limit[run, robot],
         vehicles.is_pump[run, robot],
+        vehicles.actuator_curve[run, robot],
         surroundings.flow,
         surroundings.lower,
         surroundings.upper,
@@ -116,4 +119,5 @@ def as_runs(vehicles: Vehicles, runs: int, robots: int) -> Vehicles:
         vehicles.actuator_wrench.reshape(runs, robots, actuators, vehicles.actuator_wrench.shape[3]),
         vehicles.actuator_limit.reshape(runs, robots, actuators, vehicles.actuator_limit.shape[3]),
         vehicles.is_pump.reshape(runs, robots, actuators),
+        vehicles.actuator_curve.reshape(runs, robots, actuators, vehicles.actuator_curve.shape[3]),
     )

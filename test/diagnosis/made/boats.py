@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -95,12 +96,14 @@ def drive(seconds: float, seed: int) -> Any:
     return np.array(rows[: round(seconds / TICK)])
 
 
-def recorded(boat: Any, truth: Truth, seconds: float, seed: int) -> Any:
-    """Evidence of one drive: poses every 0.1 s."""
+def recorded(
+    boat: Any, truth: Truth, seconds: float, seed: int, thrust: Callable[[Any], Any] = lambda command: command
+) -> Any:
+    """Evidence of one drive: poses every 0.1 s; `thrust` gives shares of the full force for commands."""
     from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 
     commands = drive(seconds, seed)
-    rows = course(truth, commands)[::2, :4]
+    rows = course(truth, thrust(commands))[::2, :4]
     rng = np.random.default_rng([20261123, seed, 1])
     value = rows + np.array(NOISE) * rng.standard_normal(rows.shape)
     pose = Stream(2 * STEP * np.arange(len(value)), value, np.array(NOISE))

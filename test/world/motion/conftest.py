@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+
+MADE = str(Path(__file__).resolve().parents[2] / "diagnosis" / "made")  # vehicles of several folders
+if MADE not in sys.path:
+    sys.path.append(MADE)
 
 TANK = ((-50.0, -50.0, -50.0), (50.0, 50.0, 0.0))
 
@@ -81,7 +87,7 @@ def acceleration(robots: Callable[..., Any]) -> Callable[..., Any]:
         around = np.asarray(at.get("neighbours", np.zeros((0, 5))), dtype=float)
         lower, upper = (np.array(corner) for corner in at.get("bounds", TANK))
         own = tuple(part[0, 0] for part in vehicles)
-        body = Body(own[0], int(own[1]), own[2], own[3], own[4], np.zeros(0), lower, upper, around, at.get("own", -1))
+        body = Body(own[0], int(own[1]), *own[2:], np.zeros(0), lower, upper, around, at.get("own", -1))
         state_rate(row, at.get("time", 0.0), body, rate)
         return rate[SURGE : YAW_RATE + 1]
 

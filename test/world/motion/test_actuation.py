@@ -26,7 +26,7 @@ def actuated(robots: Make) -> Make:
     def run(numbers: Any, commands: Any, duration: float = 0.5, start: float = 0.0) -> Any:
         own = tuple(part[0, 0] for part in robots(numbers))
         nowhere = (np.zeros(0), np.zeros(3), np.zeros(3), np.zeros((0, 5)), -1)
-        body = Body(own[0], int(own[1]), own[2], own[3], own[4], *nowhere)
+        body = Body(own[0], int(own[1]), *own[2:], *nowhere)
         memory, force, forces = np.zeros(3 * MEMORY_SIZE), np.zeros(3), []
         for number, command in enumerate(commands):
             told = np.array(command, dtype=float)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import FORWARD, LEFT, TURN, UP, coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.world.vehicle_model.curves import forces_at
 
 Complex = NDArray[np.complex128]
 
@@ -66,8 +68,7 @@ def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
     if len(time) < 2:
         return None
     held = log.command[np.searchsorted(log.command_time, time, side="right") - 1]
-    forward, reverse = platform.actuator_limits().T
-    force = np.where(held > 0.0, held * forward, held * reverse) @ platform.actuator_wrenches()
+    force: Any = forces_at(platform, held) @ platform.actuator_wrenches()
     lift, torque = force[:, UP] - force[:, UP].mean(), force[:, TURN]
     return Expected(
         time,

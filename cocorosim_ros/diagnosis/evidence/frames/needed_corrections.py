@@ -157,7 +157,7 @@ def _commands(turned: Orientation, platform: Platform) -> Found:
 
 def _exchange(platform: Platform, *, forwards: bool, turning: bool) -> Floats | None:
     """Signed exchange of actuators that reverses surge or yaw moment and leaves the rest; None if no exchange does."""
-    wrenches = platform.actuator_wrenches() * platform.actuator_limits()[:, AHEAD]
+    wrenches = platform.actuator_wrenches() * platform.full_forces()[:, AHEAD]
     count = len(wrenches)
     matrix = np.zeros((count, count))
     goal = wrenches * np.array([-1.0 if forwards else 1.0, 1.0, 1.0, -1.0 if turning else 1.0])

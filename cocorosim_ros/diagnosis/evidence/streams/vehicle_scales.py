@@ -14,7 +14,7 @@ AHEAD = slice(0, 1)
 
 def full_speed(platform: Platform) -> float:
     """Speed v [m/s] at which quadratic drag holds all horizontal thrust: v = sqrt(X / k)."""
-    thrust = np.abs(platform.actuator_wrenches()[:, FORWARD:UP]) * platform.actuator_limits().max(axis=1, keepdims=True)
+    thrust = np.abs(platform.actuator_wrenches()[:, FORWARD:UP]) * platform.full_forces().max(axis=1, keepdims=True)
     return float(np.sqrt(thrust.sum(axis=0).max(initial=0.0) / max(platform.drag, 1e-9)))
 
 

@@ -1,0 +1,49 @@
+"""Lift of a hull that drifts or turns while it goes ahead: Y = -a |u| v - b |u| r, N = -c |u| v - d |u| r.
+
+A ship's hull is a wing of little span: forces across grow with the speed ahead, where drag by its own speed across
+would be small. Assumes: small angles of drift. The moment that turns a drifting hull further, Munk's, is of added mass;
+c is what is left beside that.
+Source: the first-order terms of Blanke's model of a ship, Fossen (2021), section 7.1; Y_uv, Y_ur, N_uv, N_ur there.
+"""
+
+from __future__ import annotations
+
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
+from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.moment import Moment
+
+
+@kernel
+def hull_lift(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
+    """Add the lift at the speed ahead through the water."""
+    sway_by_drift, sway_by_turn, yaw_by_drift, yaw_by_turn = unpack(parameters, 4)
+    ahead = abs(relative[0])
+    total[1] -= ahead * (sway_by_drift * relative[1] + sway_by_turn * relative[3])
+    total[3] -= ahead * (yaw_by_drift * relative[1] + yaw_by_turn * relative[3])
+
+
+HULL_LIFT = Effect(
+    summary="lift of the hull",
+    equation="Y = -a |u| v - b |u| r, N = -c |u| v - d |u| r",
+    wrench=hull_lift,
+    parameters=(
+        Number(
+            "sway_by_drift", "kg/m", "a, force across by the speed across",
+            multiplies="m^2/s^2", gives="N", example=Example(2.0, "towing"),
+        ),
+        Number(
+            "sway_by_turn", "kg", "b, force across by the yaw rate",
+            multiplies="m/s^2", gives="N", example=Example(0.0, "towing in circles"),
+        ),
+        Number(
+            "yaw_by_drift", "kg", "c, moment by the speed across",
+            multiplies="m^2/s^2", gives="N m", example=Example(0.0, "towing"),
+        ),
+        Number(
+            "yaw_by_turn", "kg m", "d, moment by the yaw rate",
+            multiplies="m/s^2", gives="N m", example=Example(0.01, "towing in circles"),
+        ),
+    ),
+)  # fmt: skip
