@@ -46,6 +46,10 @@ _ROBOT = [
           "what the robot says over its blue-light sensors"),
     Topic("blue_light_rx", "cocorosim_msgs/msg/RadioInbox", "simulation, or the blue-light driver", STREAM, True,
           "what the robot has heard over its blue-light sensors, where the controller asks for it"),
+    Topic("acoustic_tx", "cocorosim_msgs/msg/RadioMessage", "controller", STREAM, True,
+          "what the robot says by sound"),
+    Topic("acoustic_rx", "cocorosim_msgs/msg/AcousticInbox", "simulation, or the acoustic modem", STREAM, True,
+          "what the robot has heard by sound, with ranges, where the controller asks for it"),
     Topic("neighbours", "cocorosim_msgs/msg/Neighbours", "simulation", STREAM, True,
           "exact places and velocities of all robots within 0.5 m, where the controller asks for it"),
 ]  # fmt: skip
