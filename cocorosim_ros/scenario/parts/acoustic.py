@@ -3,11 +3,31 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text, read_nanoseconds
 from cocorosim_ros.scenario.reading.records import quantity, stored
 
 _TIME = (read_nanoseconds, nanoseconds_text)
+
+
+class Validity(NamedTuple):
+    """From where to where a number is covered by the law of absorption."""
+
+    least: float
+    most: float
+    unit: str
+    factor: float = 1.0  # from SI to the unit in which it is told
+
+
+# Ainslie and McColm: 100 Hz to 1 MHz, 7.7 < pH < 8.3, -6 < T < 35 degC, 5 < S < 50. Without salt what is left is the
+# absorption of the water itself, to which the formula tends.
+VALIDITY = {
+    "frequency": Validity(100.0, 1e6, "kHz", 1e-3),
+    "temperature": Validity(-6.0, 35.0, "degC"),
+    "salinity": Validity(0.0, 50.0, "g/kg"),
+    "acidity": Validity(7.7, 8.3, "(pH)"),
+}
 
 
 @dataclass(frozen=True)

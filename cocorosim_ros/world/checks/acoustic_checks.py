@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from cocorosim_ros.scenario.parts.acoustic import Acoustic
+from cocorosim_ros.scenario.parts.acoustic import VALIDITY, Acoustic
 from cocorosim_ros.scenario.parts.python_controller import PythonController
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.controllers.traits import needs_sound, traits_of
-from cocorosim_ros.world.links.acoustic_channel import VALIDITY, travel_ns
 
 MOST_TICKS = 1000  # that a message may be under way
 
@@ -59,7 +58,7 @@ def _check_range(scenario: Scenario, acoustic: Acoustic, entry: Entry) -> None:
 
 def _check_times(scenario: Scenario, acoustic: Acoustic, entry: Entry) -> None:
     section, tick = entry.mapping(), scenario.tick_ns
-    lasts = acoustic.duration_ns + travel_ns(acoustic.range, acoustic.sound_speed)
+    lasts = acoustic.duration_ns + math.ceil(acoustic.range / acoustic.sound_speed * 1e9)
     if lasts > MOST_TICKS * tick:
         raise entry.problem(
             f"lets a message take {lasts / 1e9:.4g} s, more than {MOST_TICKS} ticks of '{nanoseconds_text(tick)}'; "

@@ -25,25 +25,6 @@ NO_SLOTS = 0
 _NS = 1e9  # in a second
 
 
-class Validity(NamedTuple):
-    """From where to where a number is covered by the law of absorption."""
-
-    least: float
-    most: float
-    unit: str
-    factor: float = 1.0  # from SI to the unit in which it is told
-
-
-# Ainslie and McColm: 100 Hz to 1 MHz, 7.7 < pH < 8.3, -6 < T < 35 degC, 5 < S < 50. Without salt what is left is the
-# absorption of the water itself, to which the formula tends.
-VALIDITY = {
-    "frequency": Validity(100.0, 1e6, "kHz", 1e-3),
-    "temperature": Validity(-6.0, 35.0, "degC"),
-    "salinity": Validity(0.0, 50.0, "g/kg"),
-    "acidity": Validity(7.7, 8.3, "(pH)"),
-}
-
-
 class Channel(NamedTuple):
     """The numbers of the link, as compiled loops read them."""
 

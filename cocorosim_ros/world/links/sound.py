@@ -68,7 +68,7 @@ class Arrivals(NamedTuple):
 class Hearing(NamedTuple):
     """The arrivals at one receiver, how many they are, and where they are heard."""
 
-    count: int
+    number: int
     found: Arrivals
     ears: Ears
 
@@ -132,9 +132,9 @@ def _understand(run: int, receiver: int, index: int, found: Arrivals, channel: C
 @kernel
 def _listen(run: int, receiver: int, tick: int, on_air: OnAir, channel: Channel, hearing: Hearing) -> None:
     """Fill the inbox of one receiver with those of its arrivals that end after `tick` and not after the next."""
-    count, found, ears = hearing
+    number, found, ears = hearing
     inbox, now = ears.inbox, tick * channel.tick_ns
-    for index in range(count):
+    for index in range(number):
         end, slot = found.begin[index] + channel.duration_ns, inbox.heard[run, receiver]
         if end <= now or end > now + channel.tick_ns or slot == inbox.sender.shape[2]:
             continue
