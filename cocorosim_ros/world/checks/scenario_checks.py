@@ -31,9 +31,9 @@ def check_scenario(scenario: Scenario, sections: Sections) -> None:
     """
     _check_times(scenario, sections)
     _check_controllers(scenario, sections["swarm"])
-    _check_stability(scenario, sections)
     if "water" in sections:
         check_water(scenario, sections["water"])
+    _check_stability(scenario, sections)
     check_acoustic(scenario, sections)
     _check_corruption(scenario, sections)
     for group, entry in zip(scenario.swarm, sections["swarm"].items(), strict=True):

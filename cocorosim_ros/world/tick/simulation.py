@@ -49,6 +49,7 @@ class Simulation:
         self.state[..., X : YAW + 1] = start
         self.readings: Readings = blank_readings(runs, robots, world.instruments.axis.shape[1])
         self.water = MovingWater(world.water, world.vehicles)
+        self.water.begin(self.state)
         self.nearest = np.full((runs, robots, world.instruments.axis.shape[1]), -1, dtype=np.int64)
         self._wants = world.wants or nothing(robots)
         self._exchange = Exchange(world, numbers)
