@@ -205,7 +205,10 @@ def make_simulation(
             crew=make_crew(robots, controller, settings),
             radio_range=np.full(robots, 0.5),
             wants=Wants(
-                *(np.full(robots, topic in needs) for topic in wanted), np.full(robots, medium == "blue_light")
+                *(np.full(robots, topic in needs) for topic in wanted),
+                np.full(robots, medium == "blue_light"),
+                np.full(robots, "acoustic_rx" in needs),
+                np.full(robots, medium == "acoustic"),
             ),
             lamps=Lamps(50.0, np.array([[0.0, 0.0, -1.0, 500.0, 0.7]])),
         )

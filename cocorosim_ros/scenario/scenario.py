@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 from cocorosim_ros.foundation.card import Card, Shown
 from cocorosim_ros.foundation.data_frame import data_frame
+from cocorosim_ros.scenario.parts.acoustic import Acoustic
 from cocorosim_ros.scenario.parts.controller_choice import AnyController
 from cocorosim_ros.scenario.parts.corruption import CORRUPTIONS, Corruption
 from cocorosim_ros.scenario.parts.light import Light
@@ -117,12 +118,16 @@ class RecordedTopics:
 
 @dataclass(frozen=True)
 class RobotDescription:
-    """One robot: its name (and ROS namespace), body, controller, and whether somebody else controls it."""
+    """One robot: its name (and ROS namespace), body, controller, and whether somebody else controls it.
+
+    acoustic: whether it has an acoustic modem.
+    """
 
     name: str
     platform: Platform
     controller: AnyController
     external: bool
+    acoustic: bool = False
 
     @property
     def radio_range(self) -> float:
@@ -147,6 +152,7 @@ class Scenario(Shown):
     )
     radio: Radio = field(default_factory=Radio, metadata=nested(Radio))
     blue_light: BlueLight = field(default_factory=BlueLight, metadata=nested(BlueLight))
+    acoustic: Acoustic | None = field(default=None, metadata=nested(Acoustic))
     light: Light = field(default_factory=Light, metadata=nested(Light))
     corruption: tuple[Corruption, ...] = field(default=(), metadata=CORRUPTIONS)
     lockstep: LockStep = field(default_factory=LockStep, metadata=nested(LockStep))
@@ -179,7 +185,11 @@ class Scenario(Shown):
         """All robots, in the order of all arrays about them, with the scenario's radio range if any."""
         return tuple(
             RobotDescription(
-                name, self._with_radio(group.platform.of_robot(name)), group.controller, name in self.external
+                name,
+                self._with_radio(group.platform.of_robot(name)),
+                group.controller,
+                name in self.external,
+                self.acoustic is not None,
             )
             for group in self.swarm
             for name in group.robot_names()

@@ -13,12 +13,13 @@ from cocorosim_ros.world.water.currents import CURRENTS
 from cocorosim_ros.world.water.flow import add_water_velocity, make_flow
 
 every_current = pytest.mark.parametrize("name", CURRENTS)
+TABLES = ("gridded", "ocean")
 GRID_AXES = [np.array([0.0, 10.0]), np.array([-2.0, -0.5, 0.0]), np.linspace(-3.0, 3.0, 4), np.linspace(-3.0, 3.0, 5)]
 
 
 def numbers_of(name: str) -> Any:
     """Numbers of a current: its parameters from 0.05 upwards, or a small random table."""
-    if name != "gridded":
+    if name not in TABLES:
         return 0.05 * np.arange(1.0, 1.0 + len(CURRENTS[name].parameters))
     sizes = [len(axis) for axis in GRID_AXES]
     table = np.random.default_rng(1).normal(0.0, 0.1, (*sizes, 3))
@@ -49,7 +50,7 @@ def test_it_adds(name: str) -> None:
     np.testing.assert_allclose(total - alone, [0.5, -2.0, 0.0], rtol=0, atol=1e-15)
 
 
-@pytest.mark.parametrize("name", [name for name in CURRENTS if name != "gridded"])
+@pytest.mark.parametrize("name", [name for name in CURRENTS if name not in TABLES])
 def test_it_is_free_of_divergence(name: str) -> None:
     """Water neither appears nor vanishes: the central difference of the divergence is zero."""
     step = 1e-4

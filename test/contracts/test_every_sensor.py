@@ -64,12 +64,12 @@ def test_it_tells_what_it_is(topic: str) -> None:
 def test_what_controllers_may_ask_for_is_there() -> None:
     """Sensors that are asked for, and what is heard or only the simulation knows; nothing else, and none left out."""
     asked = {topic for topic, sensor in SENSORS.items() if sensor.asked}
-    assert set(EXTRA_TOPICS) == asked | {"blue_light_rx", "neighbours"}
+    assert set(EXTRA_TOPICS) == asked | {"blue_light_rx", "neighbours", "acoustic_rx"}
 
 
 def test_what_controllers_see_is_measured() -> None:
     """Every field of an observation beside time and talk is a field of a sensor, each of which is seen whole."""
-    talk = {"time", "heard_count", "heard", "light_count", "light"}
+    talk = {"time", "heard_count", "heard", "light_count", "light", "sound_count", "sound"}
     shown = {name for name in Observation._fields if name not in talk and not name.startswith("neighbour_")}
     assert shown | {"neighbour_range"} <= set(FIELDS)
     for sensor in SENSORS.values():

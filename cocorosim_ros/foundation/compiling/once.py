@@ -15,7 +15,8 @@ from typing import IO
 
 from numba.core import event
 
-from cocorosim_ros.foundation.compiling.cache import cache_base, folder_of_text
+from cocorosim_ros.foundation.compiling.cache import folder_of_text
+from cocorosim_ros.foundation.compiling.cache_place import cache_base
 
 if sys.platform != "win32":
     import fcntl

@@ -69,7 +69,11 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
         Unit("rad/s"), Unit("deg/s", _RADIANS_PER_DEGREE, shown=True, label="\u00b0/s"),
         Unit("rev/s", "6.283185307179586476925286767"), Unit("rpm", "0.1047197551196597746154214461"),
     ),
-    "frequency": (Unit("Hz"),),
+    "frequency": (Unit("Hz"), Unit("kHz", "1000")),
+    "bit rate": (Unit("bit/s"), Unit("kbit/s", "1000")),
+    "level": (Unit("dB"),),
+    "temperature": (Unit("degC"),),
+    "salinity": (Unit("g/kg"),),
     "rate": (
         Unit("1/s", shown=True, label="m/s per m"),
         Unit("mm/s per m", "0.001", read=False, shown=True),

@@ -54,7 +54,7 @@ def robot_of(node: Node, values: dict[str, Any]) -> tuple[RobotDescription, int]
     if not values["scenario"]:
         platform = load_platform(values["platform"])
         controller = chosen_controller(values["controller"], "parameter 'controller'")
-        return RobotDescription(name, platform, adjusted(node, controller), external=False), 0
+        return RobotDescription(name, platform, adjusted(node, controller), external=False, acoustic=True), 0
     scenario = load_scenario(values["scenario"])
     robots = {robot.name: robot for robot in scenario.robots}
     if name not in robots:
@@ -63,7 +63,7 @@ def robot_of(node: Node, values: dict[str, Any]) -> tuple[RobotDescription, int]
             f"its robots are {', '.join(robots)}."
         )
     robot = robots[name]
-    return RobotDescription(name, robot.platform, adjusted(node, robot.controller), external=False), scenario.seed
+    return replace(robot, controller=adjusted(node, robot.controller), external=False), scenario.seed
 
 
 def adjusted(node: Node, controller: AnyController) -> AnyController:

@@ -15,17 +15,16 @@ from cocorosim_ros.graph.nodes.recorder_link import RECORDED_AHEAD, RecorderEar
 from cocorosim_ros.graph.nodes.start_line import StartLine
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
 from cocorosim_ros.graph.runs.body_side import BodySide
-from cocorosim_ros.graph.runs.latency import check_latency
+from cocorosim_ros.graph.runs.latency import check_latency, longest_under_way
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, run_topics
 from cocorosim_ros.graph.runs.scenery import scenery_topics, standing_messages
-from cocorosim_ros.scenario.parts.corruption import longest_delay
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
 from cocorosim_ros.wire.topics.body import describe_body
-from cocorosim_ros.wire.topics.observations import write_payload
 from cocorosim_ros.wire.topics.topics import TOPICS
 from cocorosim_ros.world.seeding.seeding import start_poses
+from cocorosim_ros.world.state.radio import write_payload
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.dead_mans_switch import DeadMansSwitch
 from cocorosim_ros.world.tick.simulation import Simulation
@@ -64,7 +63,7 @@ class PhysicsShell:
         self.stop = False
         self._idle = idle
         self._terms = terms
-        self._side = BodySide(self.bodies, longest_delay(scenario.corruption))
+        self._side = BodySide(self.bodies, longest_under_way(scenario))
         self._recorder = RecorderEar(node) if terms.recorded else None
         self._speakers = {
             topic: Speaker(node, TOPICS[row].type_name, topic, TOPICS[row].quality)

@@ -6,13 +6,14 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from cocorosim_ros.wire.cdr.acoustic_messages import AcousticMessage, encode_sounds
 from cocorosim_ros.wire.cdr.neighbours import encode_neighbours
 from cocorosim_ros.wire.cdr.radio_messages import RadioEncoder, RadioMessage
 from cocorosim_ros.wire.topics.body import BodyDescription
-from cocorosim_ros.wire.topics.observations import read_payload
 from cocorosim_ros.wire.topics.swarm_messages import SwarmMessages
 from cocorosim_ros.wire.topics.topics import robot_topic
-from cocorosim_ros.world.state.radio import PAYLOAD_LIMIT, Inbox
+from cocorosim_ros.world.state.radio import PAYLOAD_LIMIT, Inbox, read_payload
+from cocorosim_ros.world.state.sound import RANGE, VARIANCE
 from cocorosim_ros.world.tick.simulation import Simulation
 
 
@@ -44,6 +45,8 @@ class BodySide:
         columns["radio_rx"] = self._inboxes(stamp, simulation, simulation.inbox)
         if any("blue_light_rx" in body.topics for body in self._bodies):
             columns["blue_light_rx"] = self._inboxes(stamp, simulation, simulation.light_inbox)
+        if any("acoustic_rx" in body.topics for body in self._bodies):
+            columns["acoustic_rx"] = self._sound_inboxes(stamp, simulation)
         if any("neighbours" in body.topics for body in self._bodies):
             columns["neighbours"] = self._surroundings(stamp, simulation)
         for robot, body in enumerate(self._bodies):
@@ -61,6 +64,18 @@ class BodySide:
             else:
                 heard = [self._history[0][sender] for sender in inbox.sender[0, robot, :count].tolist()]
             encoded.append(self._radio.inbox(stamp_ns, body.frame, [part for part in heard if part is not None]))
+        return encoded
+
+    def _sound_inboxes(self, stamp_ns: int, simulation: Simulation) -> list[bytes]:
+        inbox, garbled, encoded = simulation.sound_inbox, simulation.garbled, []
+        for robot, body in enumerate(self._bodies):
+            sounds = []
+            for slot in range(int(inbox.heard[0, robot])):
+                message, row = self._heard(simulation, inbox, robot, slot), inbox.message[0, robot, slot]
+                if message is not None:
+                    sounds.append(AcousticMessage(message, float(row[RANGE]), float(row[VARIANCE])))
+            lost = 0 if garbled is None else int(garbled[0, robot])
+            encoded.append(encode_sounds(stamp_ns, body.frame, lost, sounds))
         return encoded
 
     def _heard(self, simulation: Simulation, inbox: Inbox, robot: int, slot: int) -> RadioMessage | None:

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from cocorosim_ros.graph.runs.body_side import BodySide
+from cocorosim_ros.graph.runs.latency import longest_under_way
 from cocorosim_ros.graph.runs.run_record import STATUS_TOPIC, RunRecord
-from cocorosim_ros.scenario.parts.corruption import longest_delay
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.radio_messages import RadioMessage
 from cocorosim_ros.wire.cdr.status import end_of_run
 from cocorosim_ros.wire.topics.body import describe_body
-from cocorosim_ros.wire.topics.observations import AnswerEncoder, read_payload
+from cocorosim_ros.wire.topics.observations import AnswerEncoder
 from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.controllers.plain.faults import ControllerError
 from cocorosim_ros.world.seeding.seeding import start_poses
+from cocorosim_ros.world.state.radio import read_payload
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 
@@ -30,7 +31,7 @@ def run_in_process(
     """
     bodies = [describe_body(robot) for robot in scenario.robots]
     encoders = [AnswerEncoder(body) for body in bodies]
-    side = BodySide(bodies, longest_delay(scenario.corruption))
+    side = BodySide(bodies, longest_under_way(scenario))
     simulation = Simulation(build_world(scenario, first_run=run), start_poses(scenario, run)[None])
     going = True
     while going and simulation.tick < scenario.ticks:

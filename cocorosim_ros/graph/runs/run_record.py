@@ -20,7 +20,12 @@ from cocorosim_ros.wire.topics.topics import TOPICS, robot_topic
 STATISTICS_TOPIC = "/shoal_statistics"
 STATUS_TOPIC = "/diagnostics"
 MADE_BY_RECORDER = (STATISTICS_TOPIC, SWARM)
-ANSWERS = ("thruster_command", "radio_tx", "blue_light_tx")  # what controllers publish; the rest is from the bodies
+ANSWERS = (
+    "thruster_command",
+    "radio_tx",
+    "blue_light_tx",
+    "acoustic_tx",
+)  # what controllers publish; the rest is from the bodies
 Selection = Literal["all"] | tuple[str, ...]  # topics to record: their names in the table of topics, or in full
 
 

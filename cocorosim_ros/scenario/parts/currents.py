@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-from cocorosim_ros.scenario.parts.flow_file import FlowFile, flow_file_text, read_flow_file
+from cocorosim_ros.scenario.parts.flow_file import FlowFile, read_flow_file
+from cocorosim_ros.scenario.parts.ocean_current import OceanCurrent
+from cocorosim_ros.scenario.parts.stated_file import stated_file_text
 from cocorosim_ros.scenario.reading.records import choice, quantity, stored
 
 
@@ -60,15 +62,16 @@ class GriddedCurrent:
     sha256: digest of the file; a scenario that states it refuses a file that has changed since.
     """
 
-    file: FlowFile = field(metadata=stored(read_flow_file, flow_file_text, form="path of a netCDF file"))
+    file: FlowFile = field(metadata=stored(read_flow_file, stated_file_text, form="path of a netCDF file"))
     kind: Literal["gridded"] = field(default="gridded", metadata=choice("gridded"))
 
 
-VelocityCurrent = UniformCurrent | ShearedCurrent | TidalCurrent | VortexCurrent | GriddedCurrent
+VelocityCurrent = UniformCurrent | ShearedCurrent | TidalCurrent | VortexCurrent | GriddedCurrent | OceanCurrent
 VELOCITY_CURRENTS: dict[str, type[VelocityCurrent]] = {
     "uniform": UniformCurrent,
     "sheared": ShearedCurrent,
     "tidal": TidalCurrent,
     "vortex": VortexCurrent,
     "gridded": GriddedCurrent,
+    "ocean": OceanCurrent,
 }

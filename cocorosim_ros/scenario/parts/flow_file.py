@@ -6,7 +6,6 @@ since the start of the run (dates count from the first of them).
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.stated_file import StatedFile, naming_entry, read_stated_file
 from cocorosim_ros.scenario.reading.entry import Entry, listed, quoted
 
 _AXES = ("t", "z", "y", "x")
@@ -21,20 +21,13 @@ _SPEED_UNITS = ("m/s", "m s-1", "m s^-1", "m s**-1", "meter second-1", "1")
 
 
 @dataclass(frozen=True)
-class FlowFile:
+class FlowFile(StatedFile):
     """A netCDF file by its place and the digest of its bytes, with its axes and velocities.
 
     numbers: sizes nt, nz, ny, nx; the axes t [s], z, y, x [m; world]; velocities [m/s] (nt, nz, ny, nx, 3).
     """
 
-    path: str
-    sha256: str
     numbers: Floats = field(compare=False, repr=False)
-
-
-def flow_file_text(flow: FlowFile) -> dict[str, str]:
-    """The file as YAML holds it."""
-    return {"path": flow.path, "sha256": flow.sha256}
 
 
 def read_flow_file(entry: Entry) -> FlowFile:
@@ -43,22 +36,8 @@ def read_flow_file(entry: Entry) -> FlowFile:
     Raises CocorosimError: no such file, no netCDF, a missing variable or axis, values that are missing or not m/s,
     an axis that does not ascend or descend, a file whose bytes differ from the stated digest.
     """
-    stated = ""
-    named = entry
-    if isinstance(entry.value, dict):
-        section = entry.section(("path",), ("sha256",))
-        named = section["path"]
-        stated = section["sha256"].text() if "sha256" in section else ""
-    path = (Path(entry.file).parent / named.text()).resolve()
-    if not path.is_file():
-        raise named.problem(f"has '{named.value}', which is no file ({path}); check the path.")
-    digest = hashlib.sha256(path.read_bytes()).hexdigest()
-    if stated and stated != digest:
-        raise entry.problem(
-            f"names '{named.value}', whose content has changed (SHA-256 {digest[:12]}..., stated {stated[:12]}...); "
-            "take the file of then, or remove 'sha256'."
-        )
-    return FlowFile(str(path), digest, _numbers(path, named))
+    file = read_stated_file(entry)
+    return FlowFile(file.path, file.sha256, _numbers(Path(file.path), naming_entry(entry)))
 
 
 def _numbers(path: Path, entry: Entry) -> Floats:

@@ -8,7 +8,7 @@ from typing import Literal
 
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity
-from cocorosim_ros.scenario.reading.records import TEXT, choice, quantity, stored, vector
+from cocorosim_ros.scenario.reading.records import TEXT, choice, form_of, quantity, stored, vector
 
 _Factor = float | None
 
@@ -28,7 +28,7 @@ def _read_share(entry: Entry) -> float:
 
 
 def _share() -> dict[str, object]:
-    return stored(_read_share, lambda value: quantity_text(value, "pure number"))
+    return stored(_read_share, lambda value: quantity_text(value, "pure number"), form="pure number from 0 to 1")
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,11 @@ class Rudder:
     position: tuple[float, float, float] = field(metadata=vector("length", 3))
     area: float = field(metadata=quantity("area", "positive"))
     aspect_ratio: float = field(metadata=quantity("pure number", "positive"))
-    largest_angle: float = field(metadata=stored(_read_rudder_angle, lambda value: quantity_text(value, "angle")))
+    largest_angle: float = field(
+        metadata=stored(
+            _read_rudder_angle, lambda value: quantity_text(value, "angle"), form=form_of("angle", "positive")
+        )
+    )
     propeller: str | None = field(default=None, metadata=TEXT)
     propeller_diameter: float | None = field(default=None, metadata=quantity("length", "positive"))
     gain: _Factor = field(default=None, metadata=quantity("pure number", "positive"))

@@ -80,7 +80,9 @@ class Thruster:
     direction: Vector3 = field(metadata=_DIRECTION)
     maximum: float = field(metadata=quantity("force", "positive"))
     maximum_reverse: float | None = field(default=None, metadata=quantity("force", "not negative"))
-    curve: ThrustCurve | None = field(default=None, metadata=stored(read_curve, record_tree))
+    curve: ThrustCurve | None = field(
+        default=None, metadata=stored(read_curve, record_tree, form="curve from command to force")
+    )
     gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     kind: Literal["thruster"] = field(default="thruster", metadata=choice("thruster"))
 

@@ -9,12 +9,19 @@ import numpy as np
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.scene.scene import Hearing
 from cocorosim_ros.wire.bags.bag_reader import Bag
-from cocorosim_ros.wire.cdr.radio_messages import read_inbox
+from cocorosim_ros.wire.cdr.acoustic_messages import read_sounds
+from cocorosim_ros.wire.cdr.radio_messages import RadioMessage, read_inbox
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
-_INBOXES = ("radio_rx", "blue_light_rx")
+
+def _sounds(data: bytes) -> list[RadioMessage]:
+    """What came by sound, without its ranges."""
+    return [sound.message for sound in read_sounds(data)[1]]
+
+
+_INBOXES = {"radio_rx": read_inbox, "blue_light_rx": read_inbox, "acoustic_rx": _sounds}
 
 Point = tuple[float, float, float]
 
@@ -24,9 +31,9 @@ def read_hearing(bag: Bag, tracks: Mapping[str, PoseTrack]) -> Hearing:
     wanted = [each.topic for each in bag.summary.topics if _is_inbox(each.topic, each.type_name)]
     links: dict[int, list[tuple[Point, Point]]] = {}
     for message in bag.messages(wanted):
-        listener = split_topic(message.topic)[0]
+        listener, name = split_topic(message.topic)
         try:
-            stamp, heard = stamp_ns(message.type_name, message.data), read_inbox(message.data)
+            stamp, heard = stamp_ns(message.type_name, message.data), _INBOXES[name](message.data)
         except CocorosimError:
             continue
         if stamp is None:

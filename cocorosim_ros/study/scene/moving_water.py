@@ -8,8 +8,8 @@ from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.scene.scene import MovingWater
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
-from cocorosim_ros.world.water.current_numbers import current_numbers
-from cocorosim_ros.world.water.flow import CurrentAtWork, add_water_velocity, make_flow
+from cocorosim_ros.world.water.current_numbers import scenario_currents
+from cocorosim_ros.world.water.flow import add_water_velocity, make_flow
 
 _PLACES = (8, 8, 3)
 """Arrows along x, y and depth: as many as can be told apart."""
@@ -20,7 +20,7 @@ def moving_water(scenario: Scenario | None, stamp_ns: Integers) -> MovingWater |
     """The water at some of the moments (t,) [ns], which count from the start of the run; None without currents."""
     if scenario is None or scenario.water is None or not scenario.water.currents:
         return None
-    flow = make_flow([CurrentAtWork(each.kind, current_numbers(each)) for each in scenario.water.currents])
+    flow = make_flow(scenario_currents(scenario))
     places = _places(scenario)
     moments = stamp_ns[:: max(1, -(-stamp_ns.size // _MOST_MOMENTS))]
     velocity = np.zeros((moments.size, *places.shape))

@@ -91,12 +91,24 @@ class Reader:
 
     def length(self) -> int:
         """How many elements follow, or how many bytes of a text."""
-        place = aligned(self.place, LENGTH_BYTES)
-        (value,) = self._length.unpack_from(self.data, place)
+        value = self.whole()
         if value > len(self.data):
             raise ValueError("a length in it exceeds its size")
+        return value
+
+    def whole(self) -> int:
+        """A uint32 that is no length."""
+        place = aligned(self.place, LENGTH_BYTES)
+        (value,) = self._length.unpack_from(self.data, place)
         self.place = place + LENGTH_BYTES
         return int(value)
+
+    def number(self) -> float:
+        """A float64."""
+        place = aligned(self.place, NUMBER_BYTES)
+        (value,) = struct.unpack_from(f"{self.order}d", self.data, place)
+        self.place = place + NUMBER_BYTES
+        return float(value)
 
     def text_bytes(self) -> bytes:
         """A string as it stands there, with its end mark."""

@@ -42,7 +42,7 @@ class RadioEncoder:
 
     def message(self, message: RadioMessage) -> bytes:
         """The bytes of a RadioMessage."""
-        return ENCAPSULATION + self.piece(message, 0)
+        return ENCAPSULATION + pack_radio_message(message, 0)
 
     def inbox(self, stamp_ns: int, frame: str, heard: Sequence[RadioMessage]) -> bytes:
         """The bytes of a RadioInbox delivered at `stamp_ns`."""
@@ -60,18 +60,22 @@ class RadioEncoder:
         """The piece of a message that others hear at the same tick, encoded once; the same object means the same."""
         known = self._pieces.get((id(message), phase))
         if known is None:
-            known = self._pieces[id(message), phase] = message, self.piece(message, phase)  # held: its id stays its own
+            known = self._pieces[id(message), phase] = (
+                message,
+                pack_radio_message(message, phase),
+            )  # held: its id stays its own
         return known[1]
 
-    def piece(self, message: RadioMessage, phase: int) -> bytes:
-        """One RadioMessage as it stands inside others, starting `phase` (0 or 4) bytes past a multiple of eight."""
-        head = pack_stamp(message.stamp_ns) + pack_text(message.frame) + pack_text(message.sender)
-        return head + pack_numbers(message.payload, phase + len(head))
+
+def pack_radio_message(message: RadioMessage, phase: int) -> bytes:
+    """One RadioMessage as it stands inside others, starting `phase` (0 or 4) bytes past a multiple of eight."""
+    head = pack_stamp(message.stamp_ns) + pack_text(message.frame) + pack_text(message.sender)
+    return head + pack_numbers(message.payload, phase + len(head))
 
 
 def read_message(data: bytes) -> RadioMessage:
     """The RadioMessage in CDR bytes. Raises CocorosimError if they do not hold one."""
-    return _guarded(data, _read_piece)
+    return guarded(data, read_radio_message)
 
 
 def read_inbox(data: bytes) -> list[RadioMessage]:
@@ -80,9 +84,9 @@ def read_inbox(data: bytes) -> list[RadioMessage]:
     def read(reader: Reader) -> list[RadioMessage]:
         reader.stamp_ns()
         reader.text()
-        return [_read_piece(reader) for _ in range(reader.length())]
+        return [read_radio_message(reader) for _ in range(reader.length())]
 
-    return _guarded(data, read)
+    return guarded(data, read)
 
 
 def hear(data: bytes | None, rows: Floats) -> int:
@@ -101,14 +105,16 @@ def hear(data: bytes | None, rows: Floats) -> int:
     return found
 
 
-def _read_piece(reader: Reader) -> RadioMessage:
+def read_radio_message(reader: Reader) -> RadioMessage:
+    """One RadioMessage as it stands inside others."""
     return RadioMessage(reader.stamp_ns(), reader.text(), reader.text(), reader.numbers())
 
 
-def _guarded(data: bytes, read: Callable[[Reader], Result]) -> Result:
+def guarded(data: bytes, read: Callable[[Reader], Result], what: str = "a radio message") -> Result:
+    """What `read` takes from CDR bytes. Raises CocorosimError if they do not hold `what`."""
     try:
         if data[:2] != ENCAPSULATION[:2]:
             raise ValueError("its byte order is not little endian")
         return read(Reader(data))
     except (struct.error, ValueError, UnicodeDecodeError) as error:
-        raise CocorosimError(f"{len(data)} bytes are not a radio message: {error}.") from error
+        raise CocorosimError(f"{len(data)} bytes are not {what}: {error}.") from error

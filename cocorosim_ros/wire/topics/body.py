@@ -40,10 +40,8 @@ def describe_body(robot: RobotDescription) -> BodyDescription:
     present = {topic: sensors.has(topic) for topic, sensor in SENSORS.items() if not (sensor.asked or topic == "pose")}
     present["radio_rx"] = sensors.radio_range > 0.0
     extra = [name for name in EXTRA_TOPICS if name in controller.needs]
-    if controller.medium == "blue_light":
-        talk = "blue_light_tx" if sensors.blss else ""
-    else:
-        talk = "radio_tx" if present["radio_rx"] else ""
+    means = {"radio": present["radio_rx"], "blue_light": bool(sensors.blss), "acoustic": robot.acoustic}
+    talk = f"{controller.medium}_tx" if means[controller.medium] else ""
     return BodyDescription(
         name=robot.name,
         sensors=sensors.directed,

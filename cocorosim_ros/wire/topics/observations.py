@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.wire.cdr.acoustic_messages import hear_sound
 from cocorosim_ros.wire.cdr.neighbours import read_neighbours
 from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.cdr.radio_messages import RadioEncoder, RadioMessage, hear
@@ -15,7 +16,8 @@ from cocorosim_ros.wire.topics.swarm_messages import command_message, sensor_mes
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.sensor import PER_CONE, Field, Sensor
 from cocorosim_ros.world.state.observation import Observation
-from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, PAYLOAD_LIMIT
+from cocorosim_ros.world.state.radio import MESSAGE_SIZE, read_payload
+from cocorosim_ros.world.state.sound import SOUND_SIZE
 
 
 class ObservationDecoder:
@@ -27,6 +29,7 @@ class ObservationDecoder:
     def __init__(self, body: BodyDescription, hearing_limit: int) -> None:
         self._heard = np.zeros((hearing_limit, MESSAGE_SIZE))
         self._light = np.zeros((hearing_limit, MESSAGE_SIZE))
+        self._sound = np.zeros((hearing_limit, SOUND_SIZE))
         self._offset = np.zeros((hearing_limit, 3))
         self._velocity = np.zeros((hearing_limit, 3))
         seen = [sensor for sensor in SENSORS.values() if _is_seen(sensor)]
@@ -45,6 +48,8 @@ class ObservationDecoder:
             heard=self._heard,
             light_count=hear(latest.get("blue_light_rx"), self._light),
             light=self._light,
+            sound_count=hear_sound(latest.get("acoustic_rx"), self._sound),
+            sound=self._sound,
             neighbour_count=self._look_around(latest.get("neighbours")),
             neighbour_offset=self._offset,
             neighbour_velocity=self._velocity,
@@ -92,19 +97,6 @@ def _places(sensor: Sensor, cones: int) -> tuple[str, int, list[tuple[Field, sli
     return sensor.topic, first, fields
 
 
-def write_payload(row: Floats, payload: tuple[float, ...]) -> None:
-    """Put a radio payload into a row of state.radio; what exceeds PAYLOAD_LIMIT numbers is cut off."""
-    kept = payload[:PAYLOAD_LIMIT]
-    row[MESSAGE_LENGTH] = len(kept)
-    row[1 : 1 + len(kept)] = kept
-    row[1 + len(kept) :] = 0.0
-
-
-def read_payload(row: Floats) -> tuple[float, ...]:
-    """The radio payload in a row of state.radio."""
-    return tuple(row[1 : 1 + int(row[MESSAGE_LENGTH])].tolist())
-
-
 class AnswerEncoder:
     """Turns one controller's answer into bytes."""
 
@@ -118,6 +110,6 @@ class AnswerEncoder:
         return self._command.encode(stamp_ns, command[None, : len(self._body.actuators)])[0]
 
     def said(self, stamp_ns: int, row: Floats) -> bytes:
-        """The bytes of `radio_tx` or `blue_light_tx`; `row` (MESSAGE_SIZE,), see state.radio. No payload: silence."""
+        """The bytes of what goes out over any medium; `row` (MESSAGE_SIZE,), see state.radio. No payload: silence."""
         message = RadioMessage(stamp_ns, self._body.frame, self._body.name, read_payload(row))
         return self._radio.message(message)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.world.water.current_numbers import current_numbers
+from cocorosim_ros.world.water.current_numbers import scenario_currents
 from cocorosim_ros.world.water.currents import CURRENTS
 
 
 def fastest_water(scenario: Scenario) -> float:
     """The sum of the fastest speeds [m/s] of all currents in the tank; 0 in still water. Forces on patches are none."""
-    currents = () if scenario.water is None else scenario.water.currents
-    return sum(CURRENTS[each.kind].fastest(current_numbers(each), scenario.tank.size) for each in currents)
+    currents = scenario_currents(scenario)
+    return sum(CURRENTS[name].fastest(numbers, scenario.tank.size) for name, numbers in currents)

@@ -13,6 +13,7 @@ from cocorosim_ros.scenario.parts.tank import Tank
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.checks.acoustic_checks import check_acoustic
 from cocorosim_ros.world.checks.fastest_water import fastest_water
 from cocorosim_ros.world.checks.stability import fastest_rate, longest_stable_step
 from cocorosim_ros.world.checks.water_checks import check_water
@@ -30,9 +31,10 @@ def check_scenario(scenario: Scenario, sections: Sections) -> None:
     """
     _check_times(scenario, sections)
     _check_controllers(scenario, sections["swarm"])
-    _check_stability(scenario, sections)
     if "water" in sections:
         check_water(scenario, sections["water"])
+    _check_stability(scenario, sections)
+    check_acoustic(scenario, sections)
     _check_corruption(scenario, sections)
     for group, entry in zip(scenario.swarm, sections["swarm"].items(), strict=True):
         if group.start.box is not None:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from cocorosim_ros.scenario.parts.ocean_current import OceanCurrent
 from cocorosim_ros.scenario.parts.plume import Plume
+from cocorosim_ros.scenario.parts.stated_file import naming_entry
 from cocorosim_ros.scenario.parts.water import patch_counts, patch_that_divides
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.world.water.ocean.model_file import OceanFileError
+from cocorosim_ros.world.water.ocean.ocean_field import ocean_field
 
 _WHOLE = 1e-9
 MOST_PATCHES = 50_000_000
@@ -16,6 +20,7 @@ MOST_PATCHES = 50_000_000
 
 def check_water(scenario: Scenario, entry: Entry) -> None:
     """Nothing, if the water fits tank and tick; CocorosimError names what does not."""
+    _check_oceans(scenario, entry)
     if scenario.water is not None and scenario.water.plume is not None:
         _check_plume(scenario, scenario.water.plume, entry.mapping()["plume"].mapping())
     forces = None if scenario.water is None else scenario.water.force_currents
@@ -45,6 +50,20 @@ def check_water(scenario: Scenario, entry: Entry) -> None:
         raise place.problem(
             f"has patches of {forces.patch:g} m, {patches:,} of them, more than {MOST_PATCHES:,}; choose larger ones."
         )
+
+
+def _check_oceans(scenario: Scenario, entry: Entry) -> None:
+    for place, current in enumerate(() if scenario.water is None else scenario.water.currents):
+        if isinstance(current, OceanCurrent):
+            _check_ocean(scenario, current, entry.mapping()["currents"].items()[place].mapping()["file"])
+
+
+def _check_ocean(scenario: Scenario, current: OceanCurrent, entry: Entry) -> None:
+    try:
+        ocean_field(current, scenario.tank.size, scenario.duration)
+    except OceanFileError as error:
+        named = naming_entry(entry)
+        raise named.problem(f"has '{named.value}', {error}") from error
 
 
 def _check_plume(scenario: Scenario, plume: Plume, section: Mapping[str, Entry]) -> None:

@@ -16,6 +16,7 @@ from cocorosim_ros.world.controllers.boids_vanilla import BOIDS_VANILLA
 from cocorosim_ros.world.controllers.calibration_programme import CALIBRATION_PROGRAMME
 from cocorosim_ros.world.controllers.constant import CONSTANT
 from cocorosim_ros.world.controllers.controller import Controller
+from cocorosim_ros.world.controllers.depth_agreement import DEPTH_AGREEMENT
 from cocorosim_ros.world.controllers.heading_hold import HEADING_HOLD
 from cocorosim_ros.world.controllers.idle import IDLE
 from cocorosim_ros.world.controllers.minimal_flocking import MINIMAL_FLOCKING
@@ -39,5 +40,6 @@ CONTROLLERS: dict[str, Controller] = {
     "boids_vanilla_released": BOIDS_VANILLA_RELEASED,
     "boids_blc_released": BOIDS_BLC_RELEASED,
     "boids_na_released": BOIDS_NA_RELEASED,
+    "depth_agreement": DEPTH_AGREEMENT,
 }
 CONTROLLER_CODE: dict[str, int] = {name: code for code, name in enumerate(CONTROLLERS)}

@@ -17,7 +17,7 @@ class Traits(NamedTuple):
     """What others must know of a controller."""
 
     needs: tuple[str, ...]  # topics of EXTRA_TOPICS that exist for it alone
-    medium: str  # "radio" or "blue_light", over which it speaks
+    medium: str  # of MEDIA, over which it speaks
     speaks: bool  # it has a message at every tick, which may be empty
 
 
@@ -28,6 +28,11 @@ def traits_of(controller: AnyController) -> Traits:
         return Traits(user_class.needs(), user_class.medium(), speaks=True)
     behaviour = behaviour_of(controller)
     return Traits(behaviour.needs, behaviour.medium, behaviour.payload_length > 0)
+
+
+def needs_sound(traits: Traits) -> bool:
+    """Whether a controller speaks or hears by sound."""
+    return traits.medium == "acoustic" or "acoustic_rx" in traits.needs
 
 
 def behaviour_of(description: ControllerDescription) -> Controller:

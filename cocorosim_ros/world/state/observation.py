@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.radio import MESSAGE_SIZE
+from cocorosim_ros.world.state.sound import SOUND_SIZE
 
 
 class Observation(NamedTuple):
@@ -25,6 +26,8 @@ class Observation(NamedTuple):
     heard: Floats  # (capacity, MESSAGE_SIZE) messages, see state.radio
     light_count: int  # messages in `light`
     light: Floats  # (capacity, MESSAGE_SIZE) messages that came over blue light
+    sound_count: int  # messages in `sound`
+    sound: Floats  # (capacity, SOUND_SIZE) messages that came by sound, with ranges, see state.sound
     neighbour_count: int  # robots in `neighbour_offset`; only the simulation knows them
     neighbour_offset: Floats  # (capacity, 3) true places of the neighbours [m; body]
     neighbour_velocity: Floats  # (capacity, 3) true velocities of the neighbours [m/s; world]
@@ -47,6 +50,8 @@ def blank_observation(sensors: int, capacity: int) -> Observation:
         heard=np.zeros((capacity, MESSAGE_SIZE)),
         light_count=0,
         light=np.zeros((capacity, MESSAGE_SIZE)),
+        sound_count=0,
+        sound=np.zeros((capacity, SOUND_SIZE)),
         neighbour_count=0,
         neighbour_offset=np.zeros((capacity, 3)),
         neighbour_velocity=np.zeros((capacity, 3)),

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags
+from cocorosim_ros.scenario.parts.acoustic import Acoustic
 from cocorosim_ros.scenario.parts.light import Light
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
@@ -21,6 +22,7 @@ from cocorosim_ros.world.controllers.crew_assembly import build_crew
 from cocorosim_ros.world.controllers.plain.plain_controller import plain_of
 from cocorosim_ros.world.controllers.sensor_axes import cone_axis
 from cocorosim_ros.world.controllers.traits import traits_of
+from cocorosim_ros.world.links.acoustic_channel import Channel, acoustic_channel
 from cocorosim_ros.world.links.blue_light import DELIVERY_CODE
 from cocorosim_ros.world.motion.contact import CONTACT_CODE
 from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
@@ -56,6 +58,7 @@ def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
         wants=build_wants(scenario.robots),
         lamps=build_lamps(scenario.light),
         light_delivery=DELIVERY_CODE[scenario.blue_light.delivery],
+        channel=None if scenario.acoustic is None else _channel(scenario, scenario.acoustic),
         instant_radio=scenario.radio.latency == "none",
         corruption=scenario.corruption,
         seed=scenario.seed,
@@ -72,8 +75,10 @@ def build_wants(robots: Sequence[RobotDescription]) -> Wants:
     def who(topic: str) -> Flags:
         return np.array([topic in controller.needs for controller in controllers])
 
-    speaks_light = np.array([controller.medium == "blue_light" for controller in controllers])
-    return Wants(who("neighbours"), who("blue_light_rx"), speaks_light)
+    def speaks(medium: str) -> Flags:
+        return np.array([controller.medium == medium for controller in controllers])
+
+    return Wants(who("neighbours"), who("blue_light_rx"), speaks("blue_light"), who("acoustic_rx"), speaks("acoustic"))
 
 
 def build_lamps(light: Light) -> Lamps:
@@ -142,6 +147,10 @@ def _measured(robot: RobotDescription) -> list[bool]:
     """Which sensors of the table a robot measures with."""
     sensors, needs = robot.platform.sensors, traits_of(robot.controller).needs
     return [sensor.for_all or sensor.is_on(sensors, needs) for sensor in SENSORS.values()]
+
+
+def _channel(scenario: Scenario, acoustic: Acoustic) -> Channel:
+    return acoustic_channel(acoustic, scenario.tick_ns, scenario.tank.depth / 2)
 
 
 def _stepping(scenario: Scenario) -> Stepping:

@@ -22,6 +22,8 @@ def _observing_lines() -> list[str]:
         "heard": "perception.radio.message[run, robot]",
         "light_count": "perception.light.heard[run, robot]",
         "light": "perception.light.message[run, robot]",
+        "sound_count": "perception.sound.heard[run, robot]",
+        "sound": "perception.sound.message[run, robot]",
         "neighbour_count": "perception.neighbourhood.found[run, robot]",
         "neighbour_offset": "perception.neighbourhood.offset[run, robot]",
         "neighbour_velocity": "perception.neighbourhood.velocity[run, robot]",

@@ -1,4 +1,4 @@
-"""What robots hear of each other in one run or many: both media, perfect or not."""
+"""What robots hear of each other in one run or many: all media, perfect or not."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.links.blue_light import deliver_light
 from cocorosim_ros.world.links.imperfect_links import ImperfectLink, imperfect_links
 from cocorosim_ros.world.links.radio import deliver
+from cocorosim_ros.world.links.sound import SoundLink
 from cocorosim_ros.world.seeding.corruption_at_work import Swarms
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_LENGTH, Inbox, empty_inbox
+from cocorosim_ros.world.state.sound import SOUND_SIZE
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.world import World
@@ -23,7 +25,11 @@ class Exchange:
         capacity = max(1, min(world.robots - 1, HEARING_LIMIT))
         self.radio: Inbox = empty_inbox(len(runs), world.robots, capacity)
         self.light: Inbox = empty_inbox(len(runs), world.robots, capacity if self.uses_light else 1)
+        self.sound: Inbox = empty_inbox(len(runs), world.robots, capacity if self.uses_sound else 1, SOUND_SIZE)
         swarms = Swarms(world.seed, world.names, runs)
+        self._sound_link = None
+        if world.channel is not None and self.uses_sound:
+            self._sound_link = SoundLink(world.channel, self._wants.sound, self._wants.speaks_sound, swarms, self.sound)
         self._radio_links = imperfect_links("radio", world.corruption, swarms)
         self._light_links = imperfect_links("blue_light", world.corruption, swarms)
 
@@ -32,13 +38,28 @@ class Exchange:
         """Whether anybody hears over blue light."""
         return bool(self._wants.blue_light.any())
 
+    @property
+    def uses_sound(self) -> bool:
+        """Whether anybody hears by sound."""
+        return bool(self._wants.sound.any())
+
+    @property
+    def garbled(self) -> Integers | None:
+        """(runs, robots) sounds of the last tick that could not be understood; None where nobody listens."""
+        return None if self._sound_link is None else self._sound_link.garbled
+
+    def carry_sound(self, tick: int, state: Floats, said: Floats) -> None:
+        """Send by sound what was `said` (runs, robots, MESSAGE_SIZE) now; deliver what comes until the next tick."""
+        if self._sound_link is not None:
+            self._sound_link.carry(tick, state, said)
+
     def carry(self, tick: int, state: Floats, said: Floats, neighbours: Neighbours, nearest: Integers) -> None:
         """Deliver what was `said` (runs, robots, MESSAGE_SIZE) at this tick, with the state of this moment.
 
         `neighbours` are those in this state, `nearest` (runs, robots, sensors) who was seen in each cone.
         """
         speaks_light = self._wants.speaks_light
-        by_radio = _sent(tick, said, ~speaks_light, self._radio_links)
+        by_radio = _sent(tick, said, ~(speaks_light | self._wants.speaks_sound), self._radio_links)
         deliver(state, by_radio, self._world.radio_range, neighbours, self.radio)
         for link in self._radio_links:
             link.spoil(tick, self.radio)

@@ -15,4 +15,5 @@ class Perception(NamedTuple):
     readings: Readings
     radio: Inbox
     light: Inbox  # heard over blue light
+    sound: Inbox  # heard by sound; its messages have SOUND_SIZE columns
     neighbourhood: Neighbourhood

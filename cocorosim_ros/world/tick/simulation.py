@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.controllers.conduct import blank_memory
 from cocorosim_ros.world.motion.motion import apply_commands, move
 from cocorosim_ros.world.seeding.corruption_at_work import Swarms
@@ -49,12 +49,13 @@ class Simulation:
         self.state[..., X : YAW + 1] = start
         self.readings: Readings = blank_readings(runs, robots, world.instruments.axis.shape[1])
         self.water = MovingWater(world.water, world.vehicles)
+        self.water.begin(self.state)
         self.nearest = np.full((runs, robots, world.instruments.axis.shape[1]), -1, dtype=np.int64)
         self._wants = world.wants or nothing(robots)
         self._exchange = Exchange(world, numbers)
         capacity = max(1, min(robots - 1, HEARING_LIMIT)) if self._wants.neighbours.any() else 1
         self.neighbourhood: Neighbourhood = empty_neighbourhood(runs, robots, capacity)
-        self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.neighbourhood)
+        self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.sound_inbox, self.neighbourhood)
         self._corruption = corrupted_channels(world.corruption, Swarms(world.seed, world.names, numbers))
         self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
         self.memory = blank_memory(runs, robots)
@@ -74,6 +75,16 @@ class Simulation:
     def light_inbox(self) -> Inbox:
         """What was heard over blue light."""
         return self._exchange.light
+
+    @property
+    def sound_inbox(self) -> Inbox:
+        """What was heard by sound; its messages have SOUND_SIZE columns (state.sound)."""
+        return self._exchange.sound
+
+    @property
+    def garbled(self) -> Integers | None:
+        """(runs, robots) sounds of the last tick that could not be understood; None where nobody listens."""
+        return self._exchange.garbled
 
     @property
     def time_ns(self) -> int:
@@ -120,6 +131,7 @@ class Simulation:
         if not self.world.instant_radio:
             neighbours = self._neighbours if self._neighbours is not None else self._search.find(self.state)
             self._exchange.carry(self.tick, self.state, self.said, neighbours, self.nearest)
+        self._exchange.carry_sound(self.tick, self.state, self.said)
         self._neighbours = None
         apply_commands(self.state, self.command, self.world.vehicles)
         world = self.world

@@ -16,6 +16,7 @@ from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_C
 from cocorosim_ros.world.water.flow import make_flow
 from cocorosim_ros.world.water.force_field.force_field import ForceField
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
+from cocorosim_ros.world.water.layers import Layers, add_lift
 from cocorosim_ros.world.water.patches import Patches
 from cocorosim_ros.world.water.plume import Puffs, carry, concentrations, no_puffs, release
 
@@ -33,6 +34,7 @@ class Water:
     patches: Patches | None = None  # of the forces
     jets: Floats = field(default_factory=_no_jets)  # (robots, jets, JET_SIZE), see force_field.wakes
     plume: Plume | None = None
+    layers: Layers | None = None  # of density
     ticks_per_step: int = 1  # of the forces
     seed: int = 0
     first_run: int = 0  # the number of the first of the runs, which with the seed decides their cold spots
@@ -52,19 +54,28 @@ class MovingWater:
         self.fields: list[ForceField] = []
         self.puffs: Puffs = no_puffs()
         self.concentration: Floats = np.zeros((runs, robots))  # of the plume at every robot [kg/m^3]
-        if water.forces is None or water.patches is None:
+        self._push = np.zeros((runs, robots, 4))
+        if water.layers is None and (water.forces is None or water.patches is None):
             return
         self.vehicles = vehicles._replace(
             parameters=vehicles.parameters.copy(), active=vehicles.active | EFFECT_BIT["patch_force"]
         )
-        self._push = np.zeros((runs, robots, 4))
+        if water.forces is None or water.patches is None:
+            return
         draws = [generator(water.seed, "cold spots", run=water.first_run + run) for run in range(runs)]
         self.fields = [ForceField(water.forces, water.patches, random) for random in draws]
+
+    def begin(self, state: Floats) -> None:
+        """Let the water act on robots that are where `state` (runs, robots, columns) says at time 0."""
+        if self.water.layers is not None:
+            self._act(state, 0.0)
 
     def advance(self, tick: int, state: Floats, tank: Tank, tick_ns: int) -> None:
         """Bring the water to the end of `tick`, at which robots are where `state` (runs, robots, columns) says."""
         if self.fields:
             self._advance_forces(tick, state)
+        if self.fields or self.water.layers is not None:
+            self._act(state, (tick + 1) * tick_ns * 1e-9)
         if self.water.plume is not None:
             self._advance_plume(self.water.plume, tick, tank, tick_ns)
             concentrations(state, self.puffs, tank, self.concentration)
@@ -75,6 +86,13 @@ class MovingWater:
             if due:
                 forces.advance(state[run], self.water.jets)
             forces.push(state[run], self._push[run])
+
+    def _act(self, state: Floats, time: float) -> None:
+        """Write what pushes the robots from `time` [s] on where their numbers are."""
+        if self.water.layers is not None:
+            if not self.fields:
+                self._push[...] = 0.0
+            add_lift(state, time, self.water.layers, self._push)
         self.vehicles.parameters[..., PATCH_FORCE_COLUMNS] = self._push
 
     def _advance_plume(self, plume: Plume, tick: int, tank: Tank, tick_ns: int) -> None:

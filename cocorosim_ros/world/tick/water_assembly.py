@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.ocean_current import OceanCurrent
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.parts.water import patch_counts
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.tick.water import Water
-from cocorosim_ros.world.water.current_numbers import current_numbers
-from cocorosim_ros.world.water.flow import CurrentAtWork, make_flow
+from cocorosim_ros.world.vehicle_model.plausible_body import displaced_mass
+from cocorosim_ros.world.water.current_numbers import scenario_currents
+from cocorosim_ros.world.water.flow import make_flow
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
+from cocorosim_ros.world.water.layers import Layers
+from cocorosim_ros.world.water.ocean.ocean_field import ocean_field
 from cocorosim_ros.world.water.patches import Patches
 
 _NO_JET = [-1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
@@ -27,12 +32,11 @@ def build_water(scenario: Scenario, first_run: int = 0) -> Water:
     if scenario.water is None:
         return Water()
     forces = scenario.water.force_currents
-    flow = make_flow([CurrentAtWork(each.kind, current_numbers(each)) for each in scenario.water.currents])
+    still = Water(flow=make_flow(scenario_currents(scenario)), plume=scenario.water.plume, layers=_layers(scenario))
     if forces is None:
-        return Water(flow=flow, plume=scenario.water.plume)
-    return Water(
-        flow=flow,
-        plume=scenario.water.plume,
+        return still
+    return replace(
+        still,
         forces=forces,
         patches=build_patches(scenario, forces.patch),
         jets=build_jets([robot.platform for robot in scenario.robots]),
@@ -40,6 +44,21 @@ def build_water(scenario: Scenario, first_run: int = 0) -> Water:
         seed=scenario.seed,
         first_run=first_run,
     )
+
+
+def _layers(scenario: Scenario) -> Layers | None:
+    """The density of the water, if an ocean model gives it and it acts; the first such current's."""
+    for current in () if scenario.water is None else scenario.water.currents:
+        if isinstance(current, OceanCurrent) and current.buoyancy:
+            platforms = [robot.platform for robot in scenario.robots]
+            own = np.array([platform.water_density for platform in platforms])
+            displaced = [displaced_mass(platform) or platform.mass for platform in platforms]
+            return Layers(
+                ocean_field(current, scenario.tank.size, scenario.duration).density,
+                own if current.reference_density is None else np.full(len(platforms), current.reference_density),
+                np.array([platform.gravity for platform in platforms]) * displaced / own,
+            )
+    return None
 
 
 def build_patches(scenario: Scenario, side: float) -> Patches:

@@ -9,6 +9,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers.crew import Crew
+from cocorosim_ros.world.links.acoustic_channel import Channel
 from cocorosim_ros.world.links.blue_light import TO_NEAREST
 from cocorosim_ros.world.motion.motion import Stepping
 from cocorosim_ros.world.sensors.exact_neighbours import EXACT_RANGE
@@ -36,6 +37,7 @@ class World:
     wants: Wants | None = None  # None: nobody wants anything
     lamps: Lamps = field(default_factory=darkness)
     light_delivery: int = TO_NEAREST  # DELIVERY_CODE of blue light
+    channel: Channel | None = None  # of sound
     instant_radio: bool = False  # what is said is heard at the same tick
     faults: Faults | None = None  # of the instruments
     corruption: tuple[Corruption, ...] = ()

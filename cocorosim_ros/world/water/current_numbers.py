@@ -1,4 +1,4 @@
-"""From a current as a scenario asks for it to the numbers that compiled loops read."""
+"""From the currents that a scenario asks for to the numbers that compiled loops read."""
 
 from __future__ import annotations
 
@@ -8,12 +8,26 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.currents import GriddedCurrent, VelocityCurrent
+from cocorosim_ros.scenario.parts.ocean_current import OceanCurrent
+from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.water.currents import CURRENTS
+from cocorosim_ros.world.water.flow import CurrentAtWork
+from cocorosim_ros.world.water.ocean.ocean_field import ocean_field
 
 
-def current_numbers(current: VelocityCurrent) -> Floats:
-    """The numbers of a current in the order of its entry in CURRENTS, SI units."""
+def scenario_currents(scenario: Scenario) -> list[CurrentAtWork]:
+    """All currents of a scenario, each with its numbers in the order of its entry in CURRENTS, SI units.
+
+    Raises OceanFileError where a file of an ocean model does not fit, which a scenario that is checked does not have.
+    """
+    currents = () if scenario.water is None else scenario.water.currents
+    return [CurrentAtWork(each.kind, _numbers(each, scenario)) for each in currents]
+
+
+def _numbers(current: VelocityCurrent, scenario: Scenario) -> Floats:
     if isinstance(current, GriddedCurrent):
         return current.file.numbers
+    if isinstance(current, OceanCurrent):
+        return ocean_field(current, scenario.tank.size, scenario.duration).velocity
     values = dataclasses.asdict(current)
     return np.array([values[name] for name in CURRENTS[current.kind].parameters])

@@ -23,6 +23,7 @@ from cocorosim_ros.world.controllers.request import (
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, PAYLOAD_LIMIT
 
 _LONGEST_SHOWN = 60
+_MEANS = {"radio": "radio", "blue_light": "blue-light sensors", "acoustic": "acoustic modem"}
 _ANSWERS = "return {actuator: fraction}, Command(...) or Course(...)"
 
 
@@ -36,7 +37,8 @@ class AnswerCheck:
         self._platform = robot.platform.name
         self._steers = robot.platform.operating_system is not None
         self._medium = medium
-        self._talks = bool(sensors.blss) if medium == "blue_light" else robot.radio_range > 0.0
+        talks = {"radio": robot.radio_range > 0.0, "blue_light": bool(sensors.blss), "acoustic": robot.acoustic}
+        self._talks = talks[medium]
 
     def carry_out(self, answer: Any, request: Floats, said: Floats) -> None:
         """Write the answer into `request` (controllers.request) and `said` (MESSAGE_SIZE,). Raises ValueError."""
@@ -88,7 +90,7 @@ class AnswerCheck:
         if len(numbers) > PAYLOAD_LIMIT:
             raise ValueError(f"{len(numbers)} numbers to say; a message has {PAYLOAD_LIMIT} at most")
         if numbers and not self._talks:
-            means = "blue-light sensors" if self._medium == "blue_light" else "radio"
+            means = _MEANS[self._medium]
             raise ValueError(f"something to say, but the platform '{self._platform}' has no {means}; leave 'say' out")
         said[:] = 0.0
         said[MESSAGE_LENGTH] = len(numbers)

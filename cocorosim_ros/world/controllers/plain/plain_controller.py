@@ -14,6 +14,7 @@ from cocorosim_ros.world.controllers.plain.faults import ControllerError, raised
 from cocorosim_ros.world.controllers.plain.sensed import Senses
 from cocorosim_ros.world.controllers.plain.user_class import RANDOM, forget, load_class
 from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
+from cocorosim_ros.world.controllers.traits import needs_sound, traits_of
 from cocorosim_ros.world.seeding.seeding import generator
 from cocorosim_ros.world.state.observation import Observation
 
@@ -35,6 +36,11 @@ def check_plain(robots: Iterable[RobotDescription]) -> None:
             continue
         user_class = load_class(named)
         user_class.check()
+        if needs_sound(traits_of(named)) and not robot.acoustic:
+            raise CocorosimError(
+                f"{user_class.place}: '{named.name}' speaks or hears by sound, but the scenario has no 'acoustic'; add "
+                "'acoustic: {range: ...}' to the scenario."
+            )
         if len(robot.platform.actuators) > DIRECT_LIMIT:
             raise CocorosimError(
                 f"{user_class.place}: the platform '{robot.platform.name}' has {len(robot.platform.actuators)} "

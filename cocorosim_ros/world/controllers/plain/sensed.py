@@ -15,9 +15,18 @@ from cocorosim_ros.world.controllers.sensor_axes import cone_axis
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH
+from cocorosim_ros.world.state.sound import RANGE
 
 Messages = tuple[tuple[float, ...], ...]
 Vector3 = tuple[float, float, float]
+
+
+class Sound(NamedTuple):
+    """One message that came in by sound."""
+
+    numbers: tuple[float, ...]
+    range: float
+    """To where the sender was when it spoke, by the time that sound took [m]."""
 
 
 class Sensed(NamedTuple):
@@ -55,6 +64,8 @@ class Sensed(NamedTuple):
     """What came in by radio since the last tick: the numbers of each message, in the order of the senders."""
     heard_by_light: Messages
     """What came in over blue light; where the class has `blue_light_rx` in `needs`."""
+    heard_by_sound: tuple[Sound, ...]
+    """What came in by sound, with ranges; where the class has `acoustic_rx` in `needs`."""
     illuminance: float
     """Ambient light [lx]; where the class has `illuminance` in `needs`."""
     concentration: float
@@ -97,6 +108,7 @@ class Senses:
             actuators=self._actuators,
             heard=_messages(observation.heard, int(observation.heard_count)),
             heard_by_light=_messages(observation.light, int(observation.light_count)),
+            heard_by_sound=_sounds(observation.sound, int(observation.sound_count)),
             illuminance=float(observation.illuminance),
             concentration=float(observation.concentration),
             neighbour_offset=_kept(observation.neighbour_offset[:near]),
@@ -114,6 +126,11 @@ def _kept(array: Floats, is_there: bool = True) -> Floats:
     kept = np.array(array) if is_there else np.full(array.shape, np.nan)
     kept.flags.writeable = False
     return kept
+
+
+def _sounds(rows: Floats, count: int) -> tuple[Sound, ...]:
+    ranges = rows[:count, RANGE].tolist()
+    return tuple(Sound(*heard) for heard in zip(_messages(rows, count), ranges, strict=True))
 
 
 def _messages(rows: Floats, count: int) -> Messages:

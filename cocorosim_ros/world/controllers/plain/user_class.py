@@ -13,10 +13,9 @@ from typing import Any
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.python_controller import PythonController, file_bytes
 from cocorosim_ros.scenario.reading.entry import nearest
-from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
+from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS, MEDIA
 from cocorosim_ros.world.controllers.plain.faults import raised_in
 
-MEDIA = ("radio", "blue_light")
 RANDOM = "random"  # the argument of a constructor that asks for a generator of random numbers
 _modules: dict[tuple[str, str], ModuleType] = {}
 

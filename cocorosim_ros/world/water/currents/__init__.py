@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cocorosim_ros.world.water.current import Current
 from cocorosim_ros.world.water.currents.gridded import GRIDDED
+from cocorosim_ros.world.water.currents.ocean import OCEAN
 from cocorosim_ros.world.water.currents.sheared import SHEARED
 from cocorosim_ros.world.water.currents.tidal import TIDAL
 from cocorosim_ros.world.water.currents.uniform import UNIFORM
@@ -15,4 +16,5 @@ CURRENTS: dict[str, Current] = {
     "tidal": TIDAL,
     "vortex": VORTEX,
     "gridded": GRIDDED,
+    "ocean": OCEAN,
 }

@@ -44,8 +44,9 @@ def _bracket(numbers: Floats, first: int, size: int, value: float) -> tuple[int,
 
 
 @kernel
-def gridded(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
-    """Add the interpolated velocity."""
+def interpolate(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
+    """Add to `total` (width,) the numbers, `width` at each place, of a table that is laid out as above."""
+    width = total.shape[0]
     nt, nz, ny, nx = _sizes(parameters)
     t, at = _bracket(parameters, AXES, nt, time)
     z, az = _bracket(parameters, AXES + nt, nz, place[2])
@@ -59,9 +60,15 @@ def gridded(place: Floats, time: float, parameters: Floats, total: Floats) -> No
         )
         if weight == 0.0:
             continue
-        cell = table + 3 * ((((t + dt) * nz + z + dz) * ny + y + dy) * nx + x + dx)
-        for axis in range(3):
+        cell = table + width * ((((t + dt) * nz + z + dz) * ny + y + dy) * nx + x + dx)
+        for axis in range(width):
             total[axis] += weight * parameters[cell + axis]
+
+
+@kernel
+def gridded(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
+    """Add the interpolated velocity."""
+    interpolate(place, time, parameters, total)
 
 
 def fastest(parameters: Floats, size: tuple[float, float, float]) -> float:
