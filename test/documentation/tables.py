@@ -1,4 +1,4 @@
-"""Tables of README.md and config/README.md, made from the code's own; run this file to write them anew."""
+"""Tables of docs/reference and config/README.md, made from the code's own; run this file to write them anew."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.effect import Description, Number
 
 ROOT = Path(__file__).parents[2]
-README = ROOT / "README.md"
+REFERENCE = ROOT / "docs" / "reference"
 CONFIG_README = ROOT / "config" / "README.md"
 
 
@@ -101,7 +101,17 @@ TABLES = {
     "effects": effect_examples,
     "errors": error_examples,
 }
-FILE_OF = {name: CONFIG_README if name in ("effects", "errors") else README for name in TABLES}
+FILE_OF = {
+    "commands": REFERENCE / "commands.md",
+    "robot topics": REFERENCE / "topics.md",
+    "swarm topics": REFERENCE / "topics.md",
+    "quality of service": REFERENCE / "topics.md",
+    "metrics": REFERENCE / "metrics.md",
+    "metric variants": REFERENCE / "metrics.md",
+    "scenarios": REFERENCE / "scenarios.md",
+    "effects": CONFIG_README,
+    "errors": CONFIG_README,
+}
 
 
 def with_tables(file: Path) -> str:
@@ -171,5 +181,5 @@ def _metric_table(names: Iterable[str]) -> str:
 
 
 if __name__ == "__main__":
-    for file in (README, CONFIG_README):
+    for file in sorted(set(FILE_OF.values())):
         file.write_text(with_tables(file), "utf-8")
