@@ -14,7 +14,6 @@ from cocorosim_ros.scenario.parts.platform import load_platform
 
 from .documents import ROOT, documents, fenced, links, own_files, paths_in_code
 from .recipes import section
-from .tables import FILE_OF, TABLES, with_tables
 
 every_document = pytest.mark.parametrize("path", documents(), ids=lambda path: str(path.relative_to(ROOT)))
 A_REGISTRY = re.compile(
@@ -26,18 +25,6 @@ def test_the_documents_that_must_be_there() -> None:
     """A reader finds these at the root and beside the folders that they explain."""
     names = {str(path.relative_to(ROOT)) for path in documents()}
     assert {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "config/README.md"} <= names
-
-
-@pytest.mark.parametrize("name", TABLES)
-def test_the_tables_of_the_documents_are_those_of_the_code(name: str) -> None:
-    """If this fails: run test/documentation/tables.py, and read what it changed."""
-    assert TABLES[name]() in FILE_OF[name].read_text("utf-8")
-
-
-@pytest.mark.parametrize("file", sorted(set(FILE_OF.values())), ids=lambda path: path.stem)
-def test_nothing_else_stands_between_the_marks(file: Path) -> None:
-    """Writing the tables anew changes nothing."""
-    assert with_tables(file) == file.read_text("utf-8")
 
 
 @every_document
