@@ -1,6 +1,7 @@
 # make demo      sets everything up and runs the main job: eleven Lilys shoal in a tank, recorded to runs/demo
 # make test      sets everything up and runs every check
 # make bench     how fast the core is, against what the machine can do
+# make docs      the site of the documents, to build/site
 # make prove     the sealed trial of `cocorosim diagnose`, about an hour for its 400 and more recordings
 # The set-up lives in .venv alone. PYTHON=... chooses the interpreter, PYTEST_ARGS=... goes to pytest.
 
@@ -40,15 +41,20 @@ CORE_TESTS := $(filter-out $(ROS_TESTS:%=test/%/),$(sort $(wildcard test/*/)))
 
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench prove prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
+.PHONY: help demo test docs bench prove prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
 
 help:
-	@echo "make demo | test | bench | bench-graph | bench-diagnosis | prove | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
+	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
 
 demo: set-up
 	$(BIN)/cocorosim run config/scenarios/eleven_lilys.yaml --out runs/demo --force
 
 test: lint types contracts tests-numpy1 tests
+
+# Warnings are errors; the notebooks run, so that it takes a minute.
+docs: set-up
+	$(BIN)/sphinx-build -q -W --keep-going -j auto -d build/doctrees -b html docs build/site
+	@echo "build/site/index.html"
 
 bench: set-up
 	$(BIN)/python test/benchmark/bench.py

@@ -1,4 +1,4 @@
-"""What the package imports is what it says that it needs: to pip, to rosdep and to whoever reads README.md."""
+"""What the package imports is what it says that it needs: to pip, to rosdep and on the page of the installation."""
 
 from __future__ import annotations
 
@@ -155,10 +155,11 @@ def test_requirements_are_those_of_the_lock(declared: Declared) -> None:
     assert wanted <= locked
 
 
-def test_a_ros_machine_gets_all_of_them_by_rosdep_or_by_the_line_in_the_readme(declared: Declared) -> None:
-    """`rosdep install` reads package.xml; what has no key there stands in README.md's line for Jazzy."""
+def test_a_ros_machine_gets_all_of_them_by_rosdep_or_by_the_line_in_the_documents(declared: Declared) -> None:
+    """`rosdep install` reads package.xml; what has no key there stands in the documents' line for Jazzy."""
     keys = {element.text for element in ElementTree.parse(ROOT / "package.xml").iter("exec_depend")}
-    chapter = (ROOT / "README.md").read_text("utf-8").split("## On a ROS 2 Jazzy installation")[1].split("\n## ")[0]
+    page = (ROOT / "docs/how_to/install.md").read_text("utf-8")
+    chapter = page.split("## On a ROS 2 Jazzy installation")[1].split("\n## ")[0]
     line = re.search(r"^    pip install (.+)$", chapter, re.MULTILINE)[1]
     by_pip = {normal(word.strip("'")) for word in line.split()}
     by_rosdep = {name for name in declared.always if {f"python3-{name}", f"python3-{name.replace('-', '.')}"} & keys}

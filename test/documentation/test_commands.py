@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ast
-import os
+import contextlib
+import io
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+import webbrowser
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
@@ -17,15 +20,16 @@ from cocorosim_ros.commands.main import cocorosim
 from cocorosim_ros.graph.nodes import controller_node, metrics_node, physics_node
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 
-from .documents import ROOT, commands, documents, fenced
+from .documents import ROOT, Block, blocks, commands, documents
 
-README = (ROOT / "README.md").read_text("utf-8")
+RUN_AND_LOOK = "docs/tutorials/run_and_look.md"
+FOLLOWED = ("tutorials", "how_to", "explanation")  # folders of docs/ whose pages a reader goes through with a shell
 DOCUMENTS = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in documents()}
 ALL = [pytest.param(words, id=" ".join(words)) for text in DOCUMENTS.values() for words in commands(text)]
 BIN = Path(sys.prefix, "bin")
 NODES = {"physics_node": physics_node, "controller_node": controller_node, "metrics_node": metrics_node}
 # Programs of a ROS installation, of the shell and of the Python world, which are not looked into.
-TRUSTED = {"export", "cp", "cd", "python3", "pip", "python", "rosdep", "rviz2", "."}
+TRUSTED = {"export", "cd", "python3", "pip", "python", "rosdep", "rviz2", "."}
 
 
 def check_cocorosim(words: list[str]) -> None:
@@ -91,52 +95,100 @@ def test_command_is_understood(words: list[str]) -> None:
             assert (ROOT / word).exists(), word
 
 
+@dataclass
+class Reader:
+    """A reader with a folder, who types what pages say, each command once."""
+
+    folder: Path
+    outputs: dict[tuple[str, ...], str] = field(default_factory=dict)
+
+    def follow(self, page: str) -> None:
+        """Write the files of a page, run its commands and snippets, and compare output that it shows."""
+        shown = ""
+        with contextlib.chdir(self.folder):
+            for block in blocks(DOCUMENTS[page]):
+                if block.file:
+                    Path(block.file).write_text(block.code, "utf-8")
+                elif block.language == "python":
+                    exec(compile(block.code, page, "exec"), {})
+                elif block.language == "text":
+                    assert_shown(block, shown)
+                elif block.language == "shell":
+                    shown += "".join(self.type(words) for words in block.commands)
+
+    def type(self, words: list[str]) -> str:
+        """What a command prints; "" of one that this reader leaves to other tests."""
+        if words[0] != "cocorosim" or "--external" in words:
+            return ""
+        if tuple(words) not in self.outputs:
+            shortened = ["5 s" if word == "60 s" else word for word in words[1:]]
+            needs_ros = words[1] == "replay" or (words[1] == "run" and "--in-process" not in words)
+            self.outputs[tuple(words)] = (in_a_process if needs_ros else in_this_process)(shortened)
+        return self.outputs[tuple(words)]
+
+
+def in_this_process(words: list[str]) -> str:
+    """Standard output of `cocorosim` as a function call."""
+    out, complaints = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(complaints):
+        status = cocorosim.main(words, standalone_mode=False)
+    assert not status, (words, out.getvalue())
+    assert not complaints.getvalue() or "-" in words, (words, complaints.getvalue())  # "-": the table goes there
+    return out.getvalue()
+
+
+def in_a_process(words: list[str]) -> str:
+    """Standard output of `cocorosim` where it starts nodes."""
+    command = [str(BIN / "cocorosim"), *words]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+    assert (done.returncode, done.stderr) == (0, ""), (words, done.stdout, done.stderr)
+    return done.stdout
+
+
+def assert_shown(block: Block, output: str) -> None:
+    """Each line of a block of output was printed, one below the other; spaces may be unbreakable there."""
+    printed = "\n".join(line.rstrip() for line in output.replace("\u00a0", " ").splitlines())
+    assert block.code.rstrip() in printed, f"The page shows\n{block.code}\nand the commands before it print\n{printed}"
+
+
+def followed_pages() -> list[str]:
+    """README.md, and the pages to be followed, in the order of the site."""
+    index = re.findall(r"^(\w+)/(\w+)$", DOCUMENTS["docs/index.md"], re.MULTILINE)
+    return ["README.md", *(f"docs/{folder}/{page}.md" for folder, page in index if folder in FOLLOWED)]
+
+
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder in which the README's commands find what `make demo` leaves, from a shorter run, and its controller."""
-    place = tmp_path_factory.mktemp("readme")
-    command = [BIN / "cocorosim", "run", "eleven_lilys", "--in-process", "--duration", "20 s", "--out", "runs/demo"]
-    subprocess.run(command, cwd=place, check=True, capture_output=True)
-    (own,) = (code for code in fenced(README, "python") if "class Circle" in code)
-    (place / "circle.py").write_text(own, "utf-8")
-    return place
+def reader(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Reader]:
+    """One who has what `make demo` leaves, from a shorter run, and has tried what README.md says."""
+    one = Reader(tmp_path_factory.mktemp("reader"))
+    (one.folder / "config").symlink_to(ROOT / "config")
+    with pytest.MonkeyPatch.context() as patch, contextlib.chdir(one.folder):
+        patch.setattr(webbrowser, "open", lambda *_: True)
+        patch.setenv("COLUMNS", "200")
+        patch.setenv("TMPDIR", str(one.folder))
+        in_this_process(["run", "eleven_lilys", "--in-process", "--duration", "20 s", "--out", "runs/demo"])
+        one.follow("README.md")
+        yield one
 
 
-def runnable() -> list[list[str]]:
-    """The README's own commands that need nobody else."""
-    ours = [words for words in commands(README) if words[0] == ".venv/bin/cocorosim"]
-    return [words for words in ours if "--external" not in words]
+@pytest.mark.parametrize("page", followed_pages())
+def test_a_page_can_be_followed(reader: Reader, page: str) -> None:
+    """Each command ends with status 0 and without complaint, each snippet without an error; output is as shown."""
+    reader.follow(page)
 
 
-def test_the_commands_of_the_readme_run(folder: Path) -> None:
-    """One after the other, as a reader would type them, each ends with status 0 and without a word of complaint."""
-    # A browser that opens nothing, and a place for pages that goes with the test.
-    environment = {**os.environ, "BROWSER": "true", "TMPDIR": str(folder)}
-    for words in runnable():
-        shortened = ["5 s" if word == "60 s" else word for word in words[1:]]
-        done = subprocess.run(
-            [BIN / "cocorosim", *shortened],
-            cwd=folder,
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=600,
-            check=False,
-        )
-        assert (done.returncode, done.stderr) == (0, ""), (words, done.stdout, done.stderr)
+def test_every_page_has_its_place_on_the_site() -> None:
+    """A page that is to be followed stands in the index of the site."""
+    pages = {
+        f"docs/{path.parent.name}/{path.name}" for name in FOLLOWED for path in (ROOT / "docs" / name).glob("*.md")
+    }
+    assert pages == set(followed_pages()) - {"README.md"}
 
 
-def test_what_the_readme_says_lies_in_the_folder(folder: Path) -> None:
-    """A run of the graph leaves exactly the files of the README's table."""
-    rows = re.search(r"holds:\n\n(.*?)\n\n", README, re.DOTALL)
+def test_what_a_page_says_lies_in_the_folder(reader: Reader) -> None:
+    """A run of the graph leaves exactly the files of the table."""
+    rows = re.search(r"which holds:\n\n(.*?)\n\n", DOCUMENTS[RUN_AND_LOOK], re.DOTALL)
     assert rows is not None
     said = {name.rstrip("/") for name in re.findall(r"^\| `([\w./]+)`", rows[1], re.MULTILINE)}
-    command = [BIN / "cocorosim", "run", "one_lily", "--duration", "2 s", "--out", "runs/graph"]
-    subprocess.run(command, cwd=folder, check=True, capture_output=True)
-    assert {path.name for path in (folder / "runs/graph").iterdir()} == said
-
-
-def test_the_snippets_of_the_readme_run(folder: Path) -> None:
-    """Each Python snippet ends without an error."""
-    for code in fenced(README, "python"):
-        subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, timeout=300)
+    reader.follow(RUN_AND_LOOK)
+    assert {path.name for path in (reader.folder / "runs/one").iterdir()} == said

@@ -14,7 +14,6 @@ from cocorosim_ros.scenario.parts.platform import load_platform
 
 from .documents import ROOT, documents, fenced, links, own_files, paths_in_code
 from .recipes import section
-from .tables import CONFIG_README, FILE_OF, README, TABLES, with_tables
 
 every_document = pytest.mark.parametrize("path", documents(), ids=lambda path: str(path.relative_to(ROOT)))
 A_REGISTRY = re.compile(
@@ -26,18 +25,6 @@ def test_the_documents_that_must_be_there() -> None:
     """A reader finds these at the root and beside the folders that they explain."""
     names = {str(path.relative_to(ROOT)) for path in documents()}
     assert {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "config/README.md"} <= names
-
-
-@pytest.mark.parametrize("name", TABLES)
-def test_the_tables_of_the_documents_are_those_of_the_code(name: str) -> None:
-    """If this fails: run test/documentation/tables.py, and read what it changed."""
-    assert TABLES[name]() in FILE_OF[name].read_text("utf-8")
-
-
-@pytest.mark.parametrize("file", (README, CONFIG_README), ids=("README", "config/README"))
-def test_nothing_else_stands_between_the_marks(file: Path) -> None:
-    """Writing the tables anew changes nothing."""
-    assert with_tables(file) == file.read_text("utf-8")
 
 
 @every_document
@@ -60,9 +47,14 @@ def test_paths_exist(path: Path) -> None:
     assert not [name for name in paths_in_code(text) if name not in made and not (ROOT / name).exists()]
 
 
+def test_the_readme_is_one_screen() -> None:
+    """The first page is read at a glance; everything else has a page of the site."""
+    assert len((ROOT / "README.md").read_text("utf-8").splitlines()) <= 120
+
+
 def test_the_picture_is_one() -> None:
-    """The README's picture has the size that the program draws, and stays small."""
-    data = (ROOT / "shoal.png").read_bytes()
+    """The picture of the main run has the size that the program draws, and stays small."""
+    data = (ROOT / "docs/pictures/shoal.png").read_bytes()
     assert struct.unpack(">II", data[16:24]) == (2000, 1250)
     assert len(data) < 400_000
 
@@ -106,4 +98,4 @@ def test_the_manifest_names_the_licence() -> None:
     """package.xml, LICENSE and README agree."""
     assert ElementTree.parse(ROOT / "package.xml").findtext("license") == "Apache-2.0"
     assert "Apache License" in (ROOT / "LICENSE").read_text("utf-8")
-    assert "Apache-2.0" in README.read_text("utf-8")
+    assert "Apache-2.0" in (ROOT / "README.md").read_text("utf-8")

@@ -23,7 +23,8 @@ def claims_page(answers: Sequence[Answer], experiments: Mapping[str, Results]) -
     parts = [
         "# The claims of the paper",
         "Read et al. 2013, section 5 and figure 4, claim by claim, as `cocorosim claims` finds them. "
-        "[README.md](README.md) says what the names mean, how the runs were made and what follows from them.",
+        "[The studies of the paper](the_paper.md) says what the names mean, how the runs were made and what follows "
+        "from them.",
         _made_from(experiments.values()),
         _counts(answers),
         _table(answers),

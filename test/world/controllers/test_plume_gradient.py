@@ -1,4 +1,4 @@
-"""Going up the concentration without being told where the water comes from: what docs/README.md says of it."""
+"""Going up the concentration without being told where the water comes from: what docs/the_paper.md says of it."""
 
 from __future__ import annotations
 

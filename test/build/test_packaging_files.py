@@ -1,0 +1,140 @@
+"""Files for pixi, Docker, editors and citations say what package.xml, setup.py and the documents say."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from email import message_from_string
+from email.message import Message
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from ruamel.yaml import YAML
+
+ROOT = Path(__file__).parents[2]
+PIXI = tomllib.loads((ROOT / "pixi.toml").read_text("utf-8"))
+OWN = {"cocorosim_ros", "cocorosim_msgs"}
+
+
+@pytest.fixture(scope="module")
+def metadata(tmp_path_factory: pytest.TempPathFactory) -> Message:
+    """The metadata that setuptools makes of setup.py."""
+    folder = tmp_path_factory.mktemp("metadata")
+    command = [sys.executable, "setup.py", "-q", "egg_info", "--egg-base", str(folder)]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    return message_from_string((folder / "cocorosim_ros.egg-info" / "PKG-INFO").read_text("utf-8"))
+
+
+def requirements(metadata: Message) -> dict[str, str]:
+    """Versions by name of what is always needed, as setup.py writes them."""
+    always = [line for line in metadata.get_all("Requires-Dist", []) if "extra ==" not in line]
+    found = (re.fullmatch(r"([\w.-]+)(.*)", line.replace(" ", "")) for line in always)
+    return {match[1].lower(): match[2] or "*" for match in found if match}
+
+
+def ros_packages(*manifests: str) -> set[str]:
+    """The ROS packages that manifests need; keys of rosdep for Python are left out."""
+    elements = [part for manifest in manifests for part in ElementTree.parse(ROOT / manifest).getroot()]
+    named = {part.text for part in elements if part.tag in ("depend", "exec_depend", "buildtool_depend")}
+    return {name for name in named if name and not name.startswith("python3-")} - OWN
+
+
+def test_pixi_brings_what_is_needed(metadata: Message) -> None:
+    """Every ROS package by its name at RoboStack, every Python package with its version, and what builds them."""
+    given = dict(PIXI["dependencies"])
+    ros = {f"ros-jazzy-{name.replace('_', '-')}" for name in ros_packages("package.xml", "msg_defs/package.xml")}
+    assert {name for name in given if name.startswith("ros-")} == ros
+    python = requirements(metadata)
+    assert {name: version for name, version in given.items() if name in python} == python
+    assert set(given) - ros - set(python) == {"python", "colcon-common-extensions", "compilers", "cmake", "ninja"}
+    assert given["python"].startswith(metadata["Requires-Python"])
+
+
+def test_pixi_builds_as_the_documents_do() -> None:
+    """Its task is the colcon command of the page."""
+    page = (ROOT / "docs/how_to/install.md").read_text("utf-8")
+    assert f"python -m {PIXI['tasks']['build']}" in page
+    assert PIXI["workspace"]["channels"] == ["robostack-jazzy", "conda-forge"]
+
+
+def test_the_image_is_made_as_the_documents_say() -> None:
+    """Each command for Jazzy stands in the Dockerfile, in that order; the sourcing of the result comes at its end."""
+    chapter = (ROOT / "docs/how_to/install.md").read_text("utf-8").split("## On a ROS 2 Jazzy installation")[1]
+    lines = re.findall(r"^    (.+)$", chapter.split("others. Then:")[0], re.MULTILINE)
+    image = (ROOT / "Dockerfile").read_text("utf-8")
+    places = [image.index(line) for line in lines[:-1]]
+    assert places == sorted(places) and len(places) == 4
+    assert image.rindex(lines[-1].removeprefix(". ")) > places[-1]
+    instructions = {line.split()[0] for line in image.splitlines() if line and line[0].isupper()}
+    assert instructions == {"FROM", "RUN", "WORKDIR", "COPY", "CMD"}
+    assert "FROM ros:jazzy-ros-base" in image
+
+
+def test_the_editor_finds_the_image() -> None:
+    """devcontainer.json is JSON, and its paths lead to the Dockerfile and the tree."""
+    folder = ROOT / ".devcontainer"
+    build = json.loads((folder / "devcontainer.json").read_text("utf-8"))["build"]
+    assert (folder / build["dockerfile"]).resolve() == ROOT / "Dockerfile"
+    assert (folder / build["context"]).resolve() == ROOT
+
+
+def test_the_citation_is_that_of_the_package(metadata: Message) -> None:
+    """What the Citation File Format 1.2.0 asks for; version, licence and maintainers are those of setup.py."""
+    citation = YAML(typ="safe").load((ROOT / "CITATION.cff").read_text("utf-8"))
+    assert citation["cff-version"] == "1.2.0" and citation["message"] and citation["title"]
+    (author,) = citation["authors"]
+    assert author == {"name": metadata["Maintainer"], "email": metadata["Maintainer-email"]}
+    assert (citation["version"], citation["license"]) == (metadata["Version"], metadata["License"] or "Apache-2.0")
+    (paper,) = citation["references"]
+    assert paper["type"] == "conference-paper" and paper["title"] and paper["authors"]
+    assert paper["authors"][0]["family-names"] == "Read" and paper["year"] == 2013
+
+
+def test_the_paper_cites_what_it_lists() -> None:
+    """Each key of the text is in paper.bib, and each of paper.bib in the text."""
+    text = (ROOT / "docs/paper/paper.md").read_text("utf-8")
+    entries = re.findall(r"^@\w+\{(\w+),", (ROOT / "docs/paper/paper.bib").read_text("utf-8"), re.MULTILINE)
+    assert set(re.findall(r"@(\w+)", text)) == set(entries)
+    head = YAML(typ="safe").load(text.split("---")[1])
+    assert {"title", "tags", "authors", "affiliations", "date", "bibliography"} <= head.keys()
+    assert (ROOT / "docs/paper" / head["bibliography"]).is_file()
+
+
+def report(name: str) -> str:
+    """The text of a report of a trial."""
+    return (ROOT / "docs" / f"{name}.md").read_text("utf-8")
+
+
+def counts(name: str, pattern: str) -> list[int]:
+    """The numbers of the sentence of a report that a pattern finds."""
+    found = re.search(pattern, report(name))
+    assert found is not None, f"{name}.md has no '{pattern}'"
+    return [int(number) for number in found.groups()]
+
+
+@pytest.mark.parametrize("document", ["README.md", "docs/paper/paper.md"])
+def test_figures_are_those_of_the_reports(document: str) -> None:
+    """Each 'so many of so many' that is quoted of the trials follows from their reports."""
+    said = re.findall(r"\b(\d+) of (\d+)\b", (ROOT / document).read_text("utf-8"))
+    medium = [counts("trial", rf"exact, one medium effect, {noise}% noise \|[^|]*\| (\d+)/(\d+)") for noise in (1, 3)]
+    rows = ("false alarm, nothing concealed", "outside the catalogue: flagged", "cannot tell: abstains")
+    true = [counts("trial", rf"\| {row} \|[^|]*\| (\d+)/(\d+)") for row in rows]
+    true.append([sum(part) for part in zip(*medium, strict=True)])
+    tried, right = counts("tampered", r"(\d+) diagnoses: (\d+) right")
+    true.append([right, tried])
+    altered, named, without = counts("against", r"(\d+) altered: (\d+) right.* (\d+) no diagnosis")
+    true.append([named, altered - without])
+    assert {(str(right), str(of)) for right, of in true} <= set(said)
+
+
+def test_claims_are_counted_as_in_their_report() -> None:
+    """Reproduced, not reproduced, open: as `cocorosim claims` counts them."""
+    pattern = r"In the accurate numerics: (\d+) reproduced, (\d+) not reproduced, (\d+) not decidable"
+    yes, no, undecided = counts("claims", pattern)
+    readme, paper = ((ROOT / name).read_text("utf-8") for name in ("README.md", "docs/paper/paper.md"))
+    assert f"{yes} reproduced, {no} not, {undecided} open" in readme and f"{yes + no + undecided} comparisons" in readme
+    assert f"| {yes} | {no} | {undecided} |" in paper
