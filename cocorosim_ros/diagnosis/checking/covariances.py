@@ -17,7 +17,7 @@ def check_covariances(topic: TopicLog) -> Iterator[Oddity]:
     is known (sensor_msgs/Imu).
     """
     for path, matrices in topic.covariances.items():
-        given = matrices[matrices[:, 0, 0] != -1.0]
+        given = matrices[first_variances(matrices) != -1.0]
         for words, bad in _tests(given):
             if bad.any():
                 share = "every message" if bad.all() else f"{np.count_nonzero(bad)} of {len(bad)} messages"
@@ -25,8 +25,13 @@ def check_covariances(topic: TopicLog) -> Iterator[Oddity]:
                 break
 
 
+def first_variances(matrices: Floats) -> Floats:
+    """(n,) first elements of covariances (n, rows, rows), which say by convention whether there is a reading."""
+    return np.asarray(matrices.reshape(len(matrices), -1).T[0])
+
+
 def _tests(matrices: Floats) -> Iterator[tuple[str, Flags]]:
-    """What is wrong with a covariance, and with which (n,); the first that is so hides the others."""
+    """Words for each thing that can be wrong, and with which (n,) it is; the first hides the others."""
     numbers: Flags = np.asarray(np.isfinite(matrices).all(axis=(1, 2)))
     yield "holds what is no number", ~numbers
     sound = np.where(numbers[:, None, None], matrices, 0.0)

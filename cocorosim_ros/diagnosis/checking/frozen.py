@@ -40,10 +40,12 @@ def _runs(values: Floats) -> tuple[Integers, Integers]:
 
 
 def _is_noisy(values: Floats) -> bool:
-    """Whether the numbers that change at all go up and down as noise does, and not as a smooth motion."""
+    """Tell whether the numbers that change at all go up and down as noise does, and not as a smooth motion."""
     steps = np.diff(values, axis=0)
-    changing = steps[:, (steps != 0.0).mean(axis=0) > 1.0 - CHECKING.noisy] if len(steps) > 1 else steps[:, :0]
-    if not changing.shape[1]:
+    if len(steps) < CHECKING.frozen_messages:
+        return False
+    changing = steps[:, (steps != 0.0).mean(axis=0) > 1.0 - CHECKING.noisy]
+    if not changing.size:
         return False
     turns = (np.sign(changing[1:]) != np.sign(changing[:-1])).mean(axis=0)
     return bool(turns.max() > CHECKING.noisy)

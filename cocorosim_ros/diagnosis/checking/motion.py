@@ -17,24 +17,25 @@ def yaw_of(turn: Floats) -> Floats:
 def rate_of(time: Floats, value: Floats) -> Floats:
     """(n - lag,) mean rates of change over a short time, of values (n,) at times (n,) [s]."""
     lag = _lag(time)
-    return np.asarray((value[lag:] - value[:-lag]) / np.maximum(time[lag:] - time[:-lag], 1e-9))
+    return np.asarray((value[lag:] - value[:-lag]) / np.maximum(time[lag:] - time[:-lag], CHECKING.shortest_step))
 
 
 def averaged(time: Floats, value: Floats) -> Floats:
     """(n - lag,) means over the same times, by the trapezoidal rule."""
     lag = _lag(time)
     steps = np.append(0.0, np.cumsum(0.5 * (value[1:] + value[:-1]) * np.diff(time)))
-    return np.asarray((steps[lag:] - steps[:-lag]) / np.maximum(time[lag:] - time[:-lag], 1e-9))
+    return np.asarray((steps[lag:] - steps[:-lag]) / np.maximum(time[lag:] - time[:-lag], CHECKING.shortest_step))
 
 
 def turned(vector: Floats, angle: Floats) -> Floats:
     """(n, 2) vectors turned counter-clockwise by angles (n,) [rad]."""
     cosine, sine = np.cos(angle), np.sin(angle)
-    return np.column_stack([cosine * vector[:, 0] - sine * vector[:, 1], sine * vector[:, 0] + cosine * vector[:, 1]])
+    x, y = vector.T
+    return np.column_stack([cosine * x - sine * y, sine * x + cosine * y])
 
 
 def slope_and_correlation(one: Floats, other: Floats) -> tuple[float, float]:
-    """How the other goes with the one: regression through the means, and correlation; zeros where one stands still."""
+    """Regression of the other on the one through the means, and correlation; zeros where one stands still."""
     good = np.isfinite(one) & np.isfinite(other)
     if np.count_nonzero(good) < CHECKING.fewest // 2:
         return 0.0, 0.0

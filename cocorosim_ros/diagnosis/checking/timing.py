@@ -13,6 +13,8 @@ from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, gaps_of
 from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
 from cocorosim_ros.foundation.arrays import Floats
 
+Gaps = Sequence[tuple[float, float]]
+"""Start and end [s] of times without messages."""
 _LATCHED = ("/tf_static", "/robot_description")
 
 
@@ -41,7 +43,7 @@ def _stamped(topic: TopicLog) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
 
 
 def _first_clause(remark: str) -> str:
-    """What was found, without what a diagnosis does about it."""
+    """Leave out of a remark what a diagnosis does about it."""
     return f"{remark.partition(';')[0].rstrip('.')}."
 
 
@@ -82,7 +84,7 @@ def _rate(topic: TopicLog) -> Iterator[Oddity]:
         )
 
 
-def _slow(time: Floats, usual: float, gaps: Sequence[tuple[float, float]]) -> tuple[float, float, float] | None:
+def _slow(time: Floats, usual: float, gaps: Gaps) -> tuple[float, float, float] | None:
     """Start, end [s] and least rate [Hz] of what comes more slowly for a while; None without that."""
     count = CHECKING.slow_in_a_row
     spans = time[count:] - time[:-count]

@@ -57,12 +57,16 @@ class TopicLog:
     transforms: tuple[Transform, ...] = ()
 
     def has(self, *paths: str) -> bool:
-        """Whether the messages have all of these numbers."""
+        """Tell whether the messages have all of these numbers."""
         return self.values.size > 0 and set(paths) <= set(self.columns)
 
     def numbers(self, *paths: str) -> Floats:
         """(n, paths) these numbers."""
         return self.values[:, [self.columns.index(path) for path in paths]]
+
+    def number(self, path: str) -> Floats:
+        """(n,) one number."""
+        return self.values[:, self.columns.index(path)]
 
     def vector(self, path: str, axes: str = "xyz") -> Floats | None:
         """(n, axes) the vector or quaternion at a path; None where the messages have none."""

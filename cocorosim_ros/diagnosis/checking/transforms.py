@@ -57,7 +57,7 @@ def _unlike_at_one_stamp(transforms: Sequence[Transform]) -> int:
 
 
 def _to_and_fro(numbers: Floats) -> bool:
-    """Whether every second transform (n, 7) goes on where the one before the last was, and the last does not."""
+    """Tell whether every second transform (n, 7) goes on where the one before the last was, and the last does not."""
     if len(numbers) < CHECKING.fewest:
         return False
     one = np.linalg.norm(numbers[1:-1] - numbers[:-2], axis=1)
@@ -102,6 +102,8 @@ def _unconnected(by_child: Mapping[str, Sequence[Transform]], topics: Sequence[T
             "and /tf_static was not recorded: it is sent once, so record from the start, or subscribe transient_local"
         )
     )
-    frames = "; ".join(f"{frame} ({', '.join(sorted(names)[:2])})" for frame, names in sorted(used.items())[:3])
-    more = f" and {len(used) - 3} more" if len(used) > 3 else ""
+    frames = "; ".join(
+        f"{frame} ({', '.join(sorted(names)[:2])})" for frame, names in sorted(used.items())[: CHECKING.named]
+    )
+    more = f" and {len(used) - CHECKING.named} more" if len(used) > CHECKING.named else ""
     yield Oddity("frames", _STATIC, f"No transform leads to the frames of {frames}{more}, {why}.")

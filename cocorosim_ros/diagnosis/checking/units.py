@@ -8,17 +8,16 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.checking.covariances import first_variances
 from cocorosim_ros.diagnosis.checking.finding import Oddity
 from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned, yaw_of
 from cocorosim_ros.diagnosis.checking.topic_log import TopicLog
-from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING, GRAVITY
+from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING, DEGREES, GRAVITY, PRESSURES
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import listed
 
 _HEADINGS = re.compile(r"(heading|compass|yaw)", re.IGNORECASE)
 _RATES = ("angular_velocity.z", "twist.twist.angular.z")
-_DEGREES = 180.0 / math.pi
-_PRESSURES = {"hPa": 1e2, "kPa": 1e3, "bar": 1e5}  # Pa
 
 
 def check_units(topic: TopicLog) -> Iterator[Oddity]:
@@ -45,9 +44,9 @@ def check_depths(topics: Sequence[TopicLog]) -> Iterator[Oddity]:
             continue
         own = [each for each in pressures if len(pressures) == 1 or _namespace(each) == _namespace(topic)]
         for pressure in own:
-            seen = np.interp(topic.log_ns, pressure.log_ns, pressure.numbers("fluid_pressure")[:, 0])
-            slope, related = slope_and_correlation(seen, place[:, 2])
-            if related > CHECKING.related and slope > 0.0 and np.ptp(place[:, 2]) > CHECKING.moving:
+            seen = np.interp(topic.log_ns, pressure.log_ns, pressure.number("fluid_pressure"))
+            slope, related = slope_and_correlation(seen, place.T[2])
+            if related > CHECKING.related and slope > 0.0 and np.ptp(place.T[2]) > CHECKING.moving:
                 words = f"its z grows with the pressure of {pressure.name}: z is down, where REP 103 has it up."
                 yield Oddity("units", topic.name, f"{topic.name}: {words}")
 
@@ -67,16 +66,17 @@ def _quaternion(topic: TopicLog, path: str) -> str:
         other = f"have another length than 1, {length[off][0]:.3g} first"
         what = "are zero" if zero == np.count_nonzero(off) else other
         return f"{np.count_nonzero(off)} of {len(off)} quaternions of {path} {what}."
-    upright = np.median(1.0 - 2.0 * (turn[:, 0] ** 2 + turn[:, 1] ** 2))
+    x, y, _, _ = turn.T
+    upright = np.median(1.0 - 2.0 * (x**2 + y**2))
     if upright < math.cos(CHECKING.lying):
-        how = "upside down" if upright < -0.5 else "on its side"
+        how = "upside down" if upright < CHECKING.upside_down else "on its side"
         return f"{path} has the vehicle {how} most of the time: axes are mixed up, or x, y, z, w are in another order."
     return ""
 
 
 def _says_nothing(topic: TopicLog, path: str) -> bool:
     covariance = topic.covariances.get(f"{path}_covariance")
-    return covariance is not None and bool((covariance[:, 0, 0] == -1.0).all())
+    return covariance is not None and bool((first_variances(covariance) == -1.0).all())
 
 
 def _acceleration(topic: TopicLog) -> str:
@@ -84,14 +84,14 @@ def _acceleration(topic: TopicLog) -> str:
     if felt is None or len(felt) < CHECKING.fewest or not np.isfinite(felt).all(axis=1).any():
         return ""
     felt = felt[np.isfinite(felt).all(axis=1)]
-    size, up = float(np.median(np.linalg.norm(felt, axis=1))), float(np.median(felt[:, 2]))
+    size, up = float(np.median(np.linalg.norm(felt, axis=1))), float(np.median(felt.T[2]))
     unit = next((unit for unit, (low, high) in ACCELERATIONS.items() if low <= size <= high), None)
     if unit == "g":
         return f"its acceleration is {size:.2f} in the median: it is in g, where sensor_msgs/Imu has m/s^2."
     if unit is None:
         gravity = "gravity is left out of it" if size < min(ACCELERATIONS["g"]) else "its unit or scale is another"
         return f"its acceleration is {size:.3g} m/s^2 in the median, not {GRAVITY:.2f}: {gravity}."
-    if up < -0.5 * size:
+    if up < CHECKING.upside_down * size:
         return f"at rest it shows {up:.2f} m/s^2 along z: z is down, where REP 103 has it up."
     return ""
 
@@ -100,7 +100,7 @@ def _turning(topic: TopicLog, path: str) -> str:
     turn = topic.vector(_attitude_beside(path), "xyzw")
     if turn is None or not topic.has(path) or len(turn) < CHECKING.fewest:
         return ""
-    time, rate = topic.time(), topic.numbers(path)[:, 0]
+    time, rate = topic.time(), topic.number(path)
     seen = rate_of(time, np.unwrap(yaw_of(turn)))
     return _compared(path, "the turning of its own attitude", averaged(time, rate), seen, degrees=True)
 
@@ -132,7 +132,7 @@ def _compared(path: str, beside: str, told: Floats, seen: Floats, *, degrees: bo
     if float(np.std(seen)) < CHECKING.moving or abs(related) < CHECKING.related:
         return ""
     size = abs(slope)
-    if degrees and 1.0 / CHECKING.ratio < size / _DEGREES < CHECKING.ratio:
+    if degrees and 1.0 / CHECKING.ratio < size / DEGREES < CHECKING.ratio:
         return f"{path} is {size:.1f} times {beside}: it is in degrees, where ROS has radians."
     if slope < 0.0:
         return f"{path} goes against {beside}: its sign or its axes are turned."
@@ -148,7 +148,7 @@ def _pressure(topic: TopicLog) -> str:
     if usual >= CHECKING.smallest_air:
         return ""
     least, most = CHECKING.smallest_air, CHECKING.largest_pressure
-    fitting = [name for name, factor in _PRESSURES.items() if least <= usual * factor <= most]
+    fitting = [name for name, factor in PRESSURES.items() if least <= usual * factor <= most]
     guess = f"it may be in {listed(fitting)}, or without the air's" if fitting else "it is without the air's"
     return f"its pressure is {usual:.4g} in the median, less than that of the air in Pa: {guess}."
 
