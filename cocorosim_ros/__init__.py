@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from cocorosim_ros.foundation.errors import CocorosimError
+    from cocorosim_ros.library.check import CheckedRecording, check
     from cocorosim_ros.library.convert import Conversion, ConvertedRecording, convert
     from cocorosim_ros.library.design import DesignResults, Watch, run_design
     from cocorosim_ros.library.diagnose import diagnose
@@ -55,6 +56,7 @@ __version__ = "0.2.0"
 
 # Where each name is defined; it is loaded when it is first used, so that the version alone costs nothing.
 _HOMES = {
+    "CheckedRecording": "library.check",
     "CocorosimError": "foundation.errors",
     "Conversion": "library.convert",
     "ConvertedRecording": "library.convert",
@@ -71,6 +73,7 @@ _HOMES = {
     "SimulatedRun": "library.simulated_run",
     "TopicReadings": "wire.bags.readings",
     "Watch": "library.design",
+    "check": "library.check",
     "convert": "library.convert",
     "diagnose": "library.diagnose",
     "explain": "library.explain",
@@ -85,6 +88,7 @@ _HOMES = {
     "simulate_runs": "library.simulate",
 }
 __all__ = [
+    "CheckedRecording",
     "CocorosimError",
     "Conversion",
     "ConvertedRecording",
@@ -101,6 +105,7 @@ __all__ = [
     "SimulatedRun",
     "TopicReadings",
     "Watch",
+    "check",
     "convert",
     "diagnose",
     "explain",

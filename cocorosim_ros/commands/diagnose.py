@@ -12,9 +12,11 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
+from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.diagnosis.findings import Verdict
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.scenario.reading.entry import nearest
 
 REFUSED = 3  # exit status
@@ -32,7 +34,10 @@ class DiagnosisChoices:
     out: Path
     known: str | None
     against: tuple[Path, ...]
-    fail_on: frozenset[str]  # verdicts
+    fail_on: frozenset[Verdict]
+    json_file: Path | None
+    junit: Path | None
+    markdown: Path | None
     force: bool
 
 
@@ -69,6 +74,13 @@ class _WithSeveral(click.Command):
     callback=lambda ctx, option, given: _verdicts(given),
     help=f"end with status 3 for these verdicts: {', '.join(get_args(Verdict))}",
 )
+@json_option
+@click.option(
+    "--junit",
+    type=click.Path(path_type=Path),
+    help="write the finding into this XML file as tests, which fail as --fail-on says [default: for mismatch]",
+)
+@click.option("--markdown", type=click.Path(path_type=Path), help="write the finding into this file as Markdown")
 @click.option("--force", is_flag=True, help="replace results that are there")
 @click.pass_context
 def command(ctx: click.Context, /, **options: object) -> None:
@@ -82,7 +94,9 @@ def command(ctx: click.Context, /, **options: object) -> None:
     from cocorosim_ros.library.diagnose import diagnose
 
     choices = DiagnosisChoices(**options)  # type: ignore[arg-type]
-    console = Console(highlight=False)
+    console = console_beside(choices.json_file, force=choices.force)
+    for file in (choices.junit, choices.markdown):
+        check_file(file, force=choices.force)
     with _progress(console) as show:
         result = diagnose(
             choices.bags,
@@ -97,18 +111,31 @@ def command(ctx: click.Context, /, **options: object) -> None:
     show_table(console, terminal_tables(result.diagnosis))
     _show_remarks(console, result.remarks)
     say(console, f"{choices.out}: {', '.join(reversed(list(result.files)))}")
+    give_json(console, choices.json_file, result.tree)
+    if choices.junit is not None:
+        _write(choices.junit, result.junit(choices.fail_on))
+    if choices.markdown is not None:
+        _write(choices.markdown, result.markdown())
     if result.verdict in choices.fail_on:
         say(console, f"status {REFUSED}: --fail-on names the verdict {result.verdict}")
         ctx.exit(REFUSED)
 
 
-def _verdicts(given: str | None) -> frozenset[str]:
+def _write(file: Path, text: str) -> None:
+    try:
+        file.write_text(text, "utf-8")
+    except OSError as error:
+        raise CocorosimError(f"{file} cannot be written: {error.strerror}; give another file.") from error
+
+
+def _verdicts(given: str | None) -> frozenset[Verdict]:
     """The verdicts that were typed, separated by commas. Raises CocorosimError for one that there is not."""
     names = [name.strip() for name in given.split(",")] if given is not None else []
+    every: tuple[Verdict, ...] = get_args(Verdict)
     for name in names:
-        if name not in get_args(Verdict):
-            raise CocorosimError(f"--fail-on has '{name}', which is no verdict{nearest(name, get_args(Verdict))}.")
-    return frozenset(names)
+        if name not in every:
+            raise CocorosimError(f"--fail-on has '{name}', which is no verdict{nearest(name, every)}.")
+    return frozenset(verdict for verdict in every if verdict in names)
 
 
 def _show_remarks(console: Console, remarks: Sequence[str]) -> None:

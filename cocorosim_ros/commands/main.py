@@ -19,6 +19,7 @@ COMMANDS: dict[str, str] = {
     "calibrate": "Lily's calibration from the published measurements, or a platform fitted to a recording",
     "view": "look at a recording: a page that plays it",
     "metrics": "shoaling statistics of any recording that has poses",
+    "check": "what is odd about any robot's recording, in seconds: clocks, rates, frames, covariances, units",
     "diagnose": "where a recording and the model of a platform disagree, why, and a model that does not",
     "convert": "other people's logs (tables, bags of ROS 1 and 2, ULog, DataFlash, tlog) into the contract's recording",
     "experiment": "many runs without ROS, resumable, as one table",

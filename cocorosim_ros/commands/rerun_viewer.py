@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cocorosim_ros.commands.missing_package import check_installed
-from cocorosim_ros.graph.runs.results import scenario_facts
+from cocorosim_ros.graph.runs.results import readable_scenario, scenario_facts
 from cocorosim_ros.library.recording import Recording
 
 
@@ -21,7 +21,10 @@ def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
     from cocorosim_ros.study.scene.gathering import gather_scene
     from cocorosim_ros.study.scene.rerun_file import write_rerun
 
-    scenes = [gather_scene(each.bag, each.tracks, scenario_facts(each.bag), each.scenario) for each in recordings]
+    scenes = [
+        gather_scene(each.bag, each.tracks, scenario_facts(each.bag), readable_scenario(each.bag)[0])
+        for each in recordings
+    ]
     write_rerun(scenes, file)
 
 

@@ -48,7 +48,7 @@ def command(bag: Path, in_3d: bool, against: Path | None, out: Path | None, no_o
         file = _written(lambda place: write_scenes(recordings, place), out, recordings[0], ".rrd")
     else:
         file = _written(lambda place: _write_page(recordings[0], place), out, recordings[0], ".html")
-    for sentence in (recording.damage for recording in recordings if recording.damage):
+    for sentence in (sentence for recording in recordings for sentence in _remarks(recording)):
         say(console, sentence, "yellow")
     say(console, f"wrote {file}, {file.stat().st_size / 1e6:.1f} MB")
     if no_open:
@@ -69,12 +69,19 @@ def _with_poses(bag: Bag) -> Recording:
     return recording
 
 
+def _remarks(recording: Recording) -> list[str]:
+    """What is missing from the recording or cannot be read."""
+    from cocorosim_ros.graph.runs.results import readable_scenario
+
+    return [sentence for sentence in (recording.damage, readable_scenario(recording.bag)[1]) if sentence]
+
+
 def _write_page(recording: Recording, file: Path) -> None:
     from cocorosim_ros.graph.runs.results import scenario_facts
     from cocorosim_ros.study.pictures.facts import MetricSeries
     from cocorosim_ros.study.pictures.player import player_page
 
-    findings = [recording.damage] if recording.damage else []
+    findings = _remarks(recording)
     series = None
     try:
         statistics = recording.measure()

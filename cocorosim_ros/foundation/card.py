@@ -65,6 +65,16 @@ def card_html(card: Card) -> str:
     return f"<div>{''.join(parts)}</div>"
 
 
+def card_markdown(card: Card) -> str:
+    """The card as Markdown: title, facts, table and remarks, each whole."""
+    lines = [f"### {card.title}", "", *(f"- {name}: {value}" for name, value in card.facts.items())]
+    if card.rows:
+        rows = [card.headings, ["---"] * len(card.headings), *card.rows]
+        lines += ["", *(f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in row)} |" for row in rows)]
+    lines += [part for remark in card.remarks for part in ("", f"> {remark}")]
+    return "\n".join(lines) + "\n"
+
+
 def digits(value: float | None) -> str:
     """A number with four significant digits; a dash where there is none."""
     return "-" if value is None or math.isnan(value) else f"{value:.4g}"

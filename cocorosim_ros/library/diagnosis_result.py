@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated, Verdict
-from cocorosim_ros.foundation.card import Card, Shown
+from cocorosim_ros.foundation.card import Card, Shown, card_markdown
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.reading.arguments import Place, place_text
@@ -95,6 +95,16 @@ class DiagnosisResult(Shown):
         check_folder(place, force=force, argument="folder")
         write_folder(place, self.files, argument="folder")
         return place
+
+    def junit(self, fail_on: Collection[Verdict] = ()) -> str:
+        """The finding as JUnit's XML: the verdicts of `fail_on` fail, 'mismatch' if none is named."""
+        from cocorosim_ros.diagnosis.report.junit_file import USUALLY_FAILING, junit_xml
+
+        return junit_xml(self.diagnosis, self.evidence.platform.name, fail_on or USUALLY_FAILING)
+
+    def markdown(self) -> str:
+        """The finding as Markdown, for the page of a run or a comment."""
+        return card_markdown(self.card())
 
     def to_frame(self) -> pd.DataFrame:
         """One row a number that was found.

@@ -103,8 +103,11 @@ class Recording(Shown):
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """Damage, topics of another type than the contract's, messages that could not be read; in sentences."""
-        return (*([self.damage] if self.damage else []), *self._readings[1])
+        """Damage, a scenario or messages that cannot be read, topics of another type than the contract's; sentences."""
+        from cocorosim_ros.graph.runs.results import readable_scenario
+
+        remarks = (self.damage, readable_scenario(self.bag)[1])
+        return (*(remark for remark in remarks if remark), *self._readings[1])
 
     def measure(self, interval: Time | None = None) -> ShoalStatistics:
         """The shoaling statistics, as `cocorosim metrics` gives them.

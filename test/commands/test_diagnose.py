@@ -8,10 +8,12 @@ from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.report.junit_file import junit_xml
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.checks.loading import load_scenario
@@ -187,3 +189,37 @@ def test_every_option_is_explained(cocorosim: Command) -> None:
     missing = cocorosim("diagnose", "bag")
     assert missing.status == 2
     assert "--platform" in missing.err
+
+
+def test_summaries_for_machines(
+    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """JUnit fails what --fail-on names, Markdown has the findings as a table, JSON is diagnosis.json."""
+    diagnose(found)
+    files = {name: tmp_path / f"summary.{name}" for name in ("junit", "markdown", "json")}
+    options = [word for name, file in files.items() for word in (f"--{name}", file)]
+    arguments = ("diagnose", run_of_20_seconds.bag, "--platform", "lily", "--out", tmp_path / "out", *options)
+    done = cocorosim(*arguments, "--fail-on", "mismatch")
+    assert done.status == 3, done.err
+    suite = ElementTree.parse(files["junit"]).getroot()
+    results = {case.get("name"): case.find("failure") is not None for case in suite.iter("testcase")}
+    assert results == {"verdict": True, "effect thruster_asymmetry": True, "number drag": False}
+    assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "2", "0")
+    assert next(suite.iter("failure")).get("message") == SENTENCE
+    rows = [line for line in files["markdown"].read_text().splitlines() if line.startswith("| ")]
+    assert rows[0].startswith("| effect | robots | parameter |")
+    assert any(row.startswith("| thruster_asymmetry | ") for row in rows)
+    assert files["json"].read_text() == (tmp_path / "out" / "diagnosis.json").read_text()
+    before = {name: file.read_bytes() for name, file in files.items()}
+    assert cocorosim(*arguments).status == 2
+    assert before == {name: file.read_bytes() for name, file in files.items()}
+
+
+def test_a_recording_that_says_too_little_is_skipped() -> None:
+    """In JUnit 'insufficient' is neither passed nor failed, unless that is asked for."""
+    nothing = Diagnosis("insufficient", "It says too little.", (), (), (), (), (), {})
+    for failing, child in (((), "skipped"), (("insufficient",), "failure")):
+        (case,) = ElementTree.fromstring(junit_xml(nothing, "lily", failing))
+        found_there = case.find(child)
+        assert found_there is not None
+        assert found_there.get("message") == "It says too little."

@@ -31,6 +31,8 @@ WRONG = {
     ("report", "elephant"): "holds no experiment",
     ("claims", "elephant"): "holds no experiment",
     ("digest", "elephant"): "does not exist",
+    ("check", "elephant"): "does not exist",
+    ("new", "platform", "2boats"): "is no name of a platform",
     ("explain", "patiense"): "did you mean patience",
 }
 PROGRAM = """

@@ -15,6 +15,8 @@ from urllib.request import url2pathname
 import pytest
 from rosbags.rosbag2 import StoragePlugin, Writer
 
+from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr.type_store import type_store
 
 Command = Callable[..., SimpleNamespace]
@@ -145,3 +147,28 @@ def test_the_page_has_the_metrics(cocorosim: Command, opened: list[str], tmp_pat
     assert held is not None
     curves = json.loads(held[1])["curves"]
     assert [len(curve["mean"]) for curve in curves] == [1280] * 6
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [("duration: ", "dqration: ", "'dqration' is not a known key"), ("seed: ", "weather: calm\nseed: ", "'weather'")],
+    ids=["a flipped bit", "a newer version's key"],
+)
+def test_a_scenario_that_cannot_be_read(
+    cocorosim: Command, run_of_20_seconds: SimpleNamespace, tmp_path: Path, before: str, after: str, words: str
+) -> None:
+    """The poses are whole, so the page is written without the tank; a sentence says why, on the page too."""
+    bag = read_bag(run_of_20_seconds.bag)
+    made_from = dict(bag.summary.metadata["cocorosim"])
+    made_from["scenario"] = made_from["scenario"].replace(before, after, 1)
+    channels = [Channel(each.topic, each.type_name) for each in bag.summary.topics]
+    with BagWriter(tmp_path / "bag", channels, metadata=made_from) as writer:
+        for message in bag.messages():
+            writer.write(message.topic, message.log_time_ns, message.publish_time_ns, message.data)
+    page = tmp_path / "page.html"
+    done = cocorosim("view", tmp_path / "bag", "--out", page, "--no-open")
+    assert done.status == 0, done.err
+    assert words in done.out
+    assert "cannot be read, so its tank is not shown" in done.out
+    assert "cannot be read, so its tank is not shown" in page.read_text("utf-8")
+    assert cocorosim("metrics", tmp_path / "bag", "--picture", tmp_path / "shoal.png").status == 0

@@ -52,6 +52,12 @@ def test_forms_have_the_dimensions_that_the_files_have() -> None:
     assert compared > 20
 
 
+def test_every_key_tells_what_may_stand_there() -> None:
+    """A key of a scenario or a platform says its form: unit and limits, choices, or what is inside."""
+    keys = [each for (kind, _), each in NAMES.items() if kind in ("key of a scenario", "key of a platform")]
+    assert [each.name for each in keys if not each.facts.get("form")] == []
+
+
 def test_everything_in_the_tables_is_explained() -> None:
     """Metrics, topics, effects with each number, errors and controllers are there by their names."""
     wanted = {("metric", name) for name in METRICS} | {("topic", name) for name in TOPICS}

@@ -9,6 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from cocorosim_ros import __version__
+from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
@@ -58,12 +59,26 @@ def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, PoseTrack], series: 
     draw_shoal(path, tracks, series, scenario_facts(bag), force=True)
 
 
+def readable_scenario(bag: Bag) -> tuple[Scenario | None, str]:
+    """The scenario of a recording, and a sentence if it tells one that cannot be read: the poses are whole even then.
+
+    One flipped bit does that, and a key of a newer version.
+    """
+    text = bag.summary.metadata.get("cocorosim", {}).get("scenario")
+    if text is None:
+        return None, ""
+    try:
+        return parse_scenario(text, str(bag.path)), ""
+    except CocorosimError as error:
+        why = str(error).rstrip(".")
+        return None, f"The scenario that made the recording cannot be read, so its tank is not shown: {why}."
+
+
 def scenario_facts(bag: Bag) -> ScenarioFacts:
     """Name, seed, tank and obstacles, where the recording knows its scenario."""
-    made_from = bag.summary.metadata.get("cocorosim", {})
-    if "scenario" not in made_from:
+    scenario, _ = readable_scenario(bag)
+    if scenario is None:
         return ScenarioFacts(bag.path.name)
-    scenario = parse_scenario(made_from["scenario"], str(bag.path))
     tank = scenario.tank
     spheres = tuple((*solid.centre, solid.radius) for solid in tank.obstacles if isinstance(solid, Sphere))
     boxes = tuple(solid.corners() for solid in tank.obstacles if isinstance(solid, Box))

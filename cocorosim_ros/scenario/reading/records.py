@@ -24,7 +24,7 @@ Record = TypeVar("Record")
 Rule = dict[str, Any]
 
 
-def stored(read: Callable[[Entry], Any], write: Callable[[Any], Any], key: str = "", *, form: str) -> Rule:
+def stored(read: Callable[[Entry], Any], write: Callable[[Any], Any], key: str = "", *, form: str = "") -> Rule:
     """The rule of a field with its own reader and writer.
 
     key: where YAML calls it otherwise. form: in words, what may stand there.

@@ -11,6 +11,7 @@ import mmap
 import struct
 import zlib
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import BinaryIO
@@ -80,6 +81,7 @@ class McapFile:
         self.path = path
         self.contents = Contents()
         self._schemas: dict[int, tuple[str, str, str]] = {}
+        self._summary_channels: dict[int, McapChannel] = {}  # for messages whose own definition was lost
         self._blocks: list[_Block] = []
         self._data = _mapped(path, file)
         self._walk()
@@ -105,6 +107,7 @@ class McapFile:
                 break
             if opcode in (mcap.SCHEMA, mcap.CHANNEL, mcap.MESSAGE):
                 loose = place if loose is None else loose
+                self._keep_definition(opcode, content, end)
             elif loose is not None:
                 self._add_loose(loose, place)
                 loose = None
@@ -115,6 +118,12 @@ class McapFile:
             place = end
         if loose is not None:
             self._add_loose(loose, place)
+
+    def _keep_definition(self, opcode: int, content: int, end: int) -> None:
+        """Keep a definition that stands outside of chunks, as the summary repeats all of them."""
+        if opcode != mcap.MESSAGE:
+            with suppress(ValueError, struct.error):  # said when its block is examined
+                self._define(opcode, mcap.Cursor(self._data[content:end]), self._summary_channels)
 
     def _note(self, opcode: int, content: int, end: int) -> None:
         """Take notice of a record that stands outside of chunks."""
@@ -160,19 +169,21 @@ class McapFile:
                 counts[channel] = counts.get(channel, 0) + 1
                 times.append(log_time)
             elif opcode in (mcap.SCHEMA, mcap.CHANNEL):
-                self._define(opcode, mcap.Cursor(plain[place + mcap.RECORD_HEAD.size : end]))
+                self._define(opcode, mcap.Cursor(plain[place + mcap.RECORD_HEAD.size : end]), self.contents.channels)
             place = end
+        for channel in counts.keys() & self._summary_channels.keys():
+            self.contents.channels.setdefault(channel, self._summary_channels[channel])
         if not counts.keys() <= self.contents.channels.keys():
             raise ValueError("a message belongs to no channel")
         return counts, min(times, default=0), max(times, default=0)
 
-    def _define(self, opcode: int, cursor: mcap.Cursor) -> None:
+    def _define(self, opcode: int, cursor: mcap.Cursor, channels: dict[int, McapChannel]) -> None:
         number = cursor.number(mcap.UINT16)
         if opcode == mcap.SCHEMA:
             self._schemas[number] = cursor.text(), cursor.text(), cursor.text()
         else:
             name, schema_encoding, schema = self._schemas.get(cursor.number(mcap.UINT16), ("", "", ""))
-            self.contents.channels[number] = McapChannel(
+            channels[number] = McapChannel(
                 cursor.text(), name, cursor.text(), schema, schema_encoding, cursor.text_map()
             )
 

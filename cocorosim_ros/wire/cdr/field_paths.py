@@ -83,6 +83,18 @@ def owner_of(message: Any, path: list[Step]) -> Any:
     return message
 
 
+def number_paths(message: Any, before: str = "") -> list[str]:
+    """The paths of all single numbers in a message, lists left out."""
+    found: list[str] = []
+    for field, value in vars(message).items():
+        path = f"{before}.{field}" if before else field
+        if hasattr(value, "__msgtype__"):
+            found += number_paths(value, path)
+        elif isinstance(value, (int, float, bool)) and field not in ("sec", "nanosec") and field != "__msgtype__":
+            found.append(path)
+    return found
+
+
 def _child(message: Any, field: str, element: str | None) -> Any:
     child = getattr(message, field)
     if element is None:

@@ -85,7 +85,7 @@ class BagRows:
         except ValueError as error:
             raise column.problem(f"has {column.found()}, which is no path like pose.position.x.") from error
         except AttributeError as error:
-            known = sorted(_number_paths(self._messages[0]))
+            known = sorted(field_paths.number_paths(self._messages[0]))
             raise column.problem(
                 f"has {column.found()}, no field of {self.origin} ({self._type}){nearest(str(column.value), known)}."
             ) from error
@@ -111,15 +111,3 @@ def _at(message: Any, path: Sequence[field_paths.Step]) -> Any:
 
 def _nanoseconds(value: Any) -> int | None:
     return value.sec * NANOSECONDS + value.nanosec if hasattr(value, "nanosec") else None
-
-
-def _number_paths(message: Any, before: str = "") -> list[str]:
-    """The paths of all single numbers in a message, lists left out."""
-    found: list[str] = []
-    for field, value in vars(message).items():
-        path = f"{before}.{field}" if before else field
-        if hasattr(value, "__msgtype__"):
-            found += _number_paths(value, path)
-        elif isinstance(value, (int, float, bool)) and field not in ("sec", "nanosec") and field != "__msgtype__":
-            found.append(path)
-    return found

@@ -195,6 +195,22 @@ def test_damaged_chunk_is_left_out_and_said(tmp_path: Path, pose_rows: Rows, rec
     assert "is damaged" in bag.summary.damage and "left out" in bag.summary.damage
 
 
+def test_a_damaged_first_chunk_costs_its_own_messages_alone(tmp_path: Path, pose_rows: Rows, record: Record) -> None:
+    """The first chunk defines all channels; the summary repeats them, so the others are read after one flipped bit."""
+    rows = pose_rows(60)
+    record(tmp_path / "bag", rows, chunk_bytes=1500)
+    file = tmp_path / "bag" / "bag_0.mcap"
+    end, lost = chunk_ends(file)[0]
+    data = bytearray(file.read_bytes())
+    data[end - 5] ^= 0x04
+    file.write_bytes(data)
+    bag = read_bag(tmp_path / "bag")
+    assert read_back(tmp_path / "bag") == rows[lost:]
+    assert bag.summary.message_count == len(rows) - lost
+    assert bag.summary.types == {"/lily_01/pose": POSE, "/lily_02/pose": POSE}
+    assert bag.summary.damage.count("is damaged") == 1
+
+
 @given(some.lists(some.tuples(some.integers(0), some.integers(0, 255)), min_size=1, max_size=4))
 @settings(max_examples=80, deadline=None)
 def test_no_damage_escapes_as_another_error(changes: list[tuple[int, int]]) -> None:

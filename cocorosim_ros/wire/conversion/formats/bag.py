@@ -31,19 +31,24 @@ class BagLog:
         return BagRows(self._messages, topic, place)
 
 
-def _open(path: Path) -> BagLog:
+def open_messages(path: Path) -> MessageLog:
+    """The recording of ROS 1 or ROS 2 at a path. Raises CocorosimError if there is none."""
     if not path.is_dir():
         if not path.exists():
-            return BagLog(McapMessages(path))
+            return McapMessages(path)
         check_file(path, path.name, _SUMMARY, _KINDS)
         kind = kind_of(path)
         if kind is not None and kind.key == "ros1":
-            return BagLog(Ros1Messages(path))
+            return Ros1Messages(path)
         if kind is not None and kind.key == "sqlite":
-            return BagLog(SqliteMessages(path.name, [path]))
-        return BagLog(McapMessages(path))
+            return SqliteMessages(path.name, [path])
+        return McapMessages(path)
     files = _sqlite_files(path)
-    return BagLog(SqliteMessages(path.name, files) if files else McapMessages(path))
+    return SqliteMessages(path.name, files) if files else McapMessages(path)
+
+
+def _open(path: Path) -> BagLog:
+    return BagLog(open_messages(path))
 
 
 def _sqlite_files(folder: Path) -> list[Path]:
