@@ -95,7 +95,7 @@ def _replay(
     try:
         _prepare_middleware(domain.number, network=choices.network)
         pace = Pace(0.0 if choices.fast else choices.rate or 1.0, choices.loop, choices.wait, choices.reliable)
-        with ros_node("replay", [], services=False) as node:
+        with ros_node("replay", [], services="later") as node:
             replay = Replay(node, bag, topics, span, pace)
             interruption.then(lambda: setattr(replay, "stop", True))
             _announce(console, choices, replay, domain.number)

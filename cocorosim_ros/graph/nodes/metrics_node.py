@@ -163,7 +163,7 @@ def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
 
 def metrics(arguments: Sequence[str]) -> None:
     """Run the node until the run has ended or it is told to stop. Raises CocorosimError."""
-    with ros_node("metrics_node", arguments, services=True) as node:
+    with ros_node("metrics_node", arguments, services="now") as node:
         run_metrics(node)
 
 

@@ -75,11 +75,19 @@ def test_refusals(command: tuple[str, ...], words: str, shell: dict[str, str]) -
     assert done.stderr.strip().count("\n") == 0, done.stderr
 
 
+def answers(onlooker: Any) -> list[Any]:
+    """What was answered to each of its actions."""
+    return [json.loads(line) for line in onlooker.output.splitlines() if line.startswith("[") and "INFO" not in line]
+
+
 @pytest.mark.parametrize("ros_path", ["", "plain"])
 def test_three_shells_give_the_bag_of_the_command(
     start: Starter, scenario: Callable[..., Path], tmp_path: Path, shell: dict[str, str], ros_path: str
 ) -> None:
-    """Physics, controllers and recorder started by hand, in any order, work together and end together."""
+    """Physics, controllers and recorder started by hand, in any order, work together and end together.
+
+    The run is paused and stepped on the way, which leaves no trace in the recording.
+    """
     shell = {**shell, PATH_VARIABLE: ros_path}
     path = scenario(2, 20)
     physics = start("physics_node", *ros_arguments(scenario=path, recorded="true"), env=shell)
@@ -94,7 +102,13 @@ def test_three_shells_give_the_bag_of_the_command(
     assert parameters["seed"]["range"] == [[-1, 2**63 - 1]]
     own = {name: row for name, row in parameters.items() if name in ("scenario", "rate", "seed", "recorded", "wait")}
     assert len(own) == 5
-    assert all(row["description"] and row["read_only"] for row in own.values())
+    assert all(row["description"] and row["read_only"] == (name != "rate") for name, row in own.items())
+    held = start(ONLOOKER, "do", "/physics_node/step", "/physics_node/pause=true", env=shell)
+    assert held.finish() == 0, held.output
+    assert answers(held) == [
+        [False, "the run is not paused; call ~/pause with 'data: true' first"],
+        [True, "paused at 0 s"],
+    ]
 
     late = start(ONLOOKER, "description", "/lily_02/robot_description", env=shell)
     assert late.finish() == 0, late.output
@@ -106,7 +120,16 @@ def test_three_shells_give_the_bag_of_the_command(
     ]
     arguments = ros_arguments(scenario=path, out=tmp_path / "bag", summary=tmp_path / "summary.json")
     metrics = start("metrics_node", *arguments, env=shell)
+    freed = start(ONLOOKER, "do", "/physics_node/step", "/physics_node/step", "/physics_node/pause=false", env=shell)
+    assert freed.finish() == 0, freed.output
+    assert answers(freed) == [[True, "at 0.5 s now"], [True, "at 1 s now"], [True, "going on at 1 s"]]
     assert metrics.finish() == 0, metrics.output
+    for node, words in (
+        (physics, "ready: 2 robots of 'small'"),
+        (metrics, "ready: records "),
+        (controllers[0], "ready: 'boids_blt'"),
+    ):
+        assert node.output.count(words) == 1
     assert physics.finish() == 0, physics.output
     for controller in controllers:
         controller.process.terminate()
