@@ -19,6 +19,7 @@ _REMEDIES = {
     ),
     **dict.fromkeys(("dask", "distributed"), f"'pip install \"{PACKAGE}[dask]\"'"),
     **dict.fromkeys(("xarray", "h5netcdf", "h5py"), f"'pip install \"{PACKAGE}[netcdf]\"'"),
+    "foxglove": f"'pip install \"{PACKAGE}[foxglove]\"'",
     "rerun": f"'pip install \"{PACKAGE}[view]\"'",
 }
 

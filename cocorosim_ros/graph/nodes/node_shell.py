@@ -36,11 +36,11 @@ Services = Literal["now", "later", "never"]
 def ros_node(name: str, arguments: Sequence[str], *, services: Services) -> Iterator[Node]:
     """A node that is shut down at the end; `arguments` are ROS arguments, without the program's name.
 
-    It logs to /rosout. services: whether it answers `ros2 param`; "later" is after LATER seconds, so that the start of
-    a swarm in lock-step, and a short run, go without what that costs. Raises CocorosimError for arguments that ROS does
-    not take.
+    services: with "now" and "later" it logs to /rosout and answers `ros2 param`; with "later" only after LATER seconds,
+    so that the start of a swarm in lock-step, and a short run, go without what that costs. Raises CocorosimError for
+    arguments that ROS does not take.
     """
-    node = _started(name, list(arguments), services=services == "now")
+    node = _started(name, list(arguments), services)
     later = threading.Timer(LATER, offer_parameters, [node])
     try:
         if services == "now":
@@ -61,13 +61,13 @@ def ros_node(name: str, arguments: Sequence[str], *, services: Services) -> Iter
             rclpy.shutdown()
 
 
-def _started(name: str, arguments: list[str], *, services: bool) -> Node:
+def _started(name: str, arguments: list[str], services: Services) -> Node:
     try:
         foreign = remove_ros_args([name, *arguments])[1:]
         if foreign:
             raise CocorosimError(f"{name} does not know '{foreign[0]}'; give --help, or '--ros-args -p NAME:=VALUE'.")
         rclpy.init(args=arguments, signal_handler_options=SignalHandlerOptions.NO)
-        return Node(name, start_parameter_services=services)
+        return Node(name, start_parameter_services=services == "now", enable_rosout=services != "never")
     except _UNUSABLE as error:
         words = " ".join(str(error).partition(", at ")[0].split())
         raise CocorosimError(f"{name} cannot start with the arguments {' '.join(arguments)}: {words}.") from error

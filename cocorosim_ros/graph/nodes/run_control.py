@@ -17,7 +17,7 @@ from rclpy.node import Node
 from std_srvs.srv import SetBool, Trigger
 
 LOOK = 0.05  # s of wall clock between looks at what is asked for while paused
-STEP_PATIENCE = 30.0  # s of wall clock that a single step gets before its service answers
+STEP_PATIENCE = 60.0  # s of wall clock that a single step gets before its service answers
 
 
 class RunControl:

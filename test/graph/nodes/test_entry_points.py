@@ -120,6 +120,8 @@ def test_three_shells_give_the_bag_of_the_command(
     ]
     arguments = ros_arguments(scenario=path, out=tmp_path / "bag", summary=tmp_path / "summary.json")
     metrics = start("metrics_node", *arguments, env=shell)
+    for node in (metrics, *controllers):
+        node.wait_for("ready: ")
     freed = start(ONLOOKER, "do", "/physics_node/step", "/physics_node/step", "/physics_node/pause=false", env=shell)
     assert freed.finish() == 0, freed.output
     assert answers(freed) == [[True, "at 0.5 s now"], [True, "at 1 s now"], [True, "going on at 1 s"]]
