@@ -17,7 +17,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.graph.nodes.background import run_callbacks, wait_for_callbacks_to_end
 from cocorosim_ros.graph.nodes.rclpy_internals import parameter_services
 from cocorosim_ros.graph.runs.run_error import RunError
@@ -28,6 +28,7 @@ _REFUSED_BY_RCL = RuntimeError  # all of rclpy's own errors are of this kind
 _UNUSABLE = (InvalidNamespaceException, InvalidNodeNameException, ValueError, _REFUSED_BY_RCL)
 
 
+AS_PARAMETERS = {"force": "force:=true"}  # arguments as nodes and launch files are given them
 LATER = 3.0  # s of wall clock
 Services = Literal["now", "later", "never"]
 
@@ -110,7 +111,8 @@ def run_main(main: Callable[[Sequence[str]], None], usage: str) -> int:
     try:
         main(arguments)
     except CocorosimError as error:
-        sys.stderr.write(f"{error}\n")
+        words = error.with_options(AS_PARAMETERS) if isinstance(error, ArgumentError) else str(error)
+        sys.stderr.write(f"{words}\n")
         return FAILED if isinstance(error, RunError) else UNUSABLE_INPUT
     except KeyboardInterrupt:
         return INTERRUPTED

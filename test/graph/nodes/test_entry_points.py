@@ -14,7 +14,9 @@ from typing import Any
 import pytest
 from urdf_parser_py.urdf import URDF
 
+from cocorosim_ros.graph.nodes.node_shell import run_main
 from cocorosim_ros.graph.nodes.path_choice import PATH_VARIABLE
+from cocorosim_ros.wire.bags.bag_folder import make_room
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 BIN = Path(sys.executable).parent
@@ -73,6 +75,17 @@ def test_refusals(command: tuple[str, ...], words: str, shell: dict[str, str]) -
     assert words in done.stderr
     assert "Traceback" not in done.stderr
     assert done.stderr.strip().count("\n") == 0, done.stderr
+
+
+def test_a_launch_user_is_told_of_parameters(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """What a command calls --force is force:=true for a node and a launch file."""
+    monkeypatch.setattr(sys, "argv", ["metrics_node"])
+    assert run_main(lambda arguments: make_room(tmp_path, force=False), "") == 2
+    assert capsys.readouterr().err == (
+        f"{tmp_path} exists already; choose another folder, or replace it with force:=true.\n"
+    )
 
 
 def answers(onlooker: Any) -> list[Any]:
