@@ -208,7 +208,7 @@ def _warner(console: Console) -> Callable[[str], None]:
 
 
 def _teller(console: Console) -> Callable[[str], None]:
-    return lambda words: console.print(words, markup=False, highlight=False)
+    return lambda words: say(console, words)
 
 
 def _announcement(scenario: Scenario, domain: int, choices: RunChoices) -> str:
