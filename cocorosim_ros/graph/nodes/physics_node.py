@@ -93,6 +93,8 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     """The node's life, from its parameters to the end of the run."""
     values = declare(node, PARAMETERS)
     warn_of_unknown(node)
+    run_callbacks(node)
+    control = RunControl(node, values["rate"], recorded=values["recorded"])
     scenario = scenario_of(values) if supervision is None else supervision.scenario
     if supervision is None:
         check_latency(scenario)
@@ -107,8 +109,6 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
 
     terms = Terms(values["recorded"], values["wait"], dead=list if supervision is None else supervision.dead)
     shell = PhysicsShell(node, scenario, idle, terms)
-    run_callbacks(node)
-    control = RunControl(node, values["rate"], recorded=values["recorded"])
     progress: Progress = (lambda ticks, missing: None) if supervision is None else supervision.report
     on_termination(shell.request_stop, supervised=supervision is not None)
     if supervision is None:
