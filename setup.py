@@ -33,6 +33,7 @@ EXTRAS = {
     "logs": ["pyulog", "pymavlink"],  # what `cocorosim convert` reads logs of PX4 and ArduPilot with
     "netcdf": ["xarray", "h5netcdf", "h5py"],  # water currents from files
     "view": ["rerun-sdk>=0.41"],  # what `cocorosim view --3d` writes scenes with
+    "foxglove": ["foxglove-sdk>=0.16"],  # `cocorosim run --foxglove` and `replay --foxglove`
     "dask": ["dask", "distributed"],  # `cocorosim experiment --dask`
     "bench": ["mujoco>=3"],
 }

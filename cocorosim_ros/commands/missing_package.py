@@ -14,9 +14,12 @@ _ROS = f"source a ROS 2 Jazzy installation, or 'pip install \"{PACKAGE}[ros]\"' 
 _REMEDIES = {
     **dict.fromkeys(("cocorosim_msgs", "tf2_msgs"), _GENERATED),
     **dict.fromkeys(("rclpy", "rcl_interfaces", "builtin_interfaces", "rosgraph_msgs"), _ROS),
-    **dict.fromkeys(("std_msgs", "geometry_msgs", "sensor_msgs", "diagnostic_msgs", "visualization_msgs"), _ROS),
+    **dict.fromkeys(
+        ("std_msgs", "std_srvs", "geometry_msgs", "sensor_msgs", "diagnostic_msgs", "visualization_msgs"), _ROS
+    ),
     **dict.fromkeys(("dask", "distributed"), f"'pip install \"{PACKAGE}[dask]\"'"),
     **dict.fromkeys(("xarray", "h5netcdf", "h5py"), f"'pip install \"{PACKAGE}[netcdf]\"'"),
+    "foxglove": f"'pip install \"{PACKAGE}[foxglove]\"'",
     "rerun": f"'pip install \"{PACKAGE}[view]\"'",
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -17,6 +18,7 @@ from cocorosim_ros.commands.interruption import Interruption
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
 
 if TYPE_CHECKING:
     from cocorosim_ros.graph.nodes.replay import Position, Replay
@@ -40,6 +42,7 @@ class ReplayChoices:
     wait: int
     reliable: bool
     network: bool
+    foxglove: int | None
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that make no sense or contradict each other."""
@@ -62,6 +65,7 @@ class ReplayChoices:
 @click.option("--wait", type=int, default=0, metavar="N", help="wait for N subscriptions before the first message")
 @click.option("--reliable", is_flag=True, help="offer every topic reliably, whatever was recorded")
 @click.option("--network", is_flag=True, help="let other machines listen")
+@click.option("--foxglove", type=int, metavar="PORT", help="show it to Foxglove or Lichtblick; 0: any free port")
 @click.pass_context
 def command(ctx: click.Context, /, **options: object) -> None:
     """Publish BAG (a rosbag2 folder, an .mcap file, or the folder of a run) on its topics again, with /clock.
@@ -95,8 +99,13 @@ def _replay(
     try:
         _prepare_middleware(domain.number, network=choices.network)
         pace = Pace(0.0 if choices.fast else choices.rate or 1.0, choices.loop, choices.wait, choices.reliable)
-        with ros_node("replay", [], services=False) as node:
-            replay = Replay(node, bag, topics, span, pace)
+        with ExitStack() as stack:
+            viewers = None
+            if choices.foxglove is not None:
+                viewers = stack.enter_context(foxglove_server(foxglove_port(choices.foxglove), choices.bag.name))
+                say(console, f"Foxglove and Lichtblick: {viewers.address}")
+            node = stack.enter_context(ros_node("replay", [], services="later"))
+            replay = Replay(node, bag, topics, span, pace, viewers)
             interruption.then(lambda: setattr(replay, "stop", True))
             _announce(console, choices, replay, domain.number)
             replay.wait_for_subscriptions()

@@ -6,7 +6,7 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,9 +15,11 @@ from rich.console import Console
 
 from cocorosim_ros.commands.missing_package import check_ros
 from cocorosim_ros.commands.progress import RunProgress
+from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
 
 if TYPE_CHECKING:
     from cocorosim_ros.graph.nodes.graph import GraphPlan
@@ -49,6 +51,7 @@ class RunChoices:
     in_process: bool
     network: bool
     wait: float
+    foxglove: int | None
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that contradict each other."""
@@ -72,6 +75,8 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
             f"The controller of {scenario.external[0]} is left to you, which needs nodes in processes of their own; "
             "leave out --composed and --in-process, or take it out of --external and the scenario's 'external'."
         )
+    if choices.foxglove is not None:
+        foxglove_port(choices.foxglove)
     if not choices.in_process:
         check_ros("give --in-process, which does the same run without ROS")
         check_latency(scenario)
@@ -111,7 +116,7 @@ def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console:
         compile_everything(scenario, _teller(console))
         console.print(_announcement(scenario, domain, choices), markup=False)
         start = time.monotonic()
-        supervisor = Supervisor(_plan(scenario, choices, folder), _warner(console))
+        supervisor = Supervisor(_plan(scenario, choices, folder, console), _warner(console))
         with Interruption() as interruption:
             interruption.then(supervisor.interrupt)
             try:
@@ -135,7 +140,7 @@ def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, co
         start = time.monotonic()
         with Interruption() as interruption, RunProgress(console, scenario) as progress:
             run_composed(
-                _plan(scenario, choices, folder),
+                _plan(scenario, choices, folder, console),
                 lambda graph: interruption.then(graph.physics.request_stop),
                 progress.show,
                 _warner(console),
@@ -151,9 +156,14 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
     from cocorosim_ros.library.record import new_record
 
     compile_whole_run(scenario, _teller(console))
-    record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
-    start = time.monotonic()
-    with Interruption() as interruption, RunProgress(console, scenario) as progress, record.writer:
+    port, start = _live_port(choices, console), time.monotonic()
+    with ExitStack() as stack:
+        record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
+        if port is not None:
+            record.show_to(stack.enter_context(foxglove_server(port, scenario.name)))
+        interruption = stack.enter_context(Interruption())
+        progress = stack.enter_context(RunProgress(console, scenario))
+        stack.enter_context(record.writer)
 
         def show(tick: int) -> bool:
             progress.show(tick, 0)
@@ -177,10 +187,20 @@ def _own_domain(*, network: bool) -> Iterator[int]:
         domain.release()
 
 
-def _plan(scenario: Scenario, choices: RunChoices, folder: Path) -> GraphPlan:
+def _plan(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> GraphPlan:
     from cocorosim_ros.graph.nodes.graph import GraphPlan
 
-    return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait)
+    port = _live_port(choices, console)
+    return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port)
+
+
+def _live_port(choices: RunChoices, console: Console) -> int | None:
+    """Where viewers find the run, which is said; None where nobody asked."""
+    if choices.foxglove is None:
+        return None
+    port = foxglove_port(choices.foxglove)
+    say(console, f"Foxglove and Lichtblick: ws://127.0.0.1:{port}")
+    return port
 
 
 def _warner(console: Console) -> Callable[[str], None]:
@@ -188,7 +208,7 @@ def _warner(console: Console) -> Callable[[str], None]:
 
 
 def _teller(console: Console) -> Callable[[str], None]:
-    return lambda words: console.print(words, markup=False, highlight=False)
+    return lambda words: say(console, words)
 
 
 def _announcement(scenario: Scenario, domain: int, choices: RunChoices) -> str:

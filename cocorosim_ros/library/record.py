@@ -60,4 +60,5 @@ def new_record(
     """
     bodies = [describe_body(robot) for robot in scenario.robots]
     metadata = {**recording_metadata(scenario), **(made_by or {})}
-    return RunRecord(folder, bodies, metadata, selection=selection, scenery=Scenery.of(scenario), force=force)
+    scenery = Scenery.of(scenario)
+    return RunRecord(folder, bodies, metadata, selection=selection, scenery=scenery, force=force)

@@ -25,6 +25,7 @@ PLACES_OF_EXTRAS = {
     "logs": (),
     "netcdf": (),
     "view": ("study/scene",),
+    "foxglove": ("wire/live",),
 }
 BUILT_HERE = {"cocorosim_msgs", "tf2_msgs"}
 OF_ROS_LAUNCH = ("graph/launch",)  # files for `ros2 launch`, whose packages are not on PyPI

@@ -42,7 +42,7 @@ def check_cocorosim(words: list[str]) -> None:
 def check_node(name: str, words: list[str]) -> None:
     """Every -p sets a parameter that the node declares, or one of a shipped controller's."""
     known = {part.name for part in NODES[name].PARAMETERS}
-    known |= {f"controller.{setting}" for setting in load_controller("boids_blt").parameters}
+    known |= {f"setting.{setting}" for setting in load_controller("boids_blt").parameters}
     given = {words[index + 1].split(":=")[0] for index, word in enumerate(words) if word == "-p"}
     assert given <= known
 

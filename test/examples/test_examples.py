@@ -97,10 +97,10 @@ def test_controller_node_turns_a_robot_that_is_not_ours(
     robot, log = start(sys.executable, HERE / "toy_robot.py", "lily_01", env=env)
     first = wait_for(log, lambda text: text.count("\n") >= 1).split()
     assert abs(float(first[1]) + 1.0) < 1e-3, "nobody steers yet"
-    settings = ("controller:=heading_hold", "period:=0.2", "controller.heading:=1.5708", "controller.speed:=0.3")
+    settings = ("controller:=heading_hold", "period:=0.2", "setting.heading:=1.5708", "setting.speed:=0.3")
     given = [word for setting in settings for word in ("-p", setting)]
     controller, words = start(
-        BIN / "controller_node", "--ros-args", "-r", "__ns:=/lily_01", *given, "-p", "controller.depth:=1.0", env=env
+        BIN / "controller_node", "--ros-args", "-r", "__ns:=/lily_01", *given, "-p", "setting.depth:=1.0", env=env
     )
 
     def has_turned(text: str) -> bool:

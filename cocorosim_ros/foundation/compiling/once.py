@@ -81,7 +81,7 @@ class _FirstOfAll(event.Listener):  # type: ignore[misc]
 @contextmanager
 def _alone(part: str, tell: Tell) -> Iterator[None]:
     """Within, no other process compiles this part."""
-    with (cache_base() / f"compiling_{part}.lock").open("a") as file:
+    with (cache_base() / f"compiling_{part.replace(' ', '_')}.lock").open("a") as file:
         start, told = time.monotonic(), False
         while not _locked(file, shared=False):
             if not told and time.monotonic() - start > SILENCE:

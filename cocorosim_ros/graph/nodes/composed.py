@@ -21,6 +21,7 @@ from cocorosim_ros.graph.runs.results import recording_metadata
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import RunRecord
 from cocorosim_ros.graph.runs.scenery import Scenery
+from cocorosim_ros.wire.live.opening import foxglove_server
 from cocorosim_ros.wire.topics.body import describe_body
 
 CLOSE_PATIENCE = 10.0  # s of wall clock that the last messages get to arrive
@@ -84,6 +85,8 @@ def run_composed(
         selection = scenario.recording.topics
         metadata, scenery = recording_metadata(scenario), Scenery.of(scenario)
         record = RunRecord(plan.out / "bag", bodies, metadata, selection=selection, scenery=scenery)
+        if plan.foxglove is not None:
+            record.show_to(stack.enter_context(foxglove_server(plan.foxglove, scenario.name)))
         stack.callback(record.close)
         graph = ComposedGraph(plan, record, tell)
         on_start(graph)

@@ -14,12 +14,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.nodes.controller_shell import ControllerShell
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
+from cocorosim_ros.graph.nodes.rclpy_internals import given_parameters
 from cocorosim_ros.graph.nodes.wiring import LONGEST_WAIT, Waiter
 from cocorosim_ros.graph.runs.warm_up_controller import compile_controller
 from cocorosim_ros.scenario.parts.controller_choice import AnyController, chosen_controller
@@ -38,9 +40,10 @@ PARAMETERS = (
     NodeParameter("stale_after", 2.0, "s after which a reading is no longer used (with period)", (0.0, 3600.0)),
     NodeParameter("listeners", 1, "subscriptions to wait for before the first command", (0, 1000)),
 )
+SETTING, FORMER_SETTING = "setting.", "controller."  # a parameter cannot lie beside others that its name begins
 USAGE = f"""{__doc__}
 Usage: controller_node --ros-args -r __ns:=/lily_01 [-p NAME:=VALUE ...]
-Parameters (beside those of the controller, as controller.NAME, with the ranges of its file):
+Parameters (beside those of the controller, as setting.NAME, with the ranges of its file):
 {usage_lines(PARAMETERS)}"""
 
 
@@ -66,20 +69,57 @@ def robot_of(node: Node, values: dict[str, Any]) -> tuple[RobotDescription, int]
     return replace(robot, controller=adjusted(node, robot.controller), external=False), scenario.seed
 
 
-def adjusted(node: Node, controller: AnyController) -> AnyController:
-    """The controller with the numbers that were given as ROS parameters controller.NAME."""
-    given = {}
+def setting_parameters(controller: AnyController) -> tuple[NodeParameter, ...]:
+    """The numbers of a controller as parameters; those of a user's class are arguments of its constructor."""
     if isinstance(controller, PythonController):
-        for name, value in load_class(controller).scalar_arguments().items():
-            declared = NodeParameter(f"controller.{name}", value, f"argument of {controller.name}")
-            given[name] = declare(node, (declared,))[f"controller.{name}"]
+        arguments = load_class(controller).scalar_arguments()
+        words = f"argument of {controller.name}"
+        return tuple(NodeParameter(SETTING + name, value, words) for name, value in arguments.items())
+    return tuple(
+        NodeParameter(
+            SETTING + name,
+            parameter.value,
+            f"{parameter.description} [{parameter.unit}]",
+            None if isinstance(parameter.value, bool) else (parameter.minimum, parameter.maximum),
+            changeable=True,
+        )
+        for name, parameter in controller.parameters.items()
+    )
+
+
+def adjusted(node: Node, controller: AnyController) -> AnyController:
+    """The controller with the numbers that were given as ROS parameters setting.NAME. Raises CocorosimError."""
+    for name in given_parameters(node):
+        if name.startswith(FORMER_SETTING):
+            new = SETTING + name.removeprefix(FORMER_SETTING)
+            raise CocorosimError(f"{node.get_name()}: the parameter '{name}' is called '{new}'; give it by that name.")
+    values = declare(node, setting_parameters(controller))
+    return _with_settings(controller, {name.removeprefix(SETTING): value for name, value in values.items()})
+
+
+def _with_settings(controller: AnyController, given: dict[str, Any]) -> AnyController:
+    if isinstance(controller, PythonController):
         return replace(controller, parameters={**controller.parameters, **given})
-    for name, parameter in controller.parameters.items():
-        span = None if isinstance(parameter.value, bool) else (parameter.minimum, parameter.maximum)
-        words = f"{parameter.description} [{parameter.unit}]"
-        declared = NodeParameter(f"controller.{name}", parameter.value, words, span)
-        given[name] = declare(node, (declared,))[f"controller.{name}"]
     return controller.with_overrides(given)
+
+
+def take_settings_while_running(node: Node, shell: ControllerShell, controller: AnyController) -> None:
+    """Let parameters setting.NAME be changed; their ranges are checked by ROS, other rules here."""
+    chosen = controller
+
+    def on_parameters(parameters: list[Any]) -> SetParametersResult:
+        nonlocal chosen
+        given = {each.name.removeprefix(SETTING): each.value for each in parameters if each.name.startswith(SETTING)}
+        try:
+            wanted = _with_settings(chosen, given)
+            shell.use(wanted)
+        except CocorosimError as error:
+            return SetParametersResult(successful=False, reason=str(error))
+        chosen = wanted
+        node.get_logger().info(", ".join(f"{name} is {value} from now on" for name, value in given.items()))
+        return SetParametersResult(successful=True)
+
+    node.add_on_set_parameters_callback(on_parameters)
 
 
 def answer_sets(shell: ControllerShell, waiter: Waiter) -> None:
@@ -109,12 +149,16 @@ def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, An
 def run_controller(node: Node, described: RobotDescription | None = None) -> None:
     """The node's life, until it is told to stop; `described`, read already, is given by a supervisor."""
     values = declare(node, PARAMETERS)
-    robot, seed = robot_of(node, values) if described is None else (described, 0)
+    if described is None:
+        robot, seed = robot_of(node, values)
+    else:
+        robot, seed = replace(described, controller=adjusted(node, described.controller)), 0
     warn_of_unknown(node)
     if described is None:
         compile_controller(robot, node.get_logger().info)
     waiter = Waiter(node, 16)
     shell = ControllerShell(node, robot, seed if values["seed"] < 0 else values["seed"])
+    take_settings_while_running(node, shell, robot.controller)
     on_termination(lambda: setattr(shell, "stop", True), supervised=described is not None)
     if described is None:
         node.get_logger().info(_ready(robot, values["period"]))
@@ -132,7 +176,7 @@ def _ready(robot: RobotDescription, period: float) -> str:
 
 def controller(arguments: Sequence[str]) -> None:
     """Run the node until it is told to stop. Raises CocorosimError."""
-    with ros_node("controller_node", arguments, services=True) as node:
+    with ros_node("controller_node", arguments, services="now") as node:
         run_controller(node)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 
 import numpy as np
 from rclpy.node import Node
@@ -10,6 +11,7 @@ from rclpy.node import Node
 from cocorosim_ros.graph.nodes.complaints import tell_on_terminal
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
 from cocorosim_ros.graph.runs.run_error import RunError
+from cocorosim_ros.scenario.parts.controller_choice import AnyController
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.body import describe_body
@@ -31,9 +33,8 @@ class ControllerShell:
     def __init__(self, node: Node, robot: RobotDescription, seed: int = 0) -> None:
         """`seed` is that of the run. Raises CocorosimError; RunError if a plain Python controller cannot be made."""
         self.body = describe_body(robot)
+        self._robot, self._seed = robot, seed
         self._crew = build_crew([robot])
-        self._plain = plain_controller(robot, seed)
-        self._memory = blank_memory(1, 1)[0, 0]
         self._command = np.zeros(len(self.body.actuators))
         self._said = np.zeros(MESSAGE_SIZE)
         self._decoder = ObservationDecoder(self.body, HEARING_LIMIT)
@@ -58,8 +59,13 @@ class ControllerShell:
         }
         self._latest: dict[str, bytes] = {}
         self._stamps: dict[str, int] = dict.fromkeys(self.body.topics, -1)
-        self._answered = -1
         self.stop = False
+        self._answered = -1
+        self._begin_anew()
+
+    def use(self, controller: AnyController) -> None:
+        """Decide by these settings from the next answer on; what the behaviour remembers stays."""
+        self._crew = build_crew([replace(self._robot, controller=controller)])
 
     def wait_until_heard(self, listeners: int) -> None:
         """Return when every publisher has that many subscriptions, or when told to stop."""
@@ -78,10 +84,15 @@ class ControllerShell:
                 self._stamps[name] = stamp_ns(listener.type_name, data) or 0
 
     def answer_complete_set(self) -> bool:
-        """Answer if all topics show one and the same moment that is not answered yet; True if it did."""
+        """Answer if all topics show one and the same moment that is not answered yet; True if it did.
+
+        A moment before the last one is that of a simulation that has begun anew: what was remembered is forgotten.
+        """
         stamps = set(self._stamps.values())
-        if len(stamps) != 1 or (stamp := stamps.pop()) <= self._answered:
+        if len(stamps) != 1 or (stamp := stamps.pop()) == self._answered or stamp < 0:
             return False
+        if stamp < self._answered:
+            self._begin_anew()
         self._answered = stamp
         self.answer(stamp, stamp * 1e-9)
         return True
@@ -98,6 +109,12 @@ class ControllerShell:
             if stamp < oldest_ns:
                 self._latest.pop(name, None)
         return [name for name in self.body.topics if name not in self._latest]
+
+    def _begin_anew(self) -> None:
+        """Remember nothing, as before the first answer."""
+        self._plain = plain_controller(self._robot, self._seed)
+        self._memory = blank_memory(1, 1)[0, 0]
+        self._answered = -1
 
     def answer(self, stamp: int, moment: float) -> None:
         """Run one control cycle on the latest readings and publish command and message, stamped `stamp` [ns].

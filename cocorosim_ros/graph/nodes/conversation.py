@@ -41,7 +41,7 @@ def round_trips(count: int, limit: float) -> list[float]:
     line = [sys.executable, "-m", _MODULE, str(os.getpid())]
     other = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        with ros_node("doctor", [], services=False) as node:
+        with ros_node("doctor", [], services="never") as node:
             return _asked(node, count, end)
     finally:
         _end(other)
@@ -86,7 +86,7 @@ def _answer(parent: int) -> None:
     going = [True]
     signal.signal(signal.SIGTERM, lambda number, frame: going.clear())
     end_with_parent(parent, signal.SIGKILL)
-    with ros_node("patient", [], services=False) as node:
+    with ros_node("patient", [], services="never") as node:
         answer = node.create_publisher(Header, _ANSWER, _DEPTH)
         node.create_subscription(Header, _QUESTION, answer.publish, _DEPTH)
         while going:

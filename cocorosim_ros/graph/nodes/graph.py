@@ -21,6 +21,7 @@ class GraphPlan:
     out: Path  # folder of the run; exists
     rate: float = 0.0  # seconds of simulation per second of wall clock; 0: lock-step
     wait: float = 60.0  # s of wall clock that controllers and recorder get to appear
+    foxglove: int | None = None  # port for live viewers; None: nobody
 
     @property
     def controlled_here(self) -> list[str]:
@@ -37,6 +38,7 @@ class GraphPlan:
             "out": str(self.out / "bag"),
             "summary": str(self.out / "live_metrics.json"),
             "lock_step": self.rate == 0.0,
+            "foxglove": -1 if self.foxglove is None else self.foxglove,
             **self._run(),
         }
         return ros_arguments(values)

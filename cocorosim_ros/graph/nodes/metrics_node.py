@@ -9,6 +9,7 @@ import json
 import sys
 import time
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,7 @@ from cocorosim_ros.graph.runs.warm_up import compile_recorder
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
+from cocorosim_ros.wire.live.opening import foxglove_server
 from cocorosim_ros.wire.topics.body import BodyDescription, describe_body
 
 PARAMETERS = (
@@ -43,6 +45,7 @@ PARAMETERS = (
     NodeParameter("force", False, "replace a recording that is there"),
     NodeParameter("summary", "", "file for the statistics of the run as JSON, replaced if it is there; empty: none"),
     NodeParameter("lock_step", True, "with a scenario in lock-step: write whole ticks, hold the physics node back"),
+    NodeParameter("foxglove", -1, "port on which Foxglove finds all topics live, 0: any; -1: none", (-1, 65535)),
     NodeParameter("period", 0.5, "s between measurements of poses whose stamps do not coincide", (0.001, 3600.0)),
 )
 USAGE = f"""{__doc__}
@@ -148,22 +151,33 @@ def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
         compile_recorder(subject.bodies, node.get_logger().info)
     life = _Life(supervised=scenario is not None)
     folder = Path(values["out"])
-    kept = {"selection": subject.selection, "scenery": subject.scenery, "force": values["force"]}
-    record = RunRecord(folder, subject.bodies, subject.origin, **kept)
-    if scenario is None:
-        node.get_logger().info(f"ready: records {len(record.topics)} topics into {folder}")
-    if values["lock_step"] and values["scenario"]:
-        record_ticks(node, record, life, subject.external)
-    else:
-        record_arrivals(node, record, life, values["period"])
-    record.close()
+    with ExitStack() as stack:
+        record = RunRecord(
+            folder,
+            subject.bodies,
+            subject.origin,
+            selection=subject.selection,
+            scenery=subject.scenery,
+            force=values["force"],
+        )
+        if values["foxglove"] >= 0:
+            viewers = stack.enter_context(foxglove_server(values["foxglove"], node.get_name()))
+            record.show_to(viewers)
+            node.get_logger().info(f"Foxglove and Lichtblick: {viewers.address}")
+        if scenario is None:
+            node.get_logger().info(f"ready: records {len(record.topics)} topics into {folder}")
+        if values["lock_step"] and values["scenario"]:
+            record_ticks(node, record, life, subject.external)
+        else:
+            record_arrivals(node, record, life, values["period"])
+        record.close()
     if values["summary"]:
         Path(values["summary"]).write_text(json.dumps(record.summary(), indent=2, allow_nan=False) + "\n", "utf-8")
 
 
 def metrics(arguments: Sequence[str]) -> None:
     """Run the node until the run has ended or it is told to stop. Raises CocorosimError."""
-    with ros_node("metrics_node", arguments, services=True) as node:
+    with ros_node("metrics_node", arguments, services="now") as node:
         run_metrics(node)
 
 

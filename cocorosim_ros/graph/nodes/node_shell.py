@@ -6,8 +6,10 @@ import ctypes
 import os
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from typing import Literal
 
 import rclpy
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
@@ -15,8 +17,9 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.graph.nodes.background import run_callbacks, wait_for_callbacks_to_end
+from cocorosim_ros.graph.nodes.rclpy_internals import parameter_services
 from cocorosim_ros.graph.runs.run_error import RunError
 
 FAILED, UNUSABLE_INPUT, INTERRUPTED = 1, 2, 130  # exit statuses
@@ -25,19 +28,32 @@ _REFUSED_BY_RCL = RuntimeError  # all of rclpy's own errors are of this kind
 _UNUSABLE = (InvalidNamespaceException, InvalidNodeNameException, ValueError, _REFUSED_BY_RCL)
 
 
+AS_PARAMETERS = {"force": "force:=true"}  # arguments as nodes and launch files are given them
+LATER = 3.0  # s of wall clock
+Services = Literal["now", "later", "never"]
+
+
 @contextmanager
-def ros_node(name: str, arguments: Sequence[str], *, services: bool) -> Iterator[Node]:
+def ros_node(name: str, arguments: Sequence[str], *, services: Services) -> Iterator[Node]:
     """A node that is shut down at the end; `arguments` are ROS arguments, without the program's name.
 
-    With `services` the node answers `ros2 param` and logs to /rosout; a supervised node does without, which
-    halves the start of a swarm. Raises CocorosimError for arguments that ROS does not take.
+    services: with "now" and "later" it logs to /rosout and answers `ros2 param`; with "later" only after LATER seconds,
+    so that the start of a swarm in lock-step, and a short run, go without what that costs. Raises CocorosimError for
+    arguments that ROS does not take.
     """
-    node = _started(name, list(arguments), services=services)
+    node = _started(name, list(arguments), services)
+    later = threading.Timer(LATER, offer_parameters, [node])
     try:
-        if services:
+        if services == "now":
             run_callbacks(node)
+        elif services == "later":
+            later.daemon = True
+            later.start()
         yield node
     finally:
+        later.cancel()
+        if later.is_alive():
+            later.join()
         with suppress(Exception):
             if node.executor is not None:
                 rclpy.shutdown()  # ends its callbacks, which must not hold the node any more
@@ -46,16 +62,22 @@ def ros_node(name: str, arguments: Sequence[str], *, services: bool) -> Iterator
             rclpy.shutdown()
 
 
-def _started(name: str, arguments: list[str], *, services: bool) -> Node:
+def _started(name: str, arguments: list[str], services: Services) -> Node:
     try:
         foreign = remove_ros_args([name, *arguments])[1:]
         if foreign:
             raise CocorosimError(f"{name} does not know '{foreign[0]}'; give --help, or '--ros-args -p NAME:=VALUE'.")
         rclpy.init(args=arguments, signal_handler_options=SignalHandlerOptions.NO)
-        return Node(name, start_parameter_services=services, enable_rosout=services)
+        return Node(name, start_parameter_services=services == "now", enable_rosout=services != "never")
     except _UNUSABLE as error:
         words = " ".join(str(error).partition(", at ")[0].split())
         raise CocorosimError(f"{name} cannot start with the arguments {' '.join(arguments)}: {words}.") from error
+
+
+def offer_parameters(node: Node) -> None:
+    """Let the node answer `ros2 param` from now on."""
+    parameter_services(node)
+    run_callbacks(node)
 
 
 def on_termination(stop: Callable[[], None], *, supervised: bool) -> None:
@@ -89,7 +111,8 @@ def run_main(main: Callable[[Sequence[str]], None], usage: str) -> int:
     try:
         main(arguments)
     except CocorosimError as error:
-        sys.stderr.write(f"{error}\n")
+        words = error.with_options(AS_PARAMETERS) if isinstance(error, ArgumentError) else str(error)
+        sys.stderr.write(f"{words}\n")
         return FAILED if isinstance(error, RunError) else UNUSABLE_INPUT
     except KeyboardInterrupt:
         return INTERRUPTED

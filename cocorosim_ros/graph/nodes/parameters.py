@@ -1,4 +1,4 @@
-"""ROS parameters: declared with type, range and description, read once at the start."""
+"""ROS parameters: declared with type, range and description; most are read once at the start and read-only then."""
 
 from __future__ import annotations
 
@@ -24,10 +24,11 @@ class NodeParameter:
     default: Any
     description: str
     span: tuple[float, float] | None = field(default=None)  # smallest and greatest value
+    changeable: bool = False  # while the node runs
 
 
 def declare(node: Node, parameters: tuple[NodeParameter, ...]) -> dict[str, Any]:
-    """Declare the parameters, read-only, and return their values.
+    """Declare the parameters, read-only unless they are changeable, and return their values.
 
     Raises CocorosimError for a value of another type or out of range.
     """
@@ -67,7 +68,7 @@ def _declared(node: Node, parameter: NodeParameter) -> Any:
 
 
 def _descriptor(parameter: NodeParameter) -> ParameterDescriptor:
-    descriptor = ParameterDescriptor(description=parameter.description, read_only=True)
+    descriptor = ParameterDescriptor(description=parameter.description, read_only=not parameter.changeable)
     if parameter.span is None:
         return descriptor
     low, high = parameter.span

@@ -10,9 +10,11 @@ from typing import Any
 
 from rclpy.node import Node
 
+from cocorosim_ros.graph.nodes.background import run_callbacks
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
 from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell, Terms
+from cocorosim_ros.graph.nodes.run_control import RunControl
 from cocorosim_ros.graph.nodes.wiring import Waiter
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.warm_up import compile_physics
@@ -24,7 +26,7 @@ PARAMETERS = (
     NodeParameter("seed", -1, "seed of the run; -1: the scenario's own", (-1, 2**63 - 1)),
     NodeParameter("external", "", "robots that somebody else controls, separated by spaces"),
     NodeParameter("duration", "", "length of the run such as '60 s'; empty: the scenario's own"),
-    NodeParameter("rate", 0.0, "seconds of simulation per second of wall clock; 0: lock-step", (0.0, 1e6)),
+    NodeParameter("rate", 0.0, "seconds of simulation per second of wall clock; 0: lock-step", (0.0, 1e6), True),
     NodeParameter("recorded", False, "a metrics_node belongs to the run: wait for it, do not outrun it in lock-step"),
     NodeParameter("wait", 60.0, "s of wall clock that controllers and recorder get to appear", (0.0, 86400.0)),
 )
@@ -56,30 +58,43 @@ def scenario_of(values: dict[str, Any]) -> Scenario:
     )
 
 
-def run_lock_step(shell: PhysicsShell, progress: Progress) -> None:
+def run_lock_step(shell: PhysicsShell, progress: Progress, control: RunControl | None = None) -> None:
     """All ticks, each as soon as every answer to the one before is there."""
-    while not shell.stop and shell.simulation.tick < shell.scenario.ticks:
+    while _may_go_on(shell, control)[0]:
         shell.publish_tick()
         shell.gather()
         shell.advance()
         progress(shell.simulation.tick, shell.missing_answers)
 
 
-def run_by_the_clock(shell: PhysicsShell, rate: float, progress: Progress) -> None:
-    """All ticks at `rate` seconds of simulation per second; who has not answered by the next tick is late."""
-    start = time.monotonic()
-    period = shell.scenario.tick_ns * 1e-9 / rate
-    while not shell.stop and shell.simulation.tick < shell.scenario.ticks:
+def run_by_the_clock(shell: PhysicsShell, progress: Progress, control: RunControl) -> None:
+    """All ticks at the rate that `control` has; a controller that has not answered by the next tick is late."""
+    due = time.monotonic()
+    while True:
+        going, held = _may_go_on(shell, control)
+        if not going:
+            return
+        due += held + shell.scenario.tick_ns * 1e-9 / control.rate
         shell.publish_tick()
-        shell.gather_until(start + (shell.simulation.tick + 1) * period)
+        shell.gather_until(due, held)
         shell.simulation.advance()
         progress(shell.simulation.tick, shell.missing_answers)
+
+
+def _may_go_on(shell: PhysicsShell, control: RunControl | None) -> tuple[bool, float]:
+    """Whether another tick is to be done, and how long that was held up from outside [s, wall clock]."""
+    held = 0.0
+    if control is not None and shell.simulation.tick < shell.scenario.ticks:
+        held = control.hold(shell.simulation.time_ns * 1e-9, lambda: shell.stop, shell.begin_anew)
+    return not shell.stop and shell.simulation.tick < shell.scenario.ticks, held
 
 
 def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     """The node's life, from its parameters to the end of the run."""
     values = declare(node, PARAMETERS)
     warn_of_unknown(node)
+    run_callbacks(node)
+    control = RunControl(node, values["rate"], recorded=values["recorded"])
     scenario = scenario_of(values) if supervision is None else supervision.scenario
     if supervision is None:
         check_latency(scenario)
@@ -101,9 +116,9 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     try:
         shell.wait_until_connected()
         if values["rate"] > 0.0:
-            run_by_the_clock(shell, values["rate"], progress)
+            run_by_the_clock(shell, progress, control)
         else:
-            run_lock_step(shell, progress)
+            run_lock_step(shell, progress, control)
     finally:
         shell.end()
         shell.linger()
@@ -116,7 +131,7 @@ def _ready(scenario: Scenario, rate: float) -> str:
 
 def physics(arguments: Sequence[str]) -> None:
     """Run the node until the scenario has ended. Raises CocorosimError."""
-    with ros_node("physics_node", arguments, services=True) as node:
+    with ros_node("physics_node", arguments, services="now") as node:
         run_physics(node)
 
 

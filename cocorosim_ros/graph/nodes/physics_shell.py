@@ -58,12 +58,9 @@ class PhysicsShell:
         check_latency(scenario)
         self.scenario = scenario
         self.bodies = [describe_body(robot) for robot in scenario.robots]
-        self.simulation = Simulation(build_world(scenario), start_poses(scenario)[None])
-        self.barrier = StepBarrier(len(self.bodies), [i for i, body in enumerate(self.bodies) if body.speaks])
         self.stop = False
         self._idle = idle
         self._terms = terms
-        self._side = BodySide(self.bodies, longest_under_way(scenario))
         self._recorder = RecorderEar(node) if terms.recorded else None
         self._speakers = {
             topic: Speaker(node, TOPICS[row].type_name, topic, TOPICS[row].quality)
@@ -74,9 +71,8 @@ class PhysicsShell:
         self._complaints = Complaints(self._speakers[STATUS_TOPIC], terms.tell)
         self._answers = [Answers(node, body, self.complain) for body in self.bodies]
         self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
-        self._missing = [0] * len(self.bodies)
         self._mourned: set[int] = set()
-        self._switch = DeadMansSwitch(len(self.bodies), self.patience)
+        self.begin_anew()
 
     @property
     def missing_answers(self) -> int:
@@ -87,6 +83,15 @@ class PhysicsShell:
     def patience(self) -> float:
         """How long a missing answer is waited for [s, wall clock]."""
         return self.scenario.lockstep.patience
+
+    def begin_anew(self) -> None:
+        """Put everything where it is before the first tick."""
+        scenario, count = self.scenario, len(self.bodies)
+        self.simulation = Simulation(build_world(scenario), start_poses(scenario)[None])
+        self.barrier = StepBarrier(count, [i for i, body in enumerate(self.bodies) if body.speaks])
+        self._side = BodySide(self.bodies, longest_under_way(scenario))
+        self._missing = [0] * count
+        self._switch = DeadMansSwitch(count, self.patience)
 
     def request_stop(self) -> None:
         """Let the run end after the present tick."""
@@ -142,11 +147,14 @@ class PhysicsShell:
                 self._idle(self._answers[waiting[0]].listeners(), deadline - time.monotonic())
         self._note_missing()
 
-    def gather_until(self, moment: float) -> None:
+    def gather_until(self, moment: float, held: float = 0.0) -> None:
         """Take answers until `moment` [s, monotonic clock]; the last command of each robot holds for the patience.
+
+        `held` [s]: how long the tick was held up, which is no silence of a controller.
 
         Raises RunError if a controller has died or is silent for longer, and that means stop.
         """
+        self._switch.excuse(held)
         self._switch.begin_tick(time.monotonic())
         everybody = [listener for answers in self._answers for listener in answers.listeners()]
         while not self.stop and (left := moment - time.monotonic()) > 0.0:

@@ -43,6 +43,12 @@ def given_parameters(node: Node) -> Mapping[str, Any]:
     return given
 
 
+def parameter_services(node: Node) -> None:
+    """Give parameter services to a node that was made without; none where rclpy has another way."""
+    with suppress(ImportError, AttributeError):
+        importlib.import_module("rclpy.parameter_service").ParameterService(node)
+
+
 def load_type_support(message_class: Any) -> None:
     """Load now what rclpy would otherwise load when the class is first used; does nothing where that is unknown."""
     with suppress(ImportError, AttributeError):

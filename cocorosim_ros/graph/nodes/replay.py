@@ -16,6 +16,7 @@ from cocorosim_ros.wire.bags.offered_quality import offered_quality
 from cocorosim_ros.wire.bags.playback import CLOCK_TOPIC, CLOCK_TYPE, Playback, Playing, Span
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.type_store import is_known, type_hash
+from cocorosim_ros.wire.live.viewers import Viewers
 from cocorosim_ros.wire.topics.service_quality import CLOCK, ServiceQuality
 
 CLOCK_RATE = 40  # Hz of wall clock, of a clock that the recording does not have; with fast pace of recorded time
@@ -56,11 +57,15 @@ class Position:
 class Replay:
     """One replay, which ends within a fraction of a second when `stop` is set from outside."""
 
-    def __init__(self, node: Node, bag: Bag, topics: list[str], span: Span, pace: Pace) -> None:
+    def __init__(
+        self, node: Node, bag: Bag, topics: list[str], span: Span, pace: Pace, viewers: Viewers | None = None
+    ) -> None:
+        """`viewers` are sent every message that is published."""
         self.stop = False
         self.position = Position()
         self.left_out: list[str] = []  # sentences: which topics are not published, and why
         self._node = node
+        self._viewers = viewers
         self._pace = pace
         self._show: Callable[[Position], None] = lambda position: None
         self._speakers: dict[str, Speaker] = {}
@@ -75,6 +80,7 @@ class Replay:
         step = 0 if has_clock else pace.clock_step_ns
         self.makes_clock = not has_clock
         types = {topic: speaker.type_name for topic, speaker in self._speakers.items()}
+        self._latched = latched
         self._playback = Playback(bag, span, types, latched, step, pace.rate > 0.0)
         if self.makes_clock:
             self._speak_on(CLOCK_TOPIC, CLOCK_TYPE, CLOCK)
@@ -136,7 +142,7 @@ class Replay:
         reason = _unusable(recorded)
         try:
             if not reason:
-                self._speak_on(recorded.topic, recorded.type_name, _offer(recorded, self._pace))
+                self._speak_on(recorded.topic, recorded.type_name, _offer(recorded, self._pace), recorded.schema)
         except (ImportError, AttributeError):
             reason = f"its type {recorded.type_name} is not installed here"
         except (ValueError, RuntimeError) as error:
@@ -144,10 +150,12 @@ class Replay:
         if reason:
             self.left_out.append(f"{recorded.topic} is not published: {reason}.")
 
-    def _speak_on(self, topic: str, type_name: str, offer: ServiceQuality) -> None:
+    def _speak_on(self, topic: str, type_name: str, offer: ServiceQuality, schema: str = "") -> None:
         # How many messages a volatile publisher keeps is nobody's business but its own.
         depth = max(offer.depth, LEAST_DEPTH) if offer.durability == "volatile" else offer.depth
         self._speakers[topic] = Speaker(self._node, type_name, topic, replace(offer, depth=depth))
+        if self._viewers is not None:
+            self._viewers.add(topic, type_name, schema)
         self._in_flight[topic] = 0
         self._limits[topic] = max(1, depth // 4)
 
@@ -167,6 +175,9 @@ class Replay:
         if topic in MADE_BY_RECORDER and self._node.count_publishers(topic) > 1:
             return  # a metrics node measures the replay
         self._speakers[topic].publish(message.data)
+        if self._viewers is not None:
+            moment = self._playback.span.start_ns + message.after_ns
+            self._viewers.send(topic, moment, message.data, latched=topic in self._latched)
         self.position.messages += 1
         if self.position.messages % SHOWN_EVERY == 0:
             self._show(self.position)

@@ -15,7 +15,7 @@ from cocorosim_ros.graph.nodes.controller_node import run_controller
 from cocorosim_ros.graph.nodes.graph import GraphPlan
 from cocorosim_ros.graph.nodes.metrics_node import run_metrics
 from cocorosim_ros.graph.nodes.node_process import NodeProcess
-from cocorosim_ros.graph.nodes.node_shell import ros_node
+from cocorosim_ros.graph.nodes.node_shell import Services, ros_node
 from cocorosim_ros.graph.nodes.physics_node import Supervision, run_physics
 from cocorosim_ros.graph.nodes.rclpy_internals import load_type_support
 from cocorosim_ros.graph.nodes.shared_state import SharedState
@@ -138,18 +138,25 @@ class Supervisor:
         if self._metrics_failed:
             self._fail_unless_interrupted(self._metrics)
 
+    @property
+    def _services(self) -> Services:
+        """By the wall clock at once, so that making them delays no tick."""
+        return "now" if self.plan.rate else "later"
+
     def _physics_life(self) -> None:
-        with ros_node("physics_node", self.plan.physics_arguments(), services=False) as node:
+        with ros_node("physics_node", self.plan.physics_arguments(), services=self._services) as node:
             run_physics(node, Supervision(self.plan.scenario, self.state.report, self.state.dead))
 
     def _metrics_life(self) -> None:
-        with ros_node("metrics_node", self.plan.metrics_arguments(), services=False) as node:
+        with ros_node("metrics_node", self.plan.metrics_arguments(), services=self._services) as node:
             run_metrics(node, self.plan.scenario)
             self.state.mark_closed()
 
     def _controller_life(self, robot: RobotDescription) -> Callable[[], None]:
         def life() -> None:
-            with ros_node("controller_node", self.plan.controller_arguments(robot.name), services=False) as node:
+            with ros_node(
+                "controller_node", self.plan.controller_arguments(robot.name), services=self._services
+            ) as node:
                 run_controller(node, robot)
 
         return life

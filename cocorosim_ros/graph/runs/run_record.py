@@ -14,6 +14,7 @@ from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.bags.tracks import decode_poses
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
+from cocorosim_ros.wire.live.viewers import Viewers
 from cocorosim_ros.wire.topics.body import BodyDescription
 from cocorosim_ros.wire.topics.topics import TOPICS, robot_topic
 
@@ -103,10 +104,19 @@ class RunRecord:
         self._statistics = statistics_message()
         self._begun = False
         self._scenery = scenery
-        self._selected = selected_topics({**self.topics, **(scenery.topics if scenery else {})}, selection)
+        everything = {**self.topics, **(scenery.topics if scenery else {})}
+        self._selected = selected_topics(everything, selection)
+        self._offered = everything
+        self._viewers: Viewers | None = None
         rows = {topic: TOPICS[row] for topic, row in self._selected.items()}
         channels = [Channel(topic, row.type_name, row.quality) for topic, row in rows.items()]
         self.writer = BagWriter(folder, channels, metadata=metadata, force=force)
+
+    def show_to(self, viewers: Viewers) -> None:
+        """Send them every message from now on, also of topics that are not recorded."""
+        self._viewers = viewers
+        for topic, row in self._offered.items():
+            viewers.add(topic, TOPICS[row].type_name)
 
     def write_tick(self, stamp_ns: int, messages: Mapping[str, bytes]) -> dict[str, bytes]:
         """Record the messages of one tick, and what is made of them; return the latter, by topic.
@@ -118,6 +128,9 @@ class RunRecord:
         for topic in self._selected:
             if topic in messages:
                 write(topic, stamp_ns, stamp_ns, messages[topic])
+        if self._viewers is not None:
+            for topic, data in messages.items():
+                self._viewers.send(topic, stamp_ns, data)
         return self.measure(stamp_ns, [messages[topic] for topic in self.pose_topics], messages)
 
     def write(self, topic: str, stamp_ns: int, data: bytes) -> None:
@@ -125,6 +138,9 @@ class RunRecord:
         self._begin(stamp_ns)
         if topic in self._selected:
             self.writer.write(topic, stamp_ns, stamp_ns, data)
+        if self._viewers is not None:
+            latched = self._scenery is not None and topic in self._scenery.standing
+            self._viewers.send(topic, stamp_ns, data, latched=latched)
 
     def measure(self, stamp_ns: int, poses: Sequence[bytes | None], messages: Mapping[str, bytes]) -> dict[str, bytes]:
         """Record what is made of the poses of all robots at one moment, and return it by topic.

@@ -36,7 +36,7 @@ def compile_everything(scenario: Scenario, tell: Tell = nobody) -> None:
 
 def compile_whole_run(scenario: Scenario, tell: Tell = nobody) -> None:
     """All that a run without nodes needs."""
-    compile_once("run", _text(scenario), lambda: _tick(scenario, decide=True), tell)
+    compile_once("the whole run", _text(scenario), lambda: _tick(scenario, decide=True), tell)
     compile_recorder([describe_body(robot) for robot in scenario.robots], tell)
 
 

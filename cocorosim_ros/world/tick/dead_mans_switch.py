@@ -23,6 +23,10 @@ class DeadMansSwitch:
         """Every controller has readings to answer from now on; an answer that is owed already is owed for longer."""
         self._owing = [moment if since is None else since for since in self._owing]
 
+    def excuse(self, seconds: float) -> None:
+        """Let so long count for nothing, in which no controller had anything to answer."""
+        self._owing = [None if since is None else since + seconds for since in self._owing]
+
     def heard(self, robot: int) -> bool:
         """Note a command of `robot`; True if its switch was off, so that the command turns its actuators on again."""
         was_off, self._off[robot] = self._off[robot], False

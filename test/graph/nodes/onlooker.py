@@ -2,6 +2,8 @@
 
 onlooker.py names NAME...     ends with status 0 as soon as all these nodes are there
 onlooker.py describe NODE     prints the node's parameters as JSON: name to value, type, description, range
+onlooker.py do ACTION...      does one after the other, and prints what is answered as JSON: [success, words]; an action
+                              is SERVICE (a Trigger), SERVICE=true or =false (a SetBool), NODE/NAME=NUMBER (a parameter)
 onlooker.py description TOPIC prints the robot's description, which was published before this looked
 """
 
@@ -10,11 +12,12 @@ import sys
 import time
 
 import rclpy
-from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
+from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.node import Node
-from rclpy.parameter import parameter_value_to_python
+from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import String
+from std_srvs.srv import SetBool, Trigger
 
 LIMIT = 120.0  # s
 
@@ -48,6 +51,21 @@ def describe(node, name):
     }
 
 
+def act(node, action):
+    """What is answered to an action."""
+    place, _, value = action.partition("=")
+    if value in ("true", "false"):
+        answer = ask(node, place, SetBool, SetBool.Request(data=value == "true"))
+        return answer.success, answer.message
+    if not value:
+        answer = ask(node, place, Trigger, Trigger.Request())
+        return answer.success, answer.message
+    owner, _, name = place.rpartition("/")
+    parameter = Parameter(name, value=float(value)).to_parameter_msg()
+    answer = ask(node, f"{owner}/set_parameters", SetParameters, SetParameters.Request(parameters=[parameter]))
+    return answer.results[0].successful, answer.results[0].reason
+
+
 def description(node, topic):
     """The text of a latched std_msgs/String."""
     heard = []
@@ -76,6 +94,10 @@ def main():
     node = Node("onlooker")
     if sys.argv[1] == "describe":
         print(json.dumps(describe(node, sys.argv[2])), flush=True)
+        return 0
+    if sys.argv[1] == "do":
+        for action in sys.argv[2:]:
+            print(json.dumps(act(node, action)), flush=True)
         return 0
     if sys.argv[1] == "description":
         print(description(node, sys.argv[2]), flush=True)

@@ -14,7 +14,9 @@ from typing import Any
 import pytest
 from urdf_parser_py.urdf import URDF
 
+from cocorosim_ros.graph.nodes.node_shell import run_main
 from cocorosim_ros.graph.nodes.path_choice import PATH_VARIABLE
+from cocorosim_ros.wire.bags.bag_folder import make_room
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 BIN = Path(sys.executable).parent
@@ -75,11 +77,30 @@ def test_refusals(command: tuple[str, ...], words: str, shell: dict[str, str]) -
     assert done.stderr.strip().count("\n") == 0, done.stderr
 
 
+def test_a_launch_user_is_told_of_parameters(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """What a command calls --force is force:=true for a node and a launch file."""
+    monkeypatch.setattr(sys, "argv", ["metrics_node"])
+    assert run_main(lambda arguments: make_room(tmp_path, force=False), "") == 2
+    assert capsys.readouterr().err == (
+        f"{tmp_path} exists already; choose another folder, or replace it with force:=true.\n"
+    )
+
+
+def answers(onlooker: Any) -> list[Any]:
+    """What was answered to each of its actions."""
+    return [json.loads(line) for line in onlooker.output.splitlines() if line.startswith("[") and "INFO" not in line]
+
+
 @pytest.mark.parametrize("ros_path", ["", "plain"])
 def test_three_shells_give_the_bag_of_the_command(
     start: Starter, scenario: Callable[..., Path], tmp_path: Path, shell: dict[str, str], ros_path: str
 ) -> None:
-    """Physics, controllers and recorder started by hand, in any order, work together and end together."""
+    """Physics, controllers and recorder started by hand, in any order, work together and end together.
+
+    The run is paused and stepped on the way, which leaves no trace in the recording.
+    """
     shell = {**shell, PATH_VARIABLE: ros_path}
     path = scenario(2, 20)
     physics = start("physics_node", *ros_arguments(scenario=path, recorded="true"), env=shell)
@@ -94,7 +115,13 @@ def test_three_shells_give_the_bag_of_the_command(
     assert parameters["seed"]["range"] == [[-1, 2**63 - 1]]
     own = {name: row for name, row in parameters.items() if name in ("scenario", "rate", "seed", "recorded", "wait")}
     assert len(own) == 5
-    assert all(row["description"] and row["read_only"] for row in own.values())
+    assert all(row["description"] and row["read_only"] == (name != "rate") for name, row in own.items())
+    held = start(ONLOOKER, "do", "/physics_node/step", "/physics_node/pause=true", env=shell)
+    assert held.finish() == 0, held.output
+    assert answers(held) == [
+        [False, "the run is not paused; call ~/pause with 'data: true' first"],
+        [True, "paused at 0 s"],
+    ]
 
     late = start(ONLOOKER, "description", "/lily_02/robot_description", env=shell)
     assert late.finish() == 0, late.output
@@ -106,7 +133,18 @@ def test_three_shells_give_the_bag_of_the_command(
     ]
     arguments = ros_arguments(scenario=path, out=tmp_path / "bag", summary=tmp_path / "summary.json")
     metrics = start("metrics_node", *arguments, env=shell)
+    for node in (metrics, *controllers):
+        node.wait_for("ready: ")
+    freed = start(ONLOOKER, "do", "/physics_node/step", "/physics_node/step", "/physics_node/pause=false", env=shell)
+    assert freed.finish() == 0, freed.output
+    assert answers(freed) == [[True, "at 0.5 s now"], [True, "at 1 s now"], [True, "going on at 1 s"]]
     assert metrics.finish() == 0, metrics.output
+    for node, words in (
+        (physics, "ready: 2 robots of 'small'"),
+        (metrics, "ready: records "),
+        (controllers[0], "ready: 'boids_blt'"),
+    ):
+        assert node.output.count(words) == 1
     assert physics.finish() == 0, physics.output
     for controller in controllers:
         controller.process.terminate()

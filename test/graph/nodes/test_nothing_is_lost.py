@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,8 @@ def test_thirty_robots_lose_nothing(
     bag = tmp_path / "run" / "bag"
     expected = {f"/{robot}/{name}": TICKS for robot in ROBOTS for name in PER_ROBOT}
     expected |= {"/clock": TICKS, "/tf": TICKS, "/shoal_statistics": TICKS, "/diagnostics": 1}
+    expected |= {"/tf_static": 1, "/markers/tank": 1, **{f"/{robot}/robot_description": 1 for robot in ROBOTS}}
+    expected |= {"/markers/swarm": math.ceil(TICKS * 0.5 / 2.0)}  # one every 2 s
     assert counts(bag) == expected
 
     with (bag / "bag_0.mcap").open("rb") as file:

@@ -98,7 +98,7 @@ def test_the_node_of_a_robot_that_is_not_ours(start: Callable[..., Any], free_do
     source = "class Told:\n    def __init__(self, gain=0.5):\n        self.gain = gain\n"
     source += "    def __call__(self, sensed):\n        raise ValueError(f'gain {self.gain} at {sensed.robot}')\n"
     (tmp_path / "told.py").write_text(source, "utf-8")
-    parameters = (f"controller:={tmp_path / 'told.py'}:Told", "controller.gain:=0.75", "period:=0.05")
+    parameters = (f"controller:={tmp_path / 'told.py'}:Told", "setting.gain:=0.75", "period:=0.05")
     given = [word for parameter in parameters for word in ("-p", parameter)]
     env = {"ROS_DOMAIN_ID": free_domain, "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
     node = start("controller_node", "--ros-args", "-r", "__ns:=/lily_07", *given, env=env)

@@ -1,0 +1,1 @@
+"""Topics sent as they come to viewers that connect over a WebSocket, without ROS."""
