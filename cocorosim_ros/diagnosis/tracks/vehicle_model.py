@@ -48,6 +48,7 @@ class VehicleModel:
     actuator_curve: Floats  # (actuators, columns) see world.terms.curve
     full_force: Floats  # (actuators,) at command +1 as the wrench counts it [N], rudders 0
     steering: Floats  # (4,) amounts of X, Y, Z, N of the rudders at full speed [N, N, N, N m; body]
+    above_water: tuple[float, float]  # areas as seen from ahead and from the side [m^2]
     own: Mapping[str, Declared]  # by key of the platform's file, numbers of single actuators that a model has
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
@@ -154,6 +155,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         vehicles.actuator_curve[0, 0],
         platform.full_forces()[:, 0],
         rudder_forces(platform, full_speed(platform)),
+        (platform.hull.front_above_water or 0.0, platform.hull.side_above_water or 0.0),
         own,
         _known_of_sensors(platform),
         {**gain_ranges(platform), **platform.ranges},
