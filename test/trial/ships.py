@@ -16,7 +16,6 @@ FITTED_ZIGZAGS = ("Z_10_05", "Z_20_05", "Z_20_10_P", "Z_30_05")
 WINDOW, AROUND, STEP = 40.0, 0.5, 0.05  # s: of a free run, of readings that give its start, of the simulation
 BAR = (0.97, 0.98, 0.98)  # R2 of u, v, r that has to be reached
 WIND_BAR = 30.0  # deg
-COLUMNS = (0, 1, 3)  # of a velocity stream: u, v, r
 
 
 def ships(pairs: Sequence[tuple[Group, Group]], data: Path, out: Path) -> list[str]:
@@ -59,7 +58,8 @@ def free_runs(platform: Any, bag: Path) -> Iterator[tuple[Any, Any]]:
     from cocorosim_ros.diagnosis.evidence.gather import gather_recording
 
     (log,) = gather_recording(bag, platform).robots
-    time, value = log.streams["velocity"].time, log.streams["velocity"].value[:, COLUMNS]
+    time, speed, turn = log.streams["velocity"].time, log.streams["velocity"].value, log.streams["imu"]
+    value = np.column_stack([speed[:, 0], speed[:, 1], np.interp(time, turn.time, turn.value[:, 0])])
     for begin in np.arange(time[0], time[-1] - WINDOW, WINDOW):
         inside = (time >= begin) & (time < begin + WINDOW)
         near = np.abs(time - begin) <= AROUND

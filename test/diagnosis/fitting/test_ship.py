@@ -1,4 +1,4 @@
-"""A ship with a rudder in the filter: the simulator's course, and numbers of the rudder and the wind from recordings."""
+"""A ship with a rudder in the filter: the simulator's course; numbers of the rudder, and wind, from recordings."""
 
 from __future__ import annotations
 

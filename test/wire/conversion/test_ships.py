@@ -30,7 +30,8 @@ def test_tanker(tmp_path: Path, messages: Messages) -> None:
     place = np.array([[each.position.x, each.position.y] for each in pose])
     yaw = np.unwrap([2.0 * np.arctan2(each.orientation.z, each.orientation.w) for each in pose])
     twist = [each.content.twist for each in topics["/ship/velocity"]]
-    speed = np.array([[each.linear.x, each.linear.y, each.angular.z] for each in twist])
+    rate = np.array([each.content.angular_velocity.z for each in topics["/ship/imu"]])
+    speed = np.column_stack([[each.linear.x for each in twist], [each.linear.y for each in twist], rate])
     moved = np.gradient(place, 0.05, axis=0)
     ahead = moved[:, 0] * np.cos(yaw) + moved[:, 1] * np.sin(yaw)
     aside = moved[:, 1] * np.cos(yaw) - moved[:, 0] * np.sin(yaw)
