@@ -10,8 +10,18 @@ from typing import Any
 
 from trial.examiner import Task, Terms
 from trial.provenance import sentence
-from trial.recordings import Group, dives, flights, hovercraft, minutes_in_the_pool, parts_of_a_mission
+from trial.recordings import (
+    Group,
+    dives,
+    flights,
+    hovercraft,
+    minutes_in_the_pool,
+    parts_of_a_mission,
+    pond,
+    zigzags,
+)
 from trial.sealed import diagnose
+from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, ships
 from trial.ways import answer, effects
 
 MEASURED_AGAINST = (
@@ -52,12 +62,25 @@ def _glider(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[
     yield "slocum_glider", "slocum_glider", own[:1], own[1:]
 
 
+def _tanker(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    own = zigzags(data, out)
+    fitted = [bag for bag in own if bag.name in FITTED_ZIGZAGS]
+    yield TANKER, "kvlcc2_hsva", fitted, [bag for bag in own if bag not in fitted]
+
+
+def _windy(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    own = pond(data, out, "zigzag")
+    yield WINDY, "esso_osaka", own[0::2], own[1::2]
+
+
 SETS: dict[str, Callable[[Path, Path], Iterator[tuple[str, str, list[Path], list[Path]]]]] = {
     "hovercraft_epfl": _hovercraft,
     "haizhe_auv": _haizhe,
     "tauv_pool": _tauv,
     "rgblimp": _rgblimp,
     "slocum_glider": _glider,
+    "kvlcc2_hsva": _tanker,
+    "esso_osaka": _windy,
 }
 """By folder of the data: groups of recordings by name and platform, those learnt from and those held out."""
 
@@ -164,24 +187,34 @@ HEADS = {
         "vehicle in one state, compared by `--against`.", "",
         "| recordings | the same recordings, found model | held-out half against the other |", "|---|---|---|",
     ],
+    "ships": ["", "## Two model ships", ""],
 }  # fmt: skip
 
 
 def _page(
-    pairs: Sequence[tuple[Group, Group]], out: Path, made: Sequence[str], kept: dict[str, list[str]]
+    pairs: Sequence[tuple[Group, Group]],
+    out: Path,
+    made: Sequence[str],
+    kept: dict[str, list[str]],
+    of_ships: Sequence[str] = (),
 ) -> list[str]:
-    """Lines of the page; made: by what; kept: lines of other data sets by section, from the page that was there."""
+    """Lines of the page; made: by what; kept: lines of other data sets by section, from the page that was there.
+
+    of_ships: what is measured of the two model ships alone.
+    """
     own = {
         "found": [line for pair in pairs for line in findings(pair, out)],
         "runs": [line for pair in pairs for line in held_out(pair, out)],
         "again": [again(pair, out) for pair in pairs],
+        "ships": list(of_ships),
     }
+    heads = {name: words for name, words in HEADS.items() if name != "ships" or own[name] or kept.get(name)}
     head = [
         "# Real recordings as they are", "",
         "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half.", "",
         *made, "",
     ]  # fmt: skip
-    return head + [line for name, words in HEADS.items() for line in (*words, *kept.get(name, []), *own[name])] + [""]
+    return head + [line for name, words in heads.items() for line in (*words, *kept.get(name, []), *own[name])] + [""]
 
 
 def kept_lines(page: Path, names: Sequence[str]) -> tuple[list[str], dict[str, list[str]]]:
@@ -215,7 +248,7 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
     diagnose(rest, replace(terms, keep_reports=True))
     made, kept = kept_lines(pages / "real.md", [pair[0].name for pair in pairs])
     mine = f"{sentence(source)} ({', '.join(pair[0].name for pair in pairs)})"
-    text = _page(pairs, out, [*(line for line in made if line != mine), mine], kept)
+    text = _page(pairs, out, [*(line for line in made if line != mine), mine], kept, ships(pairs, data, out))
     pages.mkdir(parents=True, exist_ok=True)
     (pages / "real.md").write_text("\n".join(text), encoding="utf-8")
     facts = {

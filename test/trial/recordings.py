@@ -58,3 +58,13 @@ def flights(data: Path, out: Path) -> list[Path]:
 def parts_of_a_mission(data: Path, out: Path) -> list[Path]:
     """The two parts of the glider's mission."""
     return converted("slocum_glider", data / "slocum_glider", out / "slocum_glider")
+
+
+def zigzags(data: Path, out: Path) -> list[Path]:
+    """Zigzags of the large tanker's model."""
+    return converted("kvlcc2_hsva", data / "kvlcc2_hsva", out / "kvlcc2_hsva")
+
+
+def pond(data: Path, out: Path, kind: str) -> list[Path]:
+    """Drives of the small tanker's model on a pond: `zigzag`, `turning` or `random`."""
+    return converted("esso_osaka", data / "esso_osaka" / kind, out / f"esso_osaka_{kind}")

@@ -65,6 +65,7 @@ class Entry(Standing):
     fixed: Mapping[str, Callable[[Scene], float]] = field(default_factory=dict)
     manoeuvre: str = ""  # a name in catalogue.manoeuvres
     needs_neighbours: bool = False
+    needs_above_water: bool = False
     prior_nats: float = 0.0  # odds against the entry before any evidence, as there are many of its sort
     law: str | None = None  # for laws outside the catalogue: the simulator's effect that acts for the law
     opposite: str = ""  # its name where its first amplitude is negative, "" where the name holds for both signs
@@ -97,6 +98,7 @@ def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
         fixed={column: how.value for column, _, how in found if isinstance(how, Given)},
         manoeuvre=search.manoeuvre,
         needs_neighbours=effect.neighbours,
+        needs_above_water=effect.above_water,
         opposite=effect.opposite,
         **standing,
     )

@@ -52,6 +52,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
         _scales(tracks[0], seen, duration),
         _driven(tracks, seen),
         drag_form,
+        tracks[0].vehicle.above_water,
     )
 
 

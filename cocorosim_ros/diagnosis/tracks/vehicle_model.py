@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD, full_speed
 from cocorosim_ros.diagnosis.tracks.columns import (
     ALWAYS_ACTIVE,
     COLUMN,
@@ -46,8 +46,9 @@ class VehicleModel:
     actuator_limit: Floats  # (actuators, 2) force at command +1 and -1 without own gains, both positive [N]
     is_pump: Flags  # (actuators,)
     actuator_curve: Floats  # (actuators, columns) see world.terms.curve
-    full_force: Floats  # (actuators,) at command +1 as the wrench counts it [N], rudders 0
+    full_force: Floats  # (actuators, 1) at command +1 as the wrench counts it [N], rudders 0
     steering: Floats  # (4,) amounts of X, Y, Z, N of the rudders at full speed [N, N, N, N m; body]
+    above_water: tuple[float, float]  # areas as seen from ahead and from the side [m^2]
     own: Mapping[str, Declared]  # by key of the platform's file, numbers of single actuators that a model has
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
@@ -85,7 +86,7 @@ class VehicleModel:
 
         A rudder counts with its force at full speed.
         """
-        return np.asarray(np.abs(self.actuator_wrench * self.full_force[:, None]).sum(axis=0)) + self.steering
+        return np.asarray(np.abs(self.actuator_wrench * self.full_force).sum(axis=0)) + self.steering
 
     @property
     def is_thruster(self) -> Flags:
@@ -152,8 +153,9 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         _without_gains(platform, own, vehicles.actuator_limit[0, 0]),
         vehicles.is_pump[0, 0],
         vehicles.actuator_curve[0, 0],
-        platform.full_forces()[:, 0],
+        platform.full_forces()[:, AHEAD],
         rudder_forces(platform, full_speed(platform)),
+        (platform.hull.front_above_water or 0.0, platform.hull.side_above_water or 0.0),
         own,
         _known_of_sensors(platform),
         {**gain_ranges(platform), **platform.ranges},

@@ -59,11 +59,16 @@ _CONE = stored(
 
 @dataclass(frozen=True)
 class Hull:
-    """Outer size [m; body axes]."""
+    """Outer size [m; body axes].
+
+    front_above_water, side_above_water: areas that the wind meets from ahead and from the side [m^2], 0 if None.
+    """
 
     length: float = field(metadata=quantity("length", "positive"))
     width: float = field(metadata=quantity("length", "positive"))
     height: float = field(metadata=quantity("length", "positive"))
+    front_above_water: float | None = field(default=None, metadata=quantity("area", "not negative"))
+    side_above_water: float | None = field(default=None, metadata=quantity("area", "not negative"))
 
 
 @dataclass(frozen=True)

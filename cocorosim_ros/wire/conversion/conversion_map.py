@@ -124,6 +124,7 @@ class CsvLayout:
     decimal: str = "."
     skip: int = 0  # lines before the header
     missing: tuple[str, ...] = ("", "nan", "na", "null", "none", "-")
+    encoding: str = "utf-8"
 
 
 @dataclass(frozen=True)

@@ -120,7 +120,8 @@ def _cells(line: str, separator: str) -> list[str]:
 def _lines(path: Path, origin: str, layout: CsvLayout) -> Iterator[tuple[int, list[str]]]:
     """Line number and cells of every line that is neither empty nor a comment."""
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
+        encoding = "utf-8-sig" if layout.encoding == "utf-8" else layout.encoding
+        with path.open(encoding=encoding, newline="") as file:
             numbered = enumerate(file, start=1)
             for number, line in numbered:
                 bare = line.strip()
@@ -128,7 +129,9 @@ def _lines(path: Path, origin: str, layout: CsvLayout) -> Iterator[tuple[int, li
                     continue
                 yield number, _cells(line, layout.separator)
     except UnicodeDecodeError as error:
-        raise CocorosimError(f"{origin} is not UTF-8 text; save it as UTF-8.") from error
+        raise CocorosimError(
+            f"{origin} is not UTF-8 text; save it as UTF-8, or say 'encoding: latin-1' in the map's layout."
+        ) from error
     except csv.Error as error:
         raise CocorosimError(f"{origin} line {number} is not CSV: {error}; correct it.") from error
     except OSError as error:

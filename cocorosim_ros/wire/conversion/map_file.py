@@ -136,7 +136,7 @@ def _robot(entry: Entry, *, from_name: bool) -> RobotMap:
 
 
 def _layout(entry: Entry) -> CsvLayout:
-    section = entry.section((), ("separator", "comment", "header", "decimal", "skip", "missing"))
+    section = entry.section((), ("separator", "comment", "header", "decimal", "skip", "missing", "encoding"))
     plain = CsvLayout()
     separator = str(section["separator"].value) if "separator" in section else plain.separator
     if separator not in (",", ";", "\t", "|", "space"):
@@ -148,6 +148,7 @@ def _layout(entry: Entry) -> CsvLayout:
         section["decimal"].choice((".", ",")) if "decimal" in section else plain.decimal,
         section["skip"].whole_number(0, 10_000) if "skip" in section else plain.skip,
         (*plain.missing, *_words(section["missing"])) if "missing" in section else plain.missing,
+        section["encoding"].choice(("utf-8", "latin-1")) if "encoding" in section else plain.encoding,
     )
 
 

@@ -40,6 +40,7 @@ from cocorosim_ros.world.effects.thruster_misalignment import THRUSTER_MISALIGNM
 from cocorosim_ros.world.effects.tidal_current import TIDAL_CURRENT
 from cocorosim_ros.world.effects.torque_bias import TORQUE_BIAS
 from cocorosim_ros.world.effects.wall_effect import WALL_EFFECT
+from cocorosim_ros.world.effects.wind import WIND
 from cocorosim_ros.world.terms.effect import Effect
 
 BASIC_EFFECTS: dict[str, Effect] = {
@@ -74,6 +75,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "eddy": EDDY,
     "misplaced_root_drag": MISPLACED_ROOT_DRAG,
     "hull_lift": HULL_LIFT,
+    "wind": WIND,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

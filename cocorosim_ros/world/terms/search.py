@@ -30,6 +30,7 @@ class Scene(NamedTuple):
     scales: Mapping[str, float]
     driven: bool
     drag_form: float = 0.0
+    above_water: tuple[float, float] = (0.0, 0.0)  # areas as seen from ahead and from the side [m^2]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,6 +13,8 @@ from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_tree
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform, read_platform_file
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
 
@@ -85,6 +87,7 @@ def test_a_platform_with_a_gain_is_the_start_of_the_fit(tmp_path: Path) -> None:
     path = Path(boat.origin)
     path.write_text(path.read_text().replace("gain: {value: 1,", "gain: {value: 0.8,", 1))
     other = read_platform_file(path)
-    tracks = [first_fit(boats.recorded(each, boats.Truth(), 20.0, 5, thrust)).tracks[0] for each in (boat, other)]
-    drives = [track.actuation.drive(track.vehicle.row).force for track in tracks]
-    np.testing.assert_allclose(drives[1], drives[0] * [0.8, 1.0], rtol=1e-14)
+    vehicles = [vehicle_model(each) for each in (boat, other)]
+    assert vehicles[1].row[COLUMN["own_gain.1"]] == 0.8
+    limits = [vehicle.body(vehicle.row).actuator_limit for vehicle in vehicles]
+    np.testing.assert_allclose(limits[1], limits[0] * [[0.8], [1.0]], rtol=1e-14)
