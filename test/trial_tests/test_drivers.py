@@ -221,8 +221,12 @@ def test_an_earlier_page_is_kept_but_for_what_was_done_again(tmp_path: Path) -> 
 
 def test_data_sets_are_asked_for_by_name(tmp_path: Path) -> None:
     """One that there is not is said, with those that there are; one whose folder is not there makes no group."""
+    from trial.against import halves
     from trial.real import groups
 
     with pytest.raises(ValueError, match="boat is not a data set of real recordings; there are hovercraft_epfl"):
         groups(tmp_path, tmp_path, ["boat"])
     assert groups(tmp_path, tmp_path, ["rgblimp"]) == []
+    with pytest.raises(ValueError, match="boat is not a data set of altered logs; there are hovercraft_epfl"):
+        halves(tmp_path, tmp_path, ["boat"])
+    assert halves(tmp_path, tmp_path, ["rgblimp"]) == []
