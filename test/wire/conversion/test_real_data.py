@@ -97,7 +97,7 @@ def test_pool(tmp_path: Path) -> None:
     span = np.arange(1.0, time[-1] - 1.0, 0.5)
     for axis in range(3):
         moved = np.interp(span + 0.25, time, pose[:, axis]) - np.interp(span - 0.25, time, pose[:, axis])
-        assert np.corrcoef(moved, np.interp(span, time, turned[:, axis]))[0, 1] > 0.95
+        assert np.corrcoef(moved, np.interp(span, time, turned[:, axis]))[0, 1] > 0.9
     assert np.abs(command).max() < 1.0
     assert command.shape[1] == len(load_platform("tauv_pool").actuators)
 
