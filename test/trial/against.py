@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 import random
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -35,11 +36,18 @@ class Halves:
     bad: tuple[Path, ...]
 
 
-def halves(data: Path, out: Path) -> list[tuple[Halves, DataSet]]:
-    """Every second recording of each group against the others, of the data sets that are there."""
+def halves(data: Path, out: Path, sets: Sequence[str] = ()) -> list[tuple[Halves, DataSet]]:
+    """Every second recording of each group against the others, of the data sets that are there; sets: of these alone.
+
+    Raises ValueError for a data set that is not in SETS.
+    """
+    unknown = set(sets) - {each.folder for each in SETS}
+    if unknown:
+        known = ", ".join(each.folder for each in SETS)
+        raise ValueError(f"{min(unknown)} is not a data set of altered logs; there are {known}")
     found = []
     for each in SETS:
-        if not (data / each.folder).exists():
+        if not (data / each.folder).exists() or (sets and each.folder not in sets):
             continue
         for name, bags in each.groups(data, out):
             chosen = bags[: each.most]
@@ -120,7 +128,7 @@ def _number(name: str, told: dict[str, Any]) -> str:
 
 def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any]) -> int:
     """Draw, alter, diagnose and judge everything; write the page and its numbers. source: what made them."""
-    plan = drawn(halves(data, out), source["count"], source["seed"])
+    plan = drawn(halves(data, out, source["sets"]), source["count"], source["seed"])
     outcomes = diagnose([task(group, way, out) for group, way in plan], terms)
     seconds = {each.name: each.seconds for each in outcomes}
     rows, lines = [], []

@@ -28,6 +28,11 @@ def _command(options: argparse.Namespace) -> str:
     return " ".join(["prove.py", *words])
 
 
+def _sets(options: argparse.Namespace) -> list[str]:
+    """Folders of the data sets that the command line asks for; all if none."""
+    return options.sets.split(",") if options.sets else []
+
+
 def _sealed(options: argparse.Namespace) -> int:
     from trial import sealed
     from trial.parts import parts
@@ -75,9 +80,8 @@ def _real(options: argparse.Namespace) -> int:
     from trial.provenance import noted
     from trial.real import prove
 
-    sets = tuple(options.sets.split(",")) if options.sets else ()
     source = noted(options.out, _command(options))
-    return prove(options.data, options.out, options.pages, terms_of(options), source, sets)
+    return prove(options.data, options.out, options.pages, terms_of(options), source, _sets(options))
 
 
 def _against(options: argparse.Namespace) -> int:
@@ -86,7 +90,7 @@ def _against(options: argparse.Namespace) -> int:
 
     source = noted(options.out, _command(options))
     word = source.setdefault("seed_word", options.seed_word or source["commit"])
-    source |= {"seed": seed_of(word), "count": options.count}
+    source |= {"seed": seed_of(word), "count": options.count, "sets": _sets(options)}
     note(options.out, source)
     return prove(options.data, options.out, options.pages, terms_of(options), source)
 
@@ -119,6 +123,7 @@ def parser() -> argparse.ArgumentParser:
     four = commands.add_parser("against", parents=[common], help="altered logs against unaltered ones")
     four.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")
     four.add_argument("--count", type=int, default=200, help="altered logs, beside a control for each group")
+    four.add_argument("--sets", default="", help="folders of the data sets, by commas; all if left out")
     four.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
     four.set_defaults(run=_against)
     return whole

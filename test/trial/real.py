@@ -120,7 +120,8 @@ def replay(pair: tuple[Group, Group], out: Path) -> list[Task]:
 
 
 def _number(value: Any) -> str:
-    return "-" if value is None else f"{value:.3g}"
+    """Three digits of a number; words as they are, such as what was wrong with a frame."""
+    return "-" if value is None else value if isinstance(value, str) else f"{value:.3g}"
 
 
 def held_out(pair: tuple[Group, Group], out: Path) -> list[str]:

@@ -221,8 +221,28 @@ def test_an_earlier_page_is_kept_but_for_what_was_done_again(tmp_path: Path) -> 
 
 def test_data_sets_are_asked_for_by_name(tmp_path: Path) -> None:
     """One that there is not is said, with those that there are; one whose folder is not there makes no group."""
+    from trial.against import halves
     from trial.real import groups
 
     with pytest.raises(ValueError, match="boat is not a data set of real recordings; there are hovercraft_epfl"):
         groups(tmp_path, tmp_path, ["boat"])
     assert groups(tmp_path, tmp_path, ["rgblimp"]) == []
+    with pytest.raises(ValueError, match="boat is not a data set of altered logs; there are hovercraft_epfl"):
+        halves(tmp_path, tmp_path, ["boat"])
+    assert halves(tmp_path, tmp_path, ["rgblimp"]) == []
+
+
+def test_a_page_tells_findings_in_words_and_numbers(tmp_path: Path) -> None:
+    """A frame that was mixed up has words where others have a number; no diagnosis is said."""
+    from trial.real import findings
+    from trial.recordings import Group
+
+    pair = Group("boat", "lily", (tmp_path,)), Group("boat_held_out", "lily", (tmp_path,))
+    assert findings(pair, tmp_path) == ["- boat: no diagnosis"]
+    effect = said("frame_mixup")["effects"][0] | {"nats": 20.0, "tier": "confirmed"}
+    effect["parameters"] = {"correction": {"value": "its sign is flipped", "unit": None}}
+    (tmp_path / "diagnoses" / "boat").mkdir(parents=True)
+    (tmp_path / "diagnoses" / "boat" / "diagnosis.json").write_text(
+        json.dumps({"verdict": "mismatch", "effects": [effect]})
+    )
+    assert "correction its sign is flipped" in findings(pair, tmp_path)[1]

@@ -83,7 +83,7 @@ def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform, g
         )
     if not any(use.varied for use in command_use(robot, actuators)) and not _driven_otherwise(robot, given):
         commands = ", ".join(f"{name} {value:g}" for name, value in zip(actuators, robot.command[0], strict=True))
-        alike = ", as in all other recordings of it," if len(_logs(robot.name, given)) > 1 else ""
+        alike = ", as in all other recordings of it," if len(_logs(robot.name, given)) > 1 else ","
         return (
             f"{place} has the same commands throughout ({commands}){alike} so that no cause can be told from another; "
             "vary every actuator, also backwards and through zero, or give recordings with other commands too."

@@ -12,8 +12,8 @@ import pytest
 from cocorosim_ros.diagnosis.evidence.frames.agreement import nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
 from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
-from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 
 Swum = Callable[[Any], RobotLog]
 DEGREES = 180.0 / np.pi
@@ -244,3 +244,20 @@ def test_an_imu_on_its_side_is_said(swum: Swum, swim: Any, lily_platform: Platfo
     (found,) = needed_corrections(log, lily_platform)
     assert found.topic == "imu" and "along its x axis" in found.because and found.matrix is None
     assert corrected(log, [found]) == log
+
+
+def test_a_hull_that_is_led_through_a_spiral_is_no_mixup() -> None:
+    """Wings let a blimp fly where it points, while drag by the total speed alone would let it slip a quarter turn."""
+    logs = []
+    for number, rate in enumerate((0.6, 0.7, 0.8)):
+        time = np.arange(0.0, 60.0, 0.05)
+        yaw, speed = rate * time, 0.5 + 0.05 * number
+        place = [speed / rate * np.sin(yaw), -speed / rate * np.cos(yaw)]
+        pose = np.column_stack([*place, -0.01 * time, yaw])
+        pose += 0.001 * np.random.default_rng(number).standard_normal(pose.shape)
+        command = np.tile([0.2, 0.6 + 0.05 * number], (len(time), 1))
+        logs.append(RobotLog("blimp", time, command, {"pose": Stream(time, pose, np.full(4, 0.001))}))
+    assert needed_corrections(logs, load_platform("rgblimp")) == ()
+    quarter = [mixed(log, "pose", lambda v: [v[0], v[1], v[2], v[3] - np.pi / 2]) for log in logs]
+    (correction,) = needed_corrections(quarter, load_platform("rgblimp"))
+    assert "90 degrees have to be added" in correction.wrong

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.config_files import find_config
@@ -83,3 +84,46 @@ def test_killifish(tmp_path: Path) -> None:
     assert len(samples.stamp_ns) == 247
     metrics = measure_samples(samples).summary()["metrics"]
     assert 0.0 < metrics["polarisation_travel"]["mean"] < 1.0
+
+
+def test_pool(tmp_path: Path) -> None:
+    """Sixteen minutes; the velocity turned by the pose's attitude is its rate, within the lag of the speed log."""
+    done = convert(load_map(find_config("maps", "tauv_pool")), DATA / "tauv_pool", tmp_path / "bags")
+    assert len(done) == 16
+    streams = {stream.topic: stream for stream in done[4].conversion.streams}
+    time = (streams["pose"].stamp_ns - streams["pose"].stamp_ns[0]) / 1e9
+    pose, velocity, command = (streams[topic].rows.values for topic in ("pose", "velocity", "thruster_command"))
+    turned = Rotation.from_quat(pose[:, 3:7]).apply(velocity[:, :3])
+    span = np.arange(1.0, time[-1] - 1.0, 0.5)
+    for axis in range(3):
+        moved = np.interp(span + 0.25, time, pose[:, axis]) - np.interp(span - 0.25, time, pose[:, axis])
+        assert np.corrcoef(moved, np.interp(span, time, turned[:, axis]))[0, 1] > 0.9
+    assert np.abs(command).max() < 1.0
+    assert command.shape[1] == len(load_platform("tauv_pool").actuators)
+
+
+def test_flights(tmp_path: Path) -> None:
+    """Each of 22 flights has one pair of thrusts; the stronger right one turns it to the left, as its platform says."""
+    done = convert(load_map(find_config("maps", "rgblimp")), DATA / "rgblimp", tmp_path / "bags")
+    assert len(done) == 22
+    wrench = load_platform("rgblimp").actuator_wrenches()[:, 3] * load_platform("rgblimp").actuator_limits()[:, 0]
+    for made in done:
+        command = next(stream for stream in made.conversion.streams if stream.topic == "thruster_command").rows.values
+        np.testing.assert_allclose(command, np.tile(command[0], (len(command), 1)), rtol=1e-9)
+        track = read_poses(made.folder)["blimp"]
+        turned = np.unwrap(track.yaw)[-1] - np.unwrap(track.yaw)[0]
+        assert command[0] @ wrench == pytest.approx(0.0, abs=1e-12) or turned > 0.0
+
+
+def test_glider(tmp_path: Path) -> None:
+    """It sinks with its nose down and its pump at full displacement downwards, and rises with both turned round."""
+    done = convert(load_map(find_config("maps", "slocum_glider")), DATA / "slocum_glider", tmp_path / "bags")
+    assert [made.folder.name for made in done] == ["A", "B"]
+    for made in done:
+        streams = {stream.topic: stream.rows.values for stream in made.conversion.streams}
+        depth = (streams["pressure"][:, 0] - 101325.0) / (1005 * 9.81)
+        assert 0.0 < depth.min() < 1.0 and 40.0 < depth.max() < 45.0
+        ballast = streams["thruster_command"][:, 0]
+        under = (depth > 5.0) & (np.abs(ballast) > 0.9)
+        rate = np.gradient(depth)[under]
+        assert np.mean(np.sign(rate) == -np.sign(ballast[under])) > 0.95

@@ -51,6 +51,14 @@ class Expected:
         velocity = _free_run(world, self.drag, float(self.time[1] - self.time[0]))
         return ExpectedCourse(velocity, np.asarray(world - self.drag * np.abs(velocity) * velocity))
 
+    def led(self, angle: Floats, *, mirrored: bool = False) -> Complex:
+        """Velocity (n,) [m/s; world] of a robot that heads along `angle` (n,) [rad] and that its hull leads there.
+
+        m dv/dt = X - k |v| v along the axes of the body, whatever it turns.
+        """
+        push = np.conj(self.push) if mirrored else self.push
+        return np.asarray(_free_run(push, self.drag, float(self.time[1] - self.time[0])) * np.exp(1j * angle))
+
 
 def expected_motion(log: RobotLog, platform: Platform) -> Expected | None:
     """Motion of the platform under the commands of a log; None without commands.

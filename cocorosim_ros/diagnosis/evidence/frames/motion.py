@@ -32,14 +32,20 @@ from cocorosim_ros.scenario.parts.platform import Platform
 
 @dataclass(frozen=True)
 class Courses:
-    """Velocities x + iy (n,) [m/s; world] that are expected under the commands, and under their mirror image."""
+    """Velocities x + iy (n,) [m/s; world] that are expected under the commands, and under their mirror image.
+
+    A hull that slips freely coasts on in the world as it turns; one that is led, by its wings or its length, takes its
+    velocity along. Vehicles lie between the two.
+    """
 
     commanded: Complex
     mirrored: Complex  # left and right exchanged
+    led: Complex
+    led_mirrored: Complex
 
-    def under(self, mirrored: int) -> Complex:
-        """The course under the commands, or (1) under their mirror image."""
-        return self.mirrored if mirrored else self.commanded
+    def under(self, mirrored: int) -> tuple[Complex, Complex]:
+        """Courses under the commands, or (1) under their mirror image, of a hull that slips and of one that is led."""
+        return (self.mirrored, self.led_mirrored) if mirrored else (self.commanded, self.led)
 
 
 @dataclass(frozen=True)
@@ -125,7 +131,7 @@ def motion_together(logs: Sequence[RobotLog], platform: Platform) -> ShownMotion
 
 def _behind_each_other(parts: Sequence[Any]) -> Any:
     if isinstance(parts[0], Courses):
-        return Courses(*(np.concatenate([part.under(mirrored) for part in parts]) for mirrored in (0, 1)))
+        return Courses(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Courses)))
     return np.concatenate(parts)
 
 
@@ -174,11 +180,15 @@ def _by_heading(bins: _Bins, log: RobotLog, expected: Expected | None, topic: st
     angle = _angle(log, expected, topic, column)
     if expected is None or angle is None:
         unknown = np.full(bins.count, np.nan) + 0j
-        return Courses(unknown, unknown)
-    plain = bins.complex_mean(expected.time, expected.course(angle).velocity)
-    if not expected.push.imag.any():
-        return Courses(plain, plain)
-    return Courses(plain, bins.complex_mean(expected.time, expected.course(angle, mirrored=True).velocity))
+        return Courses(unknown, unknown, unknown, unknown)
+
+    def shown(mirrored: bool) -> list[Complex]:
+        courses = expected.course(angle, mirrored=mirrored).velocity, expected.led(angle, mirrored=mirrored)
+        return [bins.complex_mean(expected.time, course) for course in courses]
+
+    slipping, led = shown(mirrored=False)
+    slipping_mirrored, led_mirrored = shown(mirrored=True) if expected.push.imag.any() else (slipping, led)
+    return Courses(slipping, slipping_mirrored, led, led_mirrored)
 
 
 def _in_body(bins: _Bins, log: RobotLog, expected: Expected | None) -> tuple[Complex, Complex]:

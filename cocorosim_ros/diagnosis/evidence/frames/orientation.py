@@ -136,14 +136,19 @@ def _course_table(motion: ShownMotion, expected: Courses) -> Floats:
     """Nats (2, 2, 2, 4) by mirrored course, mirrored angle, mirrored commands, and quarter turns between them.
 
     The quarter turns are those of the course against angle and commands. Under a mirrored angle the expected course is
-    the mirror image of the course with left and right exchanged.
+    the mirror image of the course with left and right exchanged. Of a hull that slips and one that is led, the one
+    counts that fits better: a vehicle that is led, in a turn, is a quarter ahead of one that slips.
     """
     scores = np.zeros((2, 2, 2, 4))
     for course, heading, command in product((0, 1), repeat=3):
         left = np.conj(motion.course) if course else motion.course
-        right = np.conj(expected.under(1 - command)) if heading else expected.under(command)
-        found = correlation(left, right)
-        scores[course, heading, command] = [(found * 1j**quarter).real for quarter in range(4)]
+        of_hulls = [
+            correlation(left, np.conj(right) if heading else right)
+            for right in expected.under(1 - command if heading else command)
+        ]
+        scores[course, heading, command] = [
+            max((found * 1j**quarter).real for found in of_hulls) for quarter in range(4)
+        ]
     count = independent(motion.course, expected.commanded, motion.weight)
     return nats_behind(np.square(np.maximum(scores, 0.0)), float(scores.max(initial=0.0)) ** 2, count)
 
