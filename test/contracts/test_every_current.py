@@ -19,6 +19,8 @@ GRID_AXES = [np.array([0.0, 10.0]), np.array([-2.0, -0.5, 0.0]), np.linspace(-3.
 
 def numbers_of(name: str) -> Any:
     """Numbers of a current: its parameters from 0.05 upwards, or a small random table."""
+    if name == "waves":  # one of 2.6 s in 2 m of water, along +x
+        return np.array([2.0, 0.05, 2.4, 0.7, 0.7, 0.0, 0.3])
     if name not in TABLES:
         return 0.05 * np.arange(1.0, 1.0 + len(CURRENTS[name].parameters))
     sizes = [len(axis) for axis in GRID_AXES]

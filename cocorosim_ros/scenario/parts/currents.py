@@ -8,6 +8,7 @@ from typing import Literal
 from cocorosim_ros.scenario.parts.flow_file import FlowFile, read_flow_file
 from cocorosim_ros.scenario.parts.ocean_current import OceanCurrent
 from cocorosim_ros.scenario.parts.stated_file import stated_file_text
+from cocorosim_ros.scenario.parts.waves import Waves
 from cocorosim_ros.scenario.reading.records import choice, quantity, stored
 
 
@@ -66,7 +67,7 @@ class GriddedCurrent:
     kind: Literal["gridded"] = field(default="gridded", metadata=choice("gridded"))
 
 
-VelocityCurrent = UniformCurrent | ShearedCurrent | TidalCurrent | VortexCurrent | GriddedCurrent | OceanCurrent
+VelocityCurrent = UniformCurrent | ShearedCurrent | TidalCurrent | VortexCurrent | GriddedCurrent | OceanCurrent | Waves
 VELOCITY_CURRENTS: dict[str, type[VelocityCurrent]] = {
     "uniform": UniformCurrent,
     "sheared": ShearedCurrent,
@@ -74,4 +75,5 @@ VELOCITY_CURRENTS: dict[str, type[VelocityCurrent]] = {
     "vortex": VortexCurrent,
     "gridded": GriddedCurrent,
     "ocean": OceanCurrent,
+    "waves": Waves,
 }

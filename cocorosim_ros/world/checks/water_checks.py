@@ -8,11 +8,13 @@ from cocorosim_ros.scenario.parts.ocean_current import OceanCurrent
 from cocorosim_ros.scenario.parts.plume import Plume
 from cocorosim_ros.scenario.parts.stated_file import naming_entry
 from cocorosim_ros.scenario.parts.water import patch_counts, patch_that_divides
+from cocorosim_ros.scenario.parts.waves import Waves
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.water.ocean.model_file import OceanFileError
 from cocorosim_ros.world.water.ocean.ocean_field import ocean_field
+from cocorosim_ros.world.water.sea_state import breaks
 
 _WHOLE = 1e-9
 MOST_PATCHES = 50_000_000
@@ -21,6 +23,7 @@ MOST_PATCHES = 50_000_000
 def check_water(scenario: Scenario, entry: Entry) -> None:
     """Nothing, if the water fits tank and tick; CocorosimError names what does not."""
     _check_oceans(scenario, entry)
+    _check_waves(scenario, entry)
     if scenario.water is not None and scenario.water.plume is not None:
         _check_plume(scenario, scenario.water.plume, entry.mapping()["plume"].mapping())
     forces = None if scenario.water is None else scenario.water.force_currents
@@ -50,6 +53,19 @@ def check_water(scenario: Scenario, entry: Entry) -> None:
         raise place.problem(
             f"has patches of {forces.patch:g} m, {patches:,} of them, more than {MOST_PATCHES:,}; choose larger ones."
         )
+
+
+def _check_waves(scenario: Scenario, entry: Entry) -> None:
+    for place, current in enumerate(() if scenario.water is None else scenario.water.currents):
+        if not isinstance(current, Waves):
+            continue
+        depth = scenario.tank.depth if current.depth is None else current.depth
+        if (highest := breaks(current, depth)) is not None:
+            section = entry.mapping()["currents"].items()[place].mapping()
+            raise section["height"].problem(
+                f"has {section['height'].found()}, but waves of {current.period:g} s in {depth:g} m of water break "
+                f"from {highest:.3g} m on; choose lower or longer waves."
+            )
 
 
 def _check_oceans(scenario: Scenario, entry: Entry) -> None:

@@ -98,6 +98,9 @@ class Simulation:
         flow, lamps, smell = world.water.flow, world.lamps, self.water.concentration
         afloat = Afloat(self.water.vehicles, world.tank, flow, self._neighbours, self._cones, lamps, smell)
         sense(self.state, self.time_ns * 1e-9, afloat, world.instruments, self.readings, self.nearest)
+        if world.water.waves:
+            weight = world.instruments.water_density * world.instruments.gravity
+            self.water.press(self.state, self.time_ns * 1e-9, weight, self.readings.pressure)
         if self._wants.neighbours.any():
             wanted = self._wants.neighbours
             exact_neighbours(self.state, wanted, EXACT_RANGE, self._neighbours, self.neighbourhood)

@@ -13,6 +13,7 @@ from cocorosim_ros.world.seeding.seeding import generator
 from cocorosim_ros.world.state.interval import Interval
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS, Vehicles
+from cocorosim_ros.world.water.currents.waves import add_wave_pressure
 from cocorosim_ros.world.water.flow import make_flow
 from cocorosim_ros.world.water.force_field.force_field import ForceField
 from cocorosim_ros.world.water.force_field.wakes import JET_SIZE
@@ -34,6 +35,7 @@ class Water:
     patches: Patches | None = None  # of the forces
     jets: Floats = field(default_factory=_no_jets)  # (robots, jets, JET_SIZE), see force_field.wakes
     plume: Plume | None = None
+    waves: tuple[Floats, ...] = ()  # the numbers of each sea, which pressure sensors feel
     layers: Layers | None = None  # of density
     ticks_per_step: int = 1  # of the forces
     seed: int = 0
@@ -64,6 +66,11 @@ class MovingWater:
             return
         draws = [generator(water.seed, "cold spots", run=water.first_run + run) for run in range(runs)]
         self.fields = [ForceField(water.forces, water.patches, random) for random in draws]
+
+    def press(self, state: Floats, time: float, weight: Floats, pressure: Floats) -> None:
+        """Add what waves do to the `pressure` (runs, robots) [Pa] of robots; `weight` (robots,) of the water [Pa/m]."""
+        for sea in self.water.waves:
+            add_wave_pressure(state, time, sea, weight, pressure)
 
     def begin(self, state: Floats) -> None:
         """Let the water act on robots that are where `state` (runs, robots, columns) says at time 0."""

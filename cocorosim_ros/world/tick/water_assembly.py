@@ -32,7 +32,13 @@ def build_water(scenario: Scenario, first_run: int = 0) -> Water:
     if scenario.water is None:
         return Water()
     forces = scenario.water.force_currents
-    still = Water(flow=make_flow(scenario_currents(scenario)), plume=scenario.water.plume, layers=_layers(scenario))
+    currents = scenario_currents(scenario)
+    still = Water(
+        flow=make_flow(currents),
+        plume=scenario.water.plume,
+        waves=tuple(numbers for name, numbers in currents if name == "waves"),
+        layers=_layers(scenario),
+    )
     if forces is None:
         return still
     return replace(

@@ -9,6 +9,7 @@ from cocorosim_ros.world.water.currents.sheared import SHEARED
 from cocorosim_ros.world.water.currents.tidal import TIDAL
 from cocorosim_ros.world.water.currents.uniform import UNIFORM
 from cocorosim_ros.world.water.currents.vortex import VORTEX
+from cocorosim_ros.world.water.currents.waves import WAVES
 
 CURRENTS: dict[str, Current] = {
     "uniform": UNIFORM,
@@ -17,4 +18,5 @@ CURRENTS: dict[str, Current] = {
     "vortex": VORTEX,
     "gridded": GRIDDED,
     "ocean": OCEAN,
+    "waves": WAVES,
 }

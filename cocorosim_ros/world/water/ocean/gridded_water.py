@@ -15,7 +15,7 @@ from cocorosim_ros.world.water.ocean.model_file import OceanFileError
 class GriddedWater:
     """Axes t [s since the start], z, y, x [m; world], ascending, and fields (nt, nz, ny, nx) by what they are.
 
-    Fields: u, v, w [m/s; world], temperature [degC], salinity; NaN on land.
+    Fields: eastward, northward, upward [m/s; world], temperature [degC], salinity; NaN on land.
     """
 
     axes: tuple[Floats, Floats, Floats, Floats]
@@ -34,12 +34,12 @@ def bracket(axis: Floats, low: float, high: float) -> slice:
     return slice(first, last + 1)
 
 
-def check_covers(axis: Floats, low: float, high: float, words: tuple[str, str]) -> None:
+def check_covers(axis: Floats, low: float, high: float, up: str, down: str) -> None:
     """Nothing, if an ascending axis reaches from `low` to `high` [m]. Raises OceanFileError.
 
-    words: which way is up the axis, which down.
+    up, down: which way goes up the axis, which down, in words.
     """
-    for reaches, needed, way in ((high - axis[-1], high, words[0]), (axis[0] - low, low, words[1])):
+    for reaches, needed, way in ((high - axis[-1], high, up), (axis[0] - low, low, down)):
         if reaches > 0.0:
             raise OceanFileError(
                 f"which ends {reaches:.4g} m before the tank does, {abs(needed):.4g} m {way} of the origin; take a "

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.reading.entry import listed, quoted
+from cocorosim_ros.scenario.reading.entry import listed
 
 
 class OceanFileError(ValueError):
@@ -25,9 +25,13 @@ _DEGREES = ("degc", "degrees_c", "degree_c", "degree_celsius", "degrees_celsius"
 _SALT = ("1e-3", "0.001", "psu", "1", "g kg-1", "g/kg", "pss-78", "pss", "psal", "practical salinity unit", "")
 # By what it is: names, standard names, units (the first is told).
 VARIABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
-    "u": (("uo", "water_u", "u_eastward", "u"), ("eastward_sea_water_velocity", "sea_water_x_velocity"), _SPEED),
-    "v": (("vo", "water_v", "v_northward", "v"), ("northward_sea_water_velocity", "sea_water_y_velocity"), _SPEED),
-    "w": (("wo", "water_w", "w"), ("upward_sea_water_velocity",), _SPEED),
+    "eastward": (("uo", "water_u", "u_eastward", "u"), ("eastward_sea_water_velocity", "sea_water_x_velocity"), _SPEED),
+    "northward": (
+        ("vo", "water_v", "v_northward", "v"),
+        ("northward_sea_water_velocity", "sea_water_y_velocity"),
+        _SPEED,
+    ),
+    "upward": (("wo", "water_w", "w"), ("upward_sea_water_velocity",), _SPEED),
     "temperature": (
         ("thetao", "water_temp", "temp", "temperature"),
         ("sea_water_potential_temperature", "sea_water_temperature"),
@@ -35,6 +39,7 @@ VARIABLES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]
     ),
     "salinity": (("so", "salinity", "salt"), ("sea_water_salinity", "sea_water_practical_salinity"), ("psu", *_SALT)),
 }
+VELOCITY = ("eastward", "northward", "upward")
 # By axis: names, standard names, the letter of the attribute `axis`.
 AXES: Mapping[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
     "t": (("time", "ocean_time", "time_counter", "MT"), ("time",), "T"),
@@ -59,7 +64,7 @@ def open_model(path: str) -> Any:
 
 
 def variable(data: Any, what: str) -> str | None:
-    """The name of what is 'u', 'temperature', ...; None if the file has none. Raises OceanFileError for its units."""
+    """The name of one of VARIABLES in the file; None if it has none. Raises OceanFileError for its units."""
     names, standard, units = VARIABLES[what]
     found = _named(data.data_vars, names, standard)
     if found is None:
@@ -73,16 +78,16 @@ def variable(data: Any, what: str) -> str | None:
 def needed_variables(data: Any, buoyancy: bool) -> dict[str, str]:
     """The names in the file of velocities, and of temperature and salinity where they are asked for."""
     found = {what: name for what in VARIABLES if (name := variable(data, what)) is not None}
-    missing = [what for what in ("u", "v") if what not in found]
+    missing = [what for what in VELOCITY[:2] if what not in found]
     if missing:
         have = listed(map(str, data.data_vars), "and") or "nothing"
-        raise OceanFileError(f"in which no velocity {quoted(missing)} is recognised (it has {have}).")
+        raise OceanFileError(f"in which no {listed(missing, 'and')} velocity is recognised (it has {have}).")
     lacking = [what for what in ("temperature", "salinity") if what not in found]
     if buoyancy and lacking:
         raise OceanFileError(
             f"which has no {listed(lacking, 'and')} to make density of; take one that has, or write 'buoyancy: false'."
         )
-    wanted = ("u", "v", "w", "temperature", "salinity") if buoyancy else ("u", "v", "w")
+    wanted = VARIABLES if buoyancy else VELOCITY
     return {what: found[what] for what in wanted if what in found}
 
 

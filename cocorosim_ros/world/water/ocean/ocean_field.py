@@ -14,6 +14,7 @@ from cocorosim_ros.world.water.ocean.gridded_water import GriddedWater, bracket,
 from cocorosim_ros.world.water.ocean.local_frame import LocalFrame
 from cocorosim_ros.world.water.ocean.model_file import (
     S_LEVELS,
+    VELOCITY,
     OceanFileError,
     axis_coordinate,
     heights,
@@ -26,7 +27,6 @@ from cocorosim_ros.world.water.ocean.roms import roms_water
 from cocorosim_ros.world.water.ocean.sea_water import BAR_PER_METRE, density
 
 _SLACK = 1e-6  # s
-Size = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class OceanField:
 
 
 @lru_cache(maxsize=4)  # a scenario is checked, built and drawn with the same one
-def ocean_field(current: OceanCurrent, size: Size, duration: float) -> OceanField:
+def ocean_field(current: OceanCurrent, size: tuple[float, float, float], duration: float) -> OceanField:
     """The water in a tank of `size` x, y, depth [m] around the origin, for a run of `duration` [s].
 
     Raises OceanFileError: the end of a sentence that says what of the file does not fit.
@@ -47,7 +47,7 @@ def ocean_field(current: OceanCurrent, size: Size, duration: float) -> OceanFiel
         names = needed_variables(data, current.buoyancy)
         water = _in_time(data, names, current, duration, size)
     _check_water(water)
-    velocity = np.stack([water.fields.get(what, np.zeros_like(water.fields["u"])) for what in "uvw"], axis=-1)
+    velocity = np.stack([water.fields.get(what, np.zeros_like(water.fields["eastward"])) for what in VELOCITY], axis=-1)
     dense = np.zeros(0)
     if current.buoyancy:
         bar = np.maximum(-water.axes[1], 0.0)[None, :, None, None] * BAR_PER_METRE
@@ -55,9 +55,11 @@ def ocean_field(current: OceanCurrent, size: Size, duration: float) -> OceanFiel
     return OceanField(water.numbers(velocity), dense)
 
 
-def _in_time(data: Any, names: dict[str, str], current: OceanCurrent, duration: float, size: Size) -> GriddedWater:
+def _in_time(
+    data: Any, names: dict[str, str], current: OceanCurrent, duration: float, size: tuple[float, float, float]
+) -> GriddedWater:
     """The water around the origin at the moments of the run."""
-    frame, u = LocalFrame(current.latitude, current.longitude), names["u"]
+    frame, u = LocalFrame(current.latitude, current.longitude), names["eastward"]
     clock = axis_coordinate(data, u, "t")
     times = np.zeros(1)
     if clock is not None:
@@ -82,9 +84,9 @@ def _check_times(data: Any, clock: str, times: Floats, duration: float) -> None:
         )
 
 
-def _rectilinear(data: Any, names: dict[str, str], frame: LocalFrame, size: Size) -> GriddedWater:
+def _rectilinear(data: Any, names: dict[str, str], frame: LocalFrame, size: tuple[float, float, float]) -> GriddedWater:
     """The fields of a file whose axes are depth, latitude and longitude; the first axis is a count of its moments."""
-    u = names["u"]
+    u = names["eastward"]
     found = {axis: axis_coordinate(data, u, axis) for axis in "zyx"}
     for axis, what in (("z", "depth"), ("y", "latitude"), ("x", "longitude")):
         if found[axis] is None:
@@ -105,13 +107,13 @@ def _rectilinear(data: Any, names: dict[str, str], frame: LocalFrame, size: Size
         order = np.argsort(axes[axis])
         ascending = axes[axis][order]
         if axis != "z":
-            check_covers(ascending, low, high, ("east", "west") if axis == "x" else ("north", "south"))
+            check_covers(ascending, low, high, *(("east", "west") if axis == "x" else ("north", "south")))
         part = bracket(ascending, low, high)
         cut[axis], parts[str(data[found[axis]].dims[0])] = ascending[part], order[part]
     near = data.isel(parts)
     dims = [str(data[found[axis]].dims[0]) for axis in "zyx"]
     fields = {what: _values(near[name], dims) for what, name in names.items() if set(dims) <= set(near[name].dims)}
-    return GriddedWater((np.arange(float(fields["u"].shape[0])), cut["z"], cut["y"], cut["x"]), fields)
+    return GriddedWater((np.arange(float(fields["eastward"].shape[0])), cut["z"], cut["y"], cut["x"]), fields)
 
 
 def check_depth(z: Floats, depth: float) -> None:

@@ -56,18 +56,18 @@ def roms_water(data: Any, names: dict[str, str], frame: LocalFrame, size: tuple[
         )
     whole = {name: np.asarray(data[name].values, float)[1:-1, 1:-1] for name in ("h", "lon_rho", "lat_rho")}
     east, north = frame.east(whole["lon_rho"]), frame.north(whole["lat_rho"])
-    fields = {what: at_density_points(data, name) for what, name in names.items() if what != "w"}
-    if "xi_u" in data[names["u"]].dims:
-        fields["u"], fields["v"] = _turned(data, fields["u"], fields["v"])
-    moments = fields["u"].shape[0]
+    fields = {what: at_density_points(data, name) for what, name in names.items() if what != "upward"}
+    if "xi_u" in data[names["eastward"]].dims:
+        fields["eastward"], fields["northward"] = _turned(data, fields["eastward"], fields["northward"])
+    moments = fields["eastward"].shape[0]
     surface = np.asarray(data["zeta"].values, float) if "zeta" in data else np.zeros((1, *data["h"].shape))
     zeta = np.broadcast_to(surface.reshape(-1, *data["h"].shape)[:, 1:-1, 1:-1], (moments, *whole["h"].shape))
     near, spacing = _near(east, north, size)
     levels = level_heights(data, whole["h"], np.nan_to_num(zeta))[:, :, *near]
     z = np.linspace(-size[2], 0.0, max(2, levels.shape[1]))
     x, y = (np.linspace(-side / 2, side / 2, 2 + int(side / spacing)) for side in size[:2])
-    check_covers(np.sort(east[near].ravel()), x[0], x[-1], ("east", "west"))
-    check_covers(np.sort(north[near].ravel()), y[0], y[-1], ("north", "south"))
+    check_covers(np.sort(east[near].ravel()), x[0], x[-1], "east", "west")
+    check_covers(np.sort(north[near].ravel()), y[0], y[-1], "north", "south")
     flat = {what: _on_levels(field[:, :, *near], levels, whole["h"][near], z) for what, field in fields.items()}
     level = {what: _on_axes(field, east[near], north[near], x, y) for what, field in flat.items()}
     return GriddedWater((np.arange(float(moments)), z, y, x), level)
