@@ -19,7 +19,7 @@ myst_heading_anchors = 4  # links to headings, as GitHub makes them
 nb_execution_mode = "force"  # notebooks are stored without outputs
 nb_execution_in_temp = True
 nb_execution_raise_on_error = True
-nb_execution_timeout = 300  # s for one cell; only compiling for the first time takes long
+nb_execution_timeout = 900  # s for one cell; only compiling for the first time on a busy machine takes long
 
 html_theme = "furo"
 html_title = "cocorosim_ros"

@@ -22,6 +22,7 @@ from cocorosim_ros.scenario.parts.controller_file import load_controller
 
 from .documents import ROOT, Block, blocks, commands, documents
 
+pytestmark = pytest.mark.timeout(1800)  # s; the first diagnosis of the reader compiles
 RUN_AND_LOOK = "docs/tutorials/run_and_look.md"
 FOLLOWED = ("tutorials", "how_to", "explanation")  # folders of docs/ whose pages a reader goes through with a shell
 DOCUMENTS = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in documents()}

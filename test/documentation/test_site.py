@@ -22,6 +22,7 @@ from cocorosim_ros.world.sensors.errors import ERRORS
 
 from .documents import ROOT
 
+pytestmark = pytest.mark.timeout(1800)  # s; the first diagnosis of a notebook compiles
 SPHINX = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "2", "-b", "html"]
 
 
