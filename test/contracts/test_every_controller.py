@@ -20,6 +20,7 @@ from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, PAYLOAD_LIMIT
 BOUNDS = ((-3.0, -3.0, -2.0), (3.0, 3.0, 0.0))
 INSTRUMENTS = Readings._fields
 Make = Callable[..., Any]
+SAY_A_DEPTH = {"depth_agreement"}
 every_controller = pytest.mark.parametrize("name", CONTROLLERS)
 
 
@@ -124,9 +125,9 @@ def test_a_message_has_the_length_announced(swarm_of: Make, crowd: Make, name: s
     assert (simulation.said[..., MESSAGE_LENGTH] == announced).all()
 
 
-@every_controller
-def test_who_does_not_know_his_velocity_says_none(swarm_of: Make, crowd: Make, name: str) -> None:
-    """Without a velocity estimate nothing is said by those who would say it."""
+@pytest.mark.parametrize("name", sorted(set(CONTROLLERS) - SAY_A_DEPTH))
+def test_without_a_velocity_none_is_said(swarm_of: Make, crowd: Make, name: str) -> None:
+    """Without a velocity estimate nothing is said by controllers that would say it."""
     simulation = swarm_of(name, crowd(1, 6))
     simulation.world.instruments.measured[:, list(SENSORS).index("velocity")] = False
     answers(simulation, 10)

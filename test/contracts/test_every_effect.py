@@ -74,7 +74,7 @@ def some_numbers(name: str, shape: tuple[int, ...]) -> Any:
     draw = np.random.default_rng(3)
     values = draw.uniform(0.01, 0.1, (*shape, len(EFFECTS[name].parameters))) + np.array(neutral(name))
     for column, parameter in enumerate(EFFECTS[name].parameters):
-        if parameter.unit in ("N", "N m", "kg", "kg m^2", "N m s", "N m s^2", "N s/m", "N/m", "*"):
+        if parameter.unit in ("N", "N m", "kg", "kg m", "kg m^2", "N m s", "N m s^2", "N s/m", "N/m", "*"):
             values[..., column] *= 0.001
         if parameter.name.startswith(("equation", "regressor")):
             values[..., column] = draw.integers(0, 7, shape)

@@ -14,13 +14,15 @@ import numpy as np
 import pytest
 
 import cocorosim_ros as cocorosim
+from cocorosim_ros.diagnosis.checking.finding import Oddity
 from cocorosim_ros.library.convert import ConvertedRecording, TopicExtent
 
 SHIPPED = Path(__file__).parents[2] / "bags" / "five_lilys"
 NO_RESULTS = {"CocorosimError", "Watch"}  # what is raised, and what is given
-NO_TABLES = {"Platform"}  # numbers of many kinds
+NO_TABLES = {"Platform", "Explanation"}  # numbers of many kinds; words
 RECORDS = [name for name in cocorosim.__all__ if name[0].isupper() and name not in NO_RESULTS]
 EXTENTS = (TopicExtent("lily_01", "pose", 2, 0.5, 2.0, 0.5), TopicExtent("lily_01", "compass", 1, 0.0, None, None))
+ODDITY = Oddity("clock", "/imu", "/imu: a stamp of zero.")
 
 
 def converted() -> ConvertedRecording:
@@ -29,9 +31,11 @@ def converted() -> ConvertedRecording:
 
 
 MADE: dict[str, Callable[[], Any]] = {
+    "CheckedRecording": lambda: cocorosim.CheckedRecording(SHIPPED, (("/imu", "Imu", 9),), (ODDITY, ODDITY)),
     "Conversion": lambda: cocorosim.Conversion("haizhe_auv", (converted(), converted())),
     "ConvertedRecording": converted,
     "Design": lambda: cocorosim.load_design("smoke"),
+    "Explanation": lambda: cocorosim.explain("lockstep.patience")[0],
     "Platform": lambda: cocorosim.load_platform("lily"),
     "PoseTrack": lambda: cocorosim.simulate("one_lily", duration=2.0).tracks()["lily_01"],
     "RecordedTrack": lambda: cocorosim.read_recording(SHIPPED).tracks["lily_01"],
@@ -44,6 +48,7 @@ MADE: dict[str, Callable[[], Any]] = {
 ELSEWHERE = {"DesignResults", "DiagnosisResult"}  # which take runs and fits: test/library has them shown
 ROWS = {
     # what a table has as many rows of as there are
+    "CheckedRecording": lambda made: len(made.findings),
     "Conversion": lambda made: 2 * len(EXTENTS),
     "ConvertedRecording": lambda made: len(EXTENTS),
     "Design": lambda made: len(made.cells),

@@ -76,7 +76,7 @@ class Entry(Standing):
         return self.opposite if self.opposite and values.get(self.amplitudes[0].column, 0.0) < 0.0 else self.name
 
     def doubts(self, estimates: Mapping[str, Estimate]) -> dict[str, bool]:
-        """By name of each amplitude that was estimated: whether its 95 % interval holds the neutral value."""
+        """Tell of each amplitude that was estimated, by name, whether its 95 % interval holds the neutral value."""
         return {
             each.name: estimates[each.name].holds(each.neutral) for each in self.amplitudes if each.name in estimates
         }

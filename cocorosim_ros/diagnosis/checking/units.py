@@ -12,8 +12,9 @@ from cocorosim_ros.diagnosis.checking.covariances import first_variances
 from cocorosim_ros.diagnosis.checking.finding import Oddity
 from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned, yaw_of
 from cocorosim_ros.diagnosis.checking.topic_log import TopicLog
-from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING, DEGREES, GRAVITY, PRESSURES
+from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING, DEGREES, GRAVITY
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.units import units_in_files
 from cocorosim_ros.scenario.reading.entry import listed
 
 _HEADINGS = re.compile(r"(heading|compass|yaw)", re.IGNORECASE)
@@ -148,7 +149,8 @@ def _pressure(topic: TopicLog) -> str:
     if usual >= CHECKING.smallest_air:
         return ""
     least, most = CHECKING.smallest_air, CHECKING.largest_pressure
-    fitting = [name for name, factor in PRESSURES.items() if least <= usual * factor <= most]
+    known = units_in_files()["pressure"].items()
+    fitting = [unit for unit, factor in known if least <= usual * float(factor) <= most]
     guess = f"it may be in {listed(fitting)}, or without the air's" if fitting else "it is without the air's"
     return f"its pressure is {usual:.4g} in the median, less than that of the air in Pa: {guess}."
 

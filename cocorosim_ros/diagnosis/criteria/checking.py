@@ -62,7 +62,5 @@ GRAVITY = 9.80665
 """[m/s^2] standard gravity: what an accelerometer at rest shows."""
 DEGREES = 57.29577951308232
 """[deg/rad] 180 over pi."""
-PRESSURES = {"hPa": 1e2, "kPa": 1e3, "bar": 1e5}
-"""[Pa] units in which instruments tell a pressure."""
 ACCELERATIONS = {"m/s^2": (8.5, 11.5), "g": (0.85, 1.15)}
 """Median length of the acceleration, by the unit that it then has. Chosen: thrust and waves move it by less."""

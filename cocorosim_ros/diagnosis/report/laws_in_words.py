@@ -34,7 +34,7 @@ def _in_words(section: Tree) -> Tree:
 
 
 def _law_of(section: Tree) -> tuple[str, LawText]:
-    """What the law is of, and the law with the coefficient that stands beside its words or codes."""
+    """Find what the law is of, and the law with the coefficient that stands beside its words or codes."""
     value = _value(section["coefficient"])
     for name, part in section.items():
         known = parsed_law(part["value"] if isinstance(part, dict) else part)

@@ -41,7 +41,7 @@ def standing_messages(
 ) -> dict[str, bytes]:
     """Topic and bytes of what holds during the whole run; tank and light where they are known."""
     named = [(robot.name, robot.platform) for robot in by_name(robots)]
-    messages = {FRAMES: static_frames(named)}
+    messages = {FRAMES: static_frames(dict(named))}
     for number, (name, platform) in enumerate(named):
         colour = robot_colour(number, len(named))
         messages[robot_topic(name, DESCRIPTION)] = description_message(name, platform, colour)

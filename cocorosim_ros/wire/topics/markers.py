@@ -21,6 +21,7 @@ from cocorosim_ros.scenario.parts.tank import Obstacle, Sphere, Tank
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.cdr.type_store import build, serialize
+from cocorosim_ros.wire.topics.colours import Rgb, Rgba
 from cocorosim_ros.wire.topics.robot_parts import BODY
 from cocorosim_ros.wire.topics.swarm_messages import WORLD_FRAME
 
@@ -29,21 +30,16 @@ CUBE, SPHERE, LINE_LIST, TEXT = 1, 2, 5, 9  # visualization_msgs/msg/Marker
 TRAIL_SECONDS = 30  # how long a way is seen
 JET_LENGTH = 0.3  # m, of a thruster at full command
 _SATURATION, _BRIGHTNESS = 0.76, 0.886  # of robots, here and in the layouts of config
-_WATER, _FLOOR, _STONE, _LAMP = (
-    (0.5, 0.75, 0.9, 0.8),
-    (0.3, 0.4, 0.45, 0.35),
-    (0.5, 0.5, 0.5, 0.8),
-    (1.0, 0.9, 0.3, 0.6),
-)
-_JET, _NAME = (1.0, 0.6, 0.25, 0.8), (0.9, 0.93, 0.95, 0.9)
+_WATER, _FLOOR = Rgba(0.5, 0.75, 0.9, 0.8), Rgba(0.3, 0.4, 0.45, 0.35)
+_STONE, _LAMP = Rgba(0.5, 0.5, 0.5, 0.8), Rgba(1.0, 0.9, 0.3, 0.6)
+_JET, _NAME = Rgba(1.0, 0.6, 0.25, 0.8), Rgba(0.9, 0.93, 0.95, 0.9)
 _LINE, _TRAIL, _TEXT_HEIGHT, _FLOOR_HEIGHT = 0.01, 0.008, 0.06, 0.005  # m
 _GRAIN = 2.0**-10  # m; places in a few bits compress to half the size of exact ones
-Rgba = tuple[float, float, float, float]
 
 
-def robot_colour(number: int, robots: int) -> tuple[float, float, float]:
-    """Red, green, blue in 0..1 of one robot of so many: hues all around."""
-    return colorsys.hsv_to_rgb(number / robots, _SATURATION, _BRIGHTNESS)
+def robot_colour(number: int, robots: int) -> Rgb:
+    """Colour of one robot of so many: hues all around."""
+    return Rgb(*colorsys.hsv_to_rgb(number / robots, _SATURATION, _BRIGHTNESS))
 
 
 def tank_markers(tank: Tank | None, light: Light | None, names: Sequence[str]) -> bytes:
@@ -68,7 +64,7 @@ class SwarmMarkers:
         self._last: Floats | None = None
         self._made = 0
         self._kept = max(1, TRAIL_SECONDS // period)
-        colours = [_rgba((*robot_colour(number, count), 0.9)) for number in range(count) for _ in range(2)]
+        colours = [_rgba(Rgba(*robot_colour(number, count), 0.9)) for number in range(count) for _ in range(2)]
         lengths = 2 * count, 2 * self._jets.count
         trails: dict[str, Any] = {**_lines(lengths[0], TRAIL_SECONDS), "colors": colours}
         wakes = [_marker("wakes", 0, LINE_LIST, _JET, **_lines(lengths[1], 2 * period))] if lengths[1] else []
@@ -175,4 +171,4 @@ def _point(values: Sequence[float]) -> dict[str, float]:
 
 
 def _rgba(colour: Rgba) -> dict[str, float]:
-    return dict(zip("rgba", colour, strict=True))
+    return colour._asdict()

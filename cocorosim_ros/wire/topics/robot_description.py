@@ -7,24 +7,24 @@ pitch, so inertia about these axes is that of a homogeneous box. How thick a thr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Hull, Vector3
 from cocorosim_ros.wire.cdr.type_store import build, serialize
+from cocorosim_ros.wire.topics.colours import Rgb
 from cocorosim_ros.wire.topics.robot_parts import BODY, RobotPart, sensor_parts, thruster_parts
 
 QUARTER_TURN = 1.5707963267948966  # rad; a URDF cylinder stands along z
 _THRUSTER_LENGTH, _THRUSTER_RADIUS = 0.2, 0.15  # of the hull's length and height
 _BOW_RADIUS, _SENSOR_RADIUS = 0.2, 0.08  # of the hull's height
-_DARK, _SIGHT = (0.25, 0.25, 0.28), (0.35, 0.6, 1.0)
-Colour = tuple[float, float, float]
+_DARK, _SIGHT = Rgb(0.25, 0.25, 0.28), Rgb(0.35, 0.6, 1.0)
 
 
-def urdf(name: str, platform: Platform, colour: Colour) -> str:
-    """The description of the robot of that name; colour of its hull: red, green, blue in 0..1."""
+def urdf(name: str, platform: Platform, colour: Rgb) -> str:
+    """The description of the robot of that name; colour: of its hull."""
     robot = Element("robot", name=name)
     for material, parts in (("hull", colour), ("thruster", _DARK), ("sensor", _SIGHT)):
         rgba = _numbers((*parts, 1.0))
@@ -43,13 +43,13 @@ def urdf(name: str, platform: Platform, colour: Colour) -> str:
     return '<?xml version="1.0"?>\n' + ElementTree.tostring(robot, encoding="unicode") + "\n"
 
 
-def description_message(name: str, platform: Platform, colour: Colour) -> bytes:
+def description_message(name: str, platform: Platform, colour: Rgb) -> bytes:
     """The bytes of `robot_description`."""
     return serialize(build("std_msgs/msg/String", {"data": urdf(name, platform, colour)}))
 
 
-def static_frames(robots: Iterable[tuple[str, Platform]]) -> bytes:
-    """The bytes of `/tf_static`: base_link of each robot to its parts."""
+def static_frames(platforms: Mapping[str, Platform]) -> bytes:
+    """The bytes of `/tf_static`: base_link of each robot to its parts; platforms: by the name of the robot."""
     transforms = [
         {
             "header": {"frame_id": f"{name}/{BODY}"},
@@ -59,7 +59,7 @@ def static_frames(robots: Iterable[tuple[str, Platform]]) -> bytes:
                 "rotation": dict(zip("xyzw", part.quaternion(), strict=True)),
             },
         }
-        for name, platform in robots
+        for name, platform in platforms.items()
         for part in (*thruster_parts(platform), *sensor_parts(platform))
     ]
     return serialize(build("tf2_msgs/msg/TFMessage", {"transforms": transforms}))
@@ -93,15 +93,15 @@ def _add_part(robot: Element, name: str, part: RobotPart) -> Element:
 def _add_visual(
     link: Element,
     shape: str,
-    size: Mapping[str, float | Vector3],
+    size: Mapping[str, float | Sequence[float]],
     material: str,
     *,
-    place: Vector3 = (0.0, 0.0, 0.0),
-    rpy: Vector3 = (0.0, 0.0, 0.0),
+    place: Sequence[float] = (0.0, 0.0, 0.0),
+    rpy: Sequence[float] = (0.0, 0.0, 0.0),
 ) -> None:
     visual = SubElement(link, "visual")
     SubElement(visual, "origin", xyz=_numbers(place), rpy=_numbers(rpy))
-    words = {key: _numbers(value) if isinstance(value, tuple) else repr(value) for key, value in size.items()}
+    words = {key: repr(value) if isinstance(value, float) else _numbers(value) for key, value in size.items()}
     SubElement(SubElement(visual, "geometry"), shape, words)
     SubElement(visual, "material", name=material)
 

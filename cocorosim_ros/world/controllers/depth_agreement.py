@@ -28,7 +28,7 @@ def depth_of(pressure: float) -> float:
 
 @kernel
 def decide(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
-    """Ask for the depth that those within `reach` [m] agree on, ahead at `speed`; at first for the own depth."""
+    """Ask for the depth that robots within `reach` [m] agree on, ahead at `speed`; at first for the own depth."""
     speed, gain, reach, turn_gain = settings[0], settings[1], settings[2], settings[3]
     if request[_HAS_TARGET] == 0.0 and math.isfinite(observation.pressure):
         request[_TARGET], request[_HAS_TARGET] = depth_of(observation.pressure), 1.0
@@ -44,8 +44,9 @@ def decide(observation: Observation, sensor_axis: Floats, settings: Floats, requ
 @kernel
 def speak(observation: Observation, settings: Floats, message: Floats) -> None:
     """Say the own depth [m]; nothing while it is not known."""
-    message[MESSAGE_LENGTH] = 1.0 if math.isfinite(observation.pressure) else 0.0
-    message[1] = depth_of(observation.pressure)
+    known = math.isfinite(observation.pressure)
+    message[MESSAGE_LENGTH] = 1.0 if known else 0.0
+    message[1] = depth_of(observation.pressure) if known else 0.0
 
 
 DEPTH_AGREEMENT = Controller(

@@ -12,10 +12,11 @@ from urdf_parser_py.urdf import URDF, Box, Cylinder, Link, Sphere
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.wire.cdr.type_store import deserialize
+from cocorosim_ros.wire.topics.colours import Rgb
 from cocorosim_ros.wire.topics.robot_description import description_message, static_frames, urdf
 
 PLATFORMS = sorted(path.stem for path in (Path(__file__).parents[3] / "config/platforms").glob("*.yaml"))
-COLOUR = (0.9, 0.2, 0.1)
+COLOUR = Rgb(0.9, 0.2, 0.1)
 
 
 def rotation(roll: float, pitch: float, yaw: float) -> np.ndarray:
@@ -97,7 +98,7 @@ def test_sensors(platform: Platform, robot: URDF) -> None:
 
 def test_frames_are_those_of_the_description(platform: Platform, robot: URDF) -> None:
     """/tf_static has one transform for each joint, with the same place and the same x axis."""
-    transforms = deserialize("tf2_msgs/msg/TFMessage", static_frames([("fish_07", platform)])).transforms
+    transforms = deserialize("tf2_msgs/msg/TFMessage", static_frames({"fish_07": platform})).transforms
     assert [each.child_frame_id for each in transforms] == [joint.child for joint in robot.joints]
     for each, joint in zip(transforms, robot.joints, strict=True):
         place, turn = each.transform.translation, each.transform.rotation
