@@ -133,13 +133,13 @@ def convert(
     file = find_config("maps", place_text(map, "map"))
     from cocorosim_ros.wire.conversion.map_file import load_map
 
-    mapped, place = load_map(file), Path(place_text(source, "source"))
+    mapped, place, target = load_map(file), Path(place_text(source, "source")), Path(place_text(out, "out"))
     from cocorosim_ros.wire.conversion.sources import check_there
 
     check_there(mapped, place)
     from cocorosim_ros.wire.conversion.conversion import convert as convert_source
 
-    made = convert_source(mapped, place, Path(place_text(out, "out")), force=force, progress=progress)
+    made = convert_source(mapped, place, target, force=force, progress=progress)
     return Conversion(mapped.name, tuple(_described(part) for part in made))
 
 

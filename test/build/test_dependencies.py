@@ -118,8 +118,9 @@ def installed() -> Mapping[str, list[str]]:
 
 
 def distribution(module: str) -> str:
-    """The name on PyPI of what brings a module."""
-    return normal(installed()[module][0])
+    """The name on PyPI of what brings a module; a package of ROS is also known by its name in package.xml."""
+    names = sorted(map(normal, installed()[module]), key=lambda name: not name.startswith("ros-"))
+    return names[0]
 
 
 def test_everything_that_is_imported_is_declared(declared: Declared) -> None:

@@ -26,6 +26,7 @@ def filled(kind: type) -> object:
     """A message of `kind` in which no field has its initial value; lists of ours hold one element."""
     values = {
         "double": 0.1,
+        "uint32": 7,
         "string": "lily_01",
         "sequence<double>": [0.1, math.inf],
         "sequence<string>": ["left"],

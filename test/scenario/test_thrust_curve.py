@@ -164,7 +164,7 @@ def test_the_published_table_of_a_thruster(tmp_path: Path) -> None:
     force[np.abs(command) < 0.05] = 0.0  # the dead band, where single readings have the other sign
     text = TABLE % (", ".join(map(repr, command.tolist())), ", ".join(map(repr, force.tolist())))
     path = tmp_path / "boat.yaml"
-    limits = (f"{{value: {force[-1]!r}, unit: N", f"{{value: {-force[0]!r}, unit: N")
+    limits = (f"{{value: {float(force[-1])!r}, unit: N", f"{{value: {-float(force[0])!r}, unit: N")
     text = BOAT.replace("CURVE", text).replace("{value: 16, unit: N", limits[0])
     path.write_text(text.replace("{value: 8, unit: N", limits[1]))
     np.testing.assert_allclose(forces(load_platform(path), command), force, atol=1e-12)

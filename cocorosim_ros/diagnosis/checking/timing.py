@@ -16,6 +16,8 @@ from cocorosim_ros.foundation.arrays import Floats
 Gaps = Sequence[tuple[float, float]]
 """Start and end [s] of times without messages."""
 _LATCHED = ("/tf_static", "/robot_description")
+_ALWAYS_AT_ZERO = ("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray")
+"""Types of which a stamp of zero says that they hold at any time: viewers take the latest transform for them."""
 
 
 def check_timing(topics: Sequence[TopicLog]) -> Iterator[Oddity]:
@@ -48,7 +50,7 @@ def _first_clause(remark: str) -> str:
 
 
 def _zero_stamps(topic: TopicLog) -> Iterator[Oddity]:
-    if topic.stamp_ns is None or topic.name in _LATCHED:
+    if topic.stamp_ns is None or topic.name in _LATCHED or topic.type_name in _ALWAYS_AT_ZERO:
         return
     zero = int(np.count_nonzero(topic.stamp_ns == 0))
     every = len(topic.stamp_ns)

@@ -86,7 +86,8 @@ class Thruster:
     maximum: float = field(metadata=quantity("force", "positive"))
     maximum_reverse: float | None = field(default=None, metadata=quantity("force", "not negative"))
     curve: ThrustCurve | None = field(
-        default=None, metadata=stored(read_curve, record_tree, form="curve from command to force")
+        default=None,
+        metadata={**stored(read_curve, record_tree, form="curve from command to force"), "inside": ThrustCurve},
     )
     gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     kind: Literal["thruster"] = field(default="thruster", metadata=choice("thruster"))

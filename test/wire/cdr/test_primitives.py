@@ -44,10 +44,12 @@ BY_HAND = {  # what knows bytes by itself: CDR here, MCAP and the head of a dige
     "wire/bags/mcap_file.py",
     "wire/bags/mcap_format.py",
     "wire/bags/mcap_writer.py",
+    "wire/cdr/acoustic_messages.py",
     "wire/cdr/named_numbers.py",
     "wire/cdr/packed.py",
     "wire/cdr/primitives.py",
     "wire/cdr/radio_messages.py",
+    "wire/topics/markers.py",
 }
 
 
