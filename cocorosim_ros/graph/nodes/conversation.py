@@ -5,6 +5,7 @@ Run as a program this file is the process that answers; `round_trips` starts it,
 
 from __future__ import annotations
 
+import inspect
 import os
 import signal
 import subprocess
@@ -29,7 +30,7 @@ _ENDING = 5.0  # s that the other process gets to say goodbye
 
 def installation() -> tuple[str, str]:
     """Where rclpy lies, and the middleware that it uses."""
-    return str(Path(rclpy.__file__).parent), get_rmw_implementation_identifier()
+    return str(Path(inspect.getfile(rclpy)).parent), get_rmw_implementation_identifier()
 
 
 def round_trips(count: int, limit: float) -> list[float]:

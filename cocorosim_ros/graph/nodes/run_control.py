@@ -1,8 +1,8 @@
 """Pause, single steps, reset and rate of a run, asked for from outside and obeyed between two ticks.
 
 Services and parameters are served by the node's background thread; what they ask for is a few values that the run looks
-at before each tick. Simulated time stands still meanwhile, so that a run in lock-step that was paused gives the same
-recording.
+at before each tick. No service waits for the run: that thread may be the one which hears the controllers that the run
+waits for. Simulated time stands still meanwhile, so that a run in lock-step that was paused gives the same recording.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from rclpy.node import Node
 from std_srvs.srv import SetBool, Trigger
 
 LOOK = 0.05  # s of wall clock between looks at what is asked for while paused
-STEP_PATIENCE = 60.0  # s of wall clock that a single step gets before its service answers
 
 
 class RunControl:
@@ -30,6 +29,7 @@ class RunControl:
         self._log = node.get_logger()
         self._paused = False
         self._steps = 0
+        self._stepped = False
         self._reset = False
         self._seconds = 0.0
         self._changed = threading.Condition()
@@ -46,15 +46,16 @@ class RunControl:
         begin = time.monotonic()
         with self._changed:
             self._seconds = seconds
-            self._changed.notify_all()
+            if self._stepped:
+                self._stepped = False
+                self._log.info(f"a step is done: at {seconds:g} s now")
             while not stopped():
                 if self._reset:
                     self._reset = False
                     reset()
                     self._seconds = 0.0
-                    self._changed.notify_all()
                 if self._steps:
-                    self._steps -= 1
+                    self._steps, self._stepped = self._steps - 1, True
                     break
                 if not self._paused:
                     break
@@ -72,14 +73,9 @@ class RunControl:
         with self._changed:
             if not self._paused:
                 return self._answered(response, False, "the run is not paused; call ~/pause with 'data: true' first")
-            before = self._seconds
             self._steps += 1
             self._changed.notify_all()
-            done = self._changed.wait_for(lambda: self._seconds != before, STEP_PATIENCE)
-            words = (
-                f"at {self._seconds:g} s now" if done else "the step takes long: an answer of a controller is missing"
-            )
-            return self._answered(response, done, words)
+            return self._answered(response, True, f"a step follows, {self._steps} in all, from {self._seconds:g} s on")
 
     def _on_reset(self, request: Trigger.Request, response: Any) -> Any:
         if self._recorded:
@@ -88,8 +84,7 @@ class RunControl:
         with self._changed:
             self._reset = True
             self._changed.notify_all()
-            done = self._changed.wait_for(lambda: not self._reset, STEP_PATIENCE)
-            return self._answered(response, done, "at 0 s" if done else "the run begins anew after the present tick")
+            return self._answered(response, True, "the run begins anew after the present tick")
 
     def _on_parameters(self, parameters: list[Any]) -> SetParametersResult:
         """Take another rate; what else is not read-only, others take."""
