@@ -24,6 +24,7 @@ ARGUMENTS = {
     "rate": ("0.0", "seconds of simulation per second of wall clock; 0: lock-step"),
     "out": ("bag", "folder of the recording; must not exist"),
     "force": ("false", "replace a recording that is there"),
+    "foxglove": ("-1", "port on which Foxglove finds all topics live, 0: any; -1: none"),
 }
 
 
@@ -42,6 +43,7 @@ def nodes(context: LaunchContext) -> list[Node]:
     physics = {**run, "rate": rate, "recorded": True}
     force = given["force"].lower() == "true"
     metrics = {**run, "out": text(given["out"]), "force": force, "lock_step": rate == 0.0}
+    metrics["foxglove"] = int(given["foxglove"])
     controller = {"scenario": text(given["scenario"]), "seed": int(given["seed"]), "listeners": 2}
     return [
         # The recorder ends when the run has ended and everything is written.
