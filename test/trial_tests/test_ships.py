@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -37,7 +38,7 @@ def test_where_the_wind_blows_to(tmp_path: Path) -> None:
     from trial.ships import anemometer, wind_line
 
     path = tmp_path / "log.csv"
-    path.write_text("a\n" + "\n".join(",".join(["0"] * 11 + ["2", repr(np.radians(270.0))]) for _ in range(3)))
+    path.write_text("a\n" + "\n".join(",".join(["0"] * 11 + ["2", repr(math.radians(270.0))]) for _ in range(3)))
     assert anemometer([path]) == pytest.approx(2.0 + 0.0j)
     air = 1.5 * np.exp(1j * np.radians(10.0))
     numbers = {"x": {"value": air.real, "unit": "m/s"}, "y": {"value": air.imag, "unit": "m/s"}}

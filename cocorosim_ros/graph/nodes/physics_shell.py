@@ -15,10 +15,11 @@ from cocorosim_ros.graph.nodes.recorder_link import RECORDED_AHEAD, RecorderEar
 from cocorosim_ros.graph.nodes.start_line import StartLine
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
 from cocorosim_ros.graph.runs.body_side import BodySide
-from cocorosim_ros.graph.runs.latency import check_latency, longest_under_way
+from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.run_error import RunError
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, run_topics
 from cocorosim_ros.graph.runs.scenery import scenery_topics, standing_messages
+from cocorosim_ros.graph.runs.under_way import longest_under_way
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
 from cocorosim_ros.wire.topics.body import describe_body

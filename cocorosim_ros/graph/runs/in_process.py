@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from cocorosim_ros.graph.runs.body_side import BodySide
-from cocorosim_ros.graph.runs.latency import longest_under_way
 from cocorosim_ros.graph.runs.run_record import STATUS_TOPIC, RunRecord
+from cocorosim_ros.graph.runs.under_way import longest_under_way
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.radio_messages import RadioMessage
 from cocorosim_ros.wire.cdr.status import end_of_run

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.graph.runs.body_side import BodySide
-from cocorosim_ros.graph.runs.latency import longest_under_way
+from cocorosim_ros.graph.runs.under_way import longest_under_way
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.wire.cdr.radio_messages import RadioMessage
 from cocorosim_ros.wire.topics.body import describe_body
