@@ -34,6 +34,7 @@ endif
 
 # Folders of test/ that start ROS or build something, one test at a time, since each takes all cores. All others run on
 # as many cores as PYTEST_JOBS says, a file's tests together, and in `make test` on NumPy 1.26 also.
+WAITING_TESTS := test/graph/ test/examples/ # nodes that mostly wait for each other: beside others, on all cores
 ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
 PYTEST_JOBS ?= 2
 ON_ALL_CORES = -n $(PYTEST_JOBS) --dist loadfile
@@ -101,8 +102,8 @@ contracts: set-up
 tests: set-up
 	@folder=$$(mktemp -d) && for scenario in eleven_lilys turbulence_T5e-3; do \
 	$(BIN)/cocorosim run $$scenario --in-process --duration "2 s" --out $$folder/$$scenario > /dev/null || exit 1; done; rm -rf $$folder
-	$(BIN)/python -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS)
-	$(BIN)/python -m pytest $(PYTEST_ARGS) $(wildcard $(ROS_TESTS:%=test/%/))
+	$(BIN)/python -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS) $(WAITING_TESTS)
+	$(BIN)/python -m pytest $(PYTEST_ARGS) $(filter-out $(WAITING_TESTS),$(wildcard $(ROS_TESTS:%=test/%/)))
 
 # NumPy 1.26 is laid over NumPy 2 by PYTHONPATH: every other dependency in the lock accepts both, but for the
 # optional rerun-sdk, whose tests are left out there.
