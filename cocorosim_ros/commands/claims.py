@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.foundation.output_file import check_file, write_text
 
 if TYPE_CHECKING:
     from cocorosim_ros.study.claims.answers import Answer
@@ -61,7 +61,8 @@ def command(
     answers = sorted(all_answers(experiments), key=by_claim)
     Console().print(_table(answers))
     if out is not None:
-        _write(out, claims_page(answers, experiments))
+        write_text(out, claims_page(answers, experiments))
+        Console().print(f"{out}: the same as a page")
 
 
 def _run(ctx: click.Context, design: str, folder: Path, replicates: int | None) -> Path:
@@ -84,11 +85,3 @@ def _table(answers: list[Answer]) -> Table:
         verdict = f"[{_STYLES[answer.verdict]}]{answer.verdict}[/]"
         table.add_row(answer.claim, answer.subject, answer.paper, answer.numerics, answer.ours, verdict)
     return table
-
-
-def _write(page: Path, text: str) -> None:
-    try:
-        page.write_text(text, "utf-8")
-    except OSError as error:
-        raise CocorosimError(f"{page} cannot be written: {error.strerror}; give another file with --out.") from error
-    Console().print(f"{page}: the same as a page")

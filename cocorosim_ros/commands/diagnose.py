@@ -16,7 +16,7 @@ from cocorosim_ros.commands.json_output import console_beside, give_json, json_o
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.diagnosis.findings import Verdict
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.foundation.output_file import check_file, write_text
 from cocorosim_ros.scenario.reading.entry import nearest
 
 REFUSED = 3  # exit status
@@ -113,19 +113,12 @@ def command(ctx: click.Context, /, **options: object) -> None:
     say(console, f"{choices.out}: {', '.join(reversed(list(result.files)))}")
     give_json(console, choices.json_file, result.tree)
     if choices.junit is not None:
-        _write(choices.junit, result.junit(choices.fail_on))
+        write_text(choices.junit, result.junit(choices.fail_on))
     if choices.markdown is not None:
-        _write(choices.markdown, result.markdown())
+        write_text(choices.markdown, result.markdown())
     if result.verdict in choices.fail_on:
         say(console, f"status {REFUSED}: --fail-on names the verdict {result.verdict}")
         ctx.exit(REFUSED)
-
-
-def _write(file: Path, text: str) -> None:
-    try:
-        file.write_text(text, "utf-8")
-    except OSError as error:
-        raise CocorosimError(f"{file} cannot be written: {error.strerror}; give another file.") from error
 
 
 def _verdicts(given: str | None) -> frozenset[Verdict]:

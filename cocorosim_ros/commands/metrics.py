@@ -49,7 +49,8 @@ def _seconds(interval: str | None) -> float | None:
     """The time that was typed."""
     from cocorosim_ros.scenario.reading.entry import Entry
     from cocorosim_ros.scenario.reading.quantity import read_nanoseconds
+    from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
     if interval is None:
         return None
-    return read_nanoseconds(Entry(interval, "the command line", 0, "--interval")) / 1e9
+    return read_nanoseconds(Entry(interval, "the command line", 0, "--interval")) / NANOSECONDS

@@ -7,8 +7,7 @@ from pathlib import Path
 import click
 from rich.console import Console
 
-from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.foundation.output_file import check_file, write_text
 
 
 @click.command("report", short_help="results of experiments as one page")
@@ -31,17 +30,10 @@ def command(results: tuple[Path, ...], out: Path | None, summary: Path | None, f
     from cocorosim_ros.study.results.results import load_all
 
     experiments = load_all(results)
-    _write(page, render_report(experiments))
+    write_text(page, render_report(experiments))
     Console().print(f"{page}: {page.stat().st_size / 1e6:.1f} MB, open it in a browser")
     if summary:
         from cocorosim_ros.study.results.summary_table import summary_csv
 
-        _write(summary, summary_csv(experiments))
+        write_text(summary, summary_csv(experiments))
         Console().print(f"{summary}: medians, quartiles and effects of every metric")
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, "utf-8")
-    except OSError as error:
-        raise CocorosimError(f"{path} cannot be written: {error.strerror}; give another file.") from error

@@ -1,4 +1,4 @@
-"""Whether a file may be written, asked before the work that fills it: one answer for every command."""
+"""Files of results: whether one may be written, asked before the work that fills it, and the writing itself."""
 
 from __future__ import annotations
 
@@ -22,3 +22,11 @@ def check_file(file: Path | None, *, force: bool) -> None:
         raise ArgumentError(f"{file} exists already and is not overwritten; choose another name, or 'force'.", "force")
     if not os.access(file if file.exists() else file.absolute().parent, os.W_OK):
         raise CocorosimError(f"{file} may not be written by you; give a file in a folder of your own.")
+
+
+def write_text(file: Path, text: str) -> None:
+    """Write `text` in UTF-8. Raises CocorosimError if it cannot be written."""
+    try:
+        file.write_text(text, "utf-8")
+    except OSError as error:
+        raise CocorosimError(f"{file} cannot be written: {error.strerror}; give another file.") from error

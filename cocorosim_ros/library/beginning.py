@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
-from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.foundation.errors import ArgumentError
+from cocorosim_ros.foundation.output_file import check_file, write_text
 from cocorosim_ros.scenario.reading.arguments import Place, place_text
 from cocorosim_ros.scenario.reading.config_files import shipped_file
 from cocorosim_ros.scenario.reading.entry import nearest
@@ -35,10 +35,7 @@ def begin_file(kind: str, name: str, out: Place | None = None, *, force: bool = 
     check_file(file, force=force)
     text = shipped_file(f"templates/{kind}{KINDS[kind]}").read_text("utf-8")
     text = text.replace("NAME", name).replace("CLASS", class_name(name))
-    try:
-        file.write_text(text, "utf-8")
-    except OSError as error:
-        raise CocorosimError(f"{file} cannot be written: {error.strerror}; give another file with --out.") from error
+    write_text(file, text)
     return file
 
 

@@ -8,12 +8,6 @@ from cocorosim_ros.diagnosis.criteria.checking import CHECKING
 from cocorosim_ros.foundation.arrays import Floats
 
 
-def yaw_of(turn: Floats) -> Floats:
-    """(n,) headings [rad] of quaternions (n, 4) x, y, z, w."""
-    x, y, z, w = turn.T
-    return np.asarray(np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)))
-
-
 def rate_of(time: Floats, value: Floats) -> Floats:
     """(n - lag,) mean rates of change over a short time, of values (n,) at times (n,) [s]."""
     lag = _lag(time)

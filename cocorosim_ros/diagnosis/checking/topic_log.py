@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_summary import RecordedTopic
-from cocorosim_ros.wire.cdr.field_paths import number_paths
+from cocorosim_ros.wire.cdr.field_paths import fields_within, number_paths
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
 
@@ -140,16 +140,13 @@ def _with_content(topic: TopicLog, messages: list[Any]) -> TopicLog:
     )
 
 
-def _covariance_paths(message: Any, before: str = "") -> list[str]:
+def _covariance_paths(message: Any) -> list[str]:
     """The paths of all square covariances."""
-    found: list[str] = []
-    for name, value in vars(message).items():
-        path = f"{before}.{name}" if before else name
-        if hasattr(value, "__msgtype__"):
-            found += _covariance_paths(value, path)
-        elif "covariance" in name and isinstance(value, np.ndarray) and value.size in (9, 36):
-            found.append(path)
-    return found
+    return [
+        path
+        for path, value in fields_within(message)
+        if "covariance" in path.rpartition(".")[2] and isinstance(value, np.ndarray) and value.size in (9, 36)
+    ]
 
 
 def _matrices(messages: list[Any], path: str) -> Floats:

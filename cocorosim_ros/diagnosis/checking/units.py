@@ -10,12 +10,13 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.checking.covariances import first_variances
 from cocorosim_ros.diagnosis.checking.finding import Oddity
-from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned, yaw_of
+from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned
 from cocorosim_ros.diagnosis.checking.topic_log import TopicLog
-from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING, DEGREES, GRAVITY
+from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.units.units import units_in_files
 from cocorosim_ros.scenario.reading.entry import listed
+from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 
 _HEADINGS = re.compile(r"(heading|compass|yaw)", re.IGNORECASE)
 _RATES = ("angular_velocity.z", "twist.twist.angular.z")
@@ -90,8 +91,9 @@ def _acceleration(topic: TopicLog) -> str:
     if unit == "g":
         return f"its acceleration is {size:.2f} in the median: it is in g, where sensor_msgs/Imu has m/s^2."
     if unit is None:
+        at_rest = float(units_in_files()["acceleration"]["g0"])
         gravity = "gravity is left out of it" if size < min(ACCELERATIONS["g"]) else "its unit or scale is another"
-        return f"its acceleration is {size:.3g} m/s^2 in the median, not {GRAVITY:.2f}: {gravity}."
+        return f"its acceleration is {size:.3g} m/s^2 in the median, not {at_rest:.2f}: {gravity}."
     if up < CHECKING.upside_down * size:
         return f"at rest it shows {up:.2f} m/s^2 along z: z is down, where REP 103 has it up."
     return ""
@@ -102,7 +104,7 @@ def _turning(topic: TopicLog, path: str) -> str:
     if turn is None or not topic.has(path) or len(turn) < CHECKING.fewest:
         return ""
     time, rate = topic.time(), topic.number(path)
-    seen = rate_of(time, np.unwrap(yaw_of(turn)))
+    seen = rate_of(time, np.unwrap(yaw_of_quaternions(turn)))
     return _compared(path, "the turning of its own attitude", averaged(time, rate), seen, degrees=True)
 
 
@@ -118,7 +120,7 @@ def _velocity(topic: TopicLog) -> str:
     time = topic.time()
     over_ground = np.column_stack([rate_of(time, place[:, axis]) for axis in range(2)])
     mean = np.column_stack([averaged(time, told[:, axis]) for axis in range(2)])
-    heading = np.unwrap(yaw_of(turn))
+    heading = np.unwrap(yaw_of_quaternions(turn))
     in_body = turned(over_ground, -averaged(time, heading))
     _, by_body = slope_and_correlation(in_body.ravel(), mean.ravel())
     _, by_world = slope_and_correlation(over_ground.ravel(), mean.ravel())
@@ -133,7 +135,7 @@ def _compared(path: str, beside: str, told: Floats, seen: Floats, *, degrees: bo
     if float(np.std(seen)) < CHECKING.moving or abs(related) < CHECKING.related:
         return ""
     size = abs(slope)
-    if degrees and 1.0 / CHECKING.ratio < size / DEGREES < CHECKING.ratio:
+    if degrees and 1.0 / CHECKING.ratio < size / math.degrees(1.0) < CHECKING.ratio:
         return f"{path} is {size:.1f} times {beside}: it is in degrees, where ROS has radians."
     if slope < 0.0:
         return f"{path} goes against {beside}: its sign or its axes are turned."

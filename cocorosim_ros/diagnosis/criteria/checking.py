@@ -58,9 +58,5 @@ class CheckingCriteria:
 
 
 CHECKING = CheckingCriteria()
-GRAVITY = 9.80665
-"""[m/s^2] standard gravity: what an accelerometer at rest shows."""
-DEGREES = 57.29577951308232
-"""[deg/rad] 180 over pi."""
 ACCELERATIONS = {"m/s^2": (8.5, 11.5), "g": (0.85, 1.15)}
 """Median length of the acceleration, by the unit that it then has. Chosen: thrust and waves move it by less."""

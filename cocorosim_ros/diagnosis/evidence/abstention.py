@@ -21,10 +21,10 @@ def reasons_to_abstain(evidence: Evidence, beside: Sequence[RecordingLog] = ()) 
 
     beside: further recordings of the same robots that the evidence is fitted together with.
     """
-    reasons, usable = [], 0.0
+    reasons, usable, together = [], 0.0, (*evidence.recordings, *beside)
     for recording in evidence.recordings:
         for robot in recording.robots:
-            reason = why_unusable(robot, recording, evidence.platform, (*evidence.recordings, *beside))
+            reason = why_unusable(robot, recording, evidence.platform, together)
             if reason:
                 reasons.append(reason)
             else:

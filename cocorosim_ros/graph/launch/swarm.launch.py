@@ -42,8 +42,8 @@ def nodes(context: LaunchContext) -> list[Node]:
     run["seed"] = int(given["seed"])
     physics = {**run, "rate": rate, "recorded": True}
     force = given["force"].lower() == "true"
-    metrics = {**run, "out": text(given["out"]), "force": force, "lock_step": rate == 0.0}
-    metrics["foxglove"] = int(given["foxglove"])
+    recorder = {"out": text(given["out"]), "force": force, "foxglove": int(given["foxglove"])}
+    metrics = {**run, **recorder, "lock_step": rate == 0.0}
     controller = {"scenario": text(given["scenario"]), "seed": int(given["seed"]), "listeners": 2}
     return [
         # The recorder ends when the run has ended and everything is written.

@@ -60,8 +60,13 @@ class ControllerShell:
         self._latest: dict[str, bytes] = {}
         self._stamps: dict[str, int] = dict.fromkeys(self.body.topics, -1)
         self.stop = False
-        self._answered = -1
         self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        """Remember nothing, as before the first answer."""
+        self._plain = plain_controller(self._robot, self._seed)
+        self._memory = blank_memory(1, 1)[0, 0]
+        self._answered = -1  # [ns]
 
     def use(self, controller: AnyController) -> None:
         """Decide by these settings from the next answer on; what the behaviour remembers stays."""
@@ -109,12 +114,6 @@ class ControllerShell:
             if stamp < oldest_ns:
                 self._latest.pop(name, None)
         return [name for name in self.body.topics if name not in self._latest]
-
-    def _begin_anew(self) -> None:
-        """Remember nothing, as before the first answer."""
-        self._plain = plain_controller(self._robot, self._seed)
-        self._memory = blank_memory(1, 1)[0, 0]
-        self._answered = -1
 
     def answer(self, stamp: int, moment: float) -> None:
         """Run one control cycle on the latest readings and publish command and message, stamped `stamp` [ns].

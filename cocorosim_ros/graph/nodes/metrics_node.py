@@ -5,7 +5,6 @@ With `scenario` it knows robots and topics from there; with `robots` it records 
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Sequence
@@ -17,6 +16,7 @@ from typing import Any
 from rclpy.node import Node
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.json_file import json_text
 from cocorosim_ros.graph.nodes.arrival_recorder import ArrivalRecorder
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
@@ -172,7 +172,7 @@ def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
             record_arrivals(node, record, life, values["period"])
         record.close()
     if values["summary"]:
-        Path(values["summary"]).write_text(json.dumps(record.summary(), indent=2, allow_nan=False) + "\n", "utf-8")
+        Path(values["summary"]).write_text(json_text(record.summary()), "utf-8")
 
 
 def metrics(arguments: Sequence[str]) -> None:

@@ -40,12 +40,12 @@ def standing_messages(
     robots: Iterable[RobotDescription], tank: Tank | None = None, light: Light | None = None
 ) -> dict[str, bytes]:
     """Topic and bytes of what holds during the whole run; tank and light where they are known."""
-    named = [(robot.name, robot.platform) for robot in by_name(robots)]
-    messages = {FRAMES: static_frames(dict(named))}
-    for number, (name, platform) in enumerate(named):
+    named = {robot.name: robot.platform for robot in by_name(robots)}
+    messages = {FRAMES: static_frames(named)}
+    for number, (name, platform) in enumerate(named.items()):
         colour = robot_colour(number, len(named))
         messages[robot_topic(name, DESCRIPTION)] = description_message(name, platform, colour)
-    return {**messages, TANK: tank_markers(tank, light, [name for name, _ in named])}
+    return {**messages, TANK: tank_markers(tank, light, list(named))}
 
 
 class Scenery:

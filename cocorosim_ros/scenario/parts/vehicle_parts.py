@@ -29,6 +29,12 @@ Vector3 = tuple[float, float, float]
 _UNIT_LENGTH_TOLERANCE = 1e-12
 
 
+def unit_vector(azimuth: float, elevation: float) -> Vector3:
+    """The direction at these angles [rad]: azimuth from forward to port, elevation upwards, as in REP 103."""
+    level = math.cos(elevation)
+    return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(elevation)
+
+
 def _read_direction(entry: Entry) -> tuple[float, ...]:
     direction = read_vector(entry, ["pure number"] * 3)
     norm = math.hypot(*direction)

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.vehicle_parts import unit_vector
 
 _RIM_POINTS = 13
 _SPOKES = 4
@@ -18,8 +19,7 @@ def cone_lines(azimuth: float, elevation: float, cone_angle: float, reach: float
 
     azimuth, elevation: its axis [rad; body]; cone_angle: full opening [rad]; reach: distance of the rim [m].
     """
-    level = math.cos(elevation)
-    axis = np.array([math.cos(azimuth) * level, math.sin(azimuth) * level, math.sin(elevation)])
+    axis = np.array(unit_vector(azimuth, elevation))
     aside = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
     above = np.cross(axis, aside)
     half = min(cone_angle / 2, _WIDEST)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 _STEP = re.compile(r"(\w+)(?:\[([^\]]*)\])?(?:\.|$)")
@@ -83,16 +84,23 @@ def owner_of(message: Any, path: list[Step]) -> Any:
     return message
 
 
-def number_paths(message: Any, before: str = "") -> list[str]:
-    """The paths of all single numbers in a message, lists left out."""
-    found: list[str] = []
+def fields_within(message: Any, before: str = "") -> Iterator[tuple[str, Any]]:
+    """Path and value of every field that is not a message itself; messages in lists are left out."""
     for field, value in vars(message).items():
         path = f"{before}.{field}" if before else field
         if hasattr(value, "__msgtype__"):
-            found += number_paths(value, path)
-        elif isinstance(value, (int, float, bool)) and field not in ("sec", "nanosec") and field != "__msgtype__":
-            found.append(path)
-    return found
+            yield from fields_within(value, path)
+        else:
+            yield path, value
+
+
+def number_paths(message: Any) -> list[str]:
+    """The paths of all single numbers in a message, but for those of times; lists are left out."""
+    return [
+        path
+        for path, value in fields_within(message)
+        if isinstance(value, (int, float, bool)) and path.rpartition(".")[2] not in ("sec", "nanosec")
+    ]
 
 
 def _child(message: Any, field: str, element: str | None) -> Any:

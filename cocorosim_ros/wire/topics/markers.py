@@ -64,7 +64,7 @@ class SwarmMarkers:
         self._last: Floats | None = None
         self._made = 0
         self._kept = max(1, TRAIL_SECONDS // period)
-        colours = [_rgba(Rgba(*robot_colour(number, count), 0.9)) for number in range(count) for _ in range(2)]
+        colours = [Rgba(*robot_colour(number, count), 0.9)._asdict() for number in range(count) for _ in range(2)]
         lengths = 2 * count, 2 * self._jets.count
         trails: dict[str, Any] = {**_lines(lengths[0], TRAIL_SECONDS), "colors": colours}
         wakes = [_marker("wakes", 0, LINE_LIST, _JET, **_lines(lengths[1], 2 * period))] if lengths[1] else []
@@ -162,13 +162,9 @@ def _marker(
     group: str, number: int, kind: int, colour: Rgba, *, frame: str = WORLD_FRAME, **content: Any
 ) -> dict[str, Any]:
     """A marker of a group in which it has a number; a later one of the same group and number takes its place."""
-    first = {"header": {"frame_id": frame}, "ns": group, "id": number, "type": kind, "color": _rgba(colour)}
+    first = {"header": {"frame_id": frame}, "ns": group, "id": number, "type": kind, "color": colour._asdict()}
     return {**first, "pose": {"orientation": {"w": 1.0}}, **content}
 
 
 def _point(values: Sequence[float]) -> dict[str, float]:
     return dict(zip("xyz", map(float, values), strict=True))
-
-
-def _rgba(colour: Rgba) -> dict[str, float]:
-    return colour._asdict()

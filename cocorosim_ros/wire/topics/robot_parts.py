@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.scenario.parts.vehicle_parts import Thruster, Vector3
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster, Vector3, unit_vector
 
 BODY = "base_link"
 
@@ -56,9 +56,4 @@ def sensor_parts(platform: Platform) -> list[RobotPart]:
     sensors = platform.sensors
     looking = [(f"blss_{each.name}", each.azimuth, each.elevation) for each in sensors.blss]
     looking += [(f"obstacles_{each.name}", each.azimuth, each.elevation) for each in sensors.obstacles or ()]
-    return [RobotPart(name, (0.0, 0.0, 0.0), _unit_vector(azimuth, elevation)) for name, azimuth, elevation in looking]
-
-
-def _unit_vector(azimuth: float, elevation: float) -> Vector3:
-    level = math.cos(elevation)
-    return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(elevation)
+    return [RobotPart(name, (0.0, 0.0, 0.0), unit_vector(azimuth, elevation)) for name, azimuth, elevation in looking]

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
-from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
+from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor, Vector3, unit_vector
 
 
-def cone_axis(sensor: BlueLightSensor, offset: float = 0.0) -> tuple[float, float, float]:
+def cone_axis(sensor: BlueLightSensor, offset: float = 0.0) -> Vector3:
     """Unit vector [body] of a sensor's axis, turned by `offset` [rad] in azimuth."""
-    azimuth, level = sensor.azimuth + offset, math.cos(sensor.elevation)
-    return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(sensor.elevation)
+    return unit_vector(sensor.azimuth + offset, sensor.elevation)

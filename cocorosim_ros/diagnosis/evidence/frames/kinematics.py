@@ -37,15 +37,10 @@ def contradictions(motion: ShownMotion) -> Iterator[FrameCorrection]:
         yield FrameCorrection("pose", "its yaw is in degrees instead of radians", because, CERTAIN, None, np.zeros(0))
         return
     moved = motion.through * np.exp(1j * motion.yaw)
+    other_rate = "its yaw rate is not the rate at which the heading turns"
     relations = (
-        ("imu", "its yaw rate is not the rate at which the heading turns", motion.gyro, "the poses show", motion.turn),
-        (
-            "imu",
-            "its yaw rate is not the rate at which the heading turns",
-            motion.gyro,
-            "the compass shows",
-            motion.swing,
-        ),
+        ("imu", other_rate, motion.gyro, "the poses show", motion.turn),
+        ("imu", other_rate, motion.gyro, "the compass shows", motion.swing),
         ("compass", "it does not turn as the poses do", motion.swing, "the poses show", motion.turn),
         ("velocity", "it is not the velocity of the poses in any axes", moved, "the poses show", motion.course),
     )
