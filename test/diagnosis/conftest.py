@@ -76,7 +76,7 @@ def trajectory(platform: Any, commands: Any, rng: np.random.Generator, disturban
     from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
     from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
     from cocorosim_ros.world.state.state import row_size
-    from cocorosim_ros.world.tick.assembly import build_vehicles
+    from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
     from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PATCH_FORCE_COLUMNS
 
     vehicles = build_vehicles([platform])

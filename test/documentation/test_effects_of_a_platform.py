@@ -13,8 +13,8 @@ from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
 from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
-from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.platform_effects import KNOWN_EFFECTS
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 TEXT = (Path(__file__).parents[2] / "config" / "README.md").read_text("utf-8")
 SECTION = TEXT.partition("## Effects of a platform")[2].partition("\n## ")[0]

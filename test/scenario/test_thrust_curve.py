@@ -15,7 +15,7 @@ from cocorosim_ros.scenario.reading.yaml_file import parse_yaml, yaml_text
 from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
 from cocorosim_ros.world.state.state import STATE_SIZE, SURGE, row_size
 from cocorosim_ros.world.surroundings.tank import Tank
-from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 SOURCE = "source: made, confidence: estimate"
 TABLE = "{form: table, commands: {value: [%s], unit: '1', source: made}, forces: {value: [%s], unit: N, source: made}}"

@@ -72,7 +72,7 @@ def simulated(platform: Any, start: Sequence[float], moments: Any, log: Any) -> 
     from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
     from cocorosim_ros.world.state.state import SURGE, SWAY, YAW_RATE, row_size
     from cocorosim_ros.world.surroundings.tank import Tank
-    from cocorosim_ros.world.tick.assembly import build_vehicles
+    from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
     vehicles = build_vehicles([platform])
     tank = Tank(np.full(3, -1e9), np.full(3, 1e9), np.zeros((0, 4)), np.zeros((0, 6)))

@@ -28,8 +28,8 @@ from cocorosim_ros.scenario.reading.ranges import Range, Ranges
 from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.terms.curve import ANGLE, FORM
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
-from cocorosim_ros.world.tick.assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.rudders import rudder_forces
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
 from cocorosim_ros.world.water.flow import make_flow
 

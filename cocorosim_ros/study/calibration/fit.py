@@ -21,7 +21,7 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.study.calibration.calibration_run import CalibrationRun
 from cocorosim_ros.study.calibration.free_run import ACCURATE, free_run
-from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS, YAW_INERTIA, Vehicles
 
 FIRST_SCATTER = np.array([0.01, 0.01, 0.01, 0.02])  # m, m, m, rad: before the residuals are known

@@ -13,7 +13,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.study.calibration import published
 from cocorosim_ros.study.calibration.free_run import ACCURATE, PAPER, Stepper, constant_run, moment_of
-from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS, YAW_INERTIA, Vehicles
 
 AHEAD, TURNING = (1.0, 1.0, 0.0), (-1.0, 1.0, 0.0)

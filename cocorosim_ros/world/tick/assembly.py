@@ -14,9 +14,8 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Flags
 from cocorosim_ros.scenario.parts.acoustic import Acoustic
 from cocorosim_ros.scenario.parts.light import Light
-from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
-from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor, BuoyancyPump
+from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
 from cocorosim_ros.world.controllers.crew_assembly import build_crew
 from cocorosim_ros.world.controllers.plain.plain_controller import plain_of
@@ -34,9 +33,8 @@ from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.tick.wants import Wants
 from cocorosim_ros.world.tick.water_assembly import build_water
 from cocorosim_ros.world.tick.world import World
-from cocorosim_ros.world.vehicle_model.curves import build_curves
-from cocorosim_ros.world.vehicle_model.platform_effects import active_bits, build_faults, check_platform, parameter_row
-from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
+from cocorosim_ros.world.vehicle_model.platform_effects import build_faults
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 
 def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
@@ -97,27 +95,6 @@ def build_tank(scenario: Scenario) -> Tank:
         spheres=np.array(spheres, dtype=np.float64).reshape(-1, 4),
         boxes=np.array(boxes, dtype=np.float64).reshape(-1, 6),
     )
-
-
-def build_vehicles(platforms: Sequence[Platform], runs: int = 1) -> Vehicles:
-    """The physical numbers of one robot per platform, repeated for every run.
-
-    Raises CocorosimError if a platform has an effect that does not exist, or that lacks a number.
-    """
-    actuators = max(len(platform.actuators) for platform in platforms)
-    wrench = np.zeros((len(platforms), actuators, 4))
-    limit = np.zeros((len(platforms), actuators, 2))
-    pump = np.zeros((len(platforms), actuators), dtype=np.bool_)
-    for robot, platform in enumerate(platforms):
-        wrench[robot, : len(platform.actuators)] = platform.actuator_wrenches()
-        limit[robot, : len(platform.actuators)] = platform.actuator_limits()
-        pump[robot, : len(platform.actuators)] = [isinstance(part, BuoyancyPump) for part in platform.actuators]
-        check_platform(platform)
-    parameters = np.array([parameter_row(platform) for platform in platforms])
-    active = np.array([active_bits(platform) for platform in platforms], dtype=np.int64)
-    parts = (parameters, active, wrench, limit, pump, build_curves(platforms))
-    repeated = [np.repeat(part[None], runs, axis=0) for part in parts]
-    return Vehicles(*repeated)
 
 
 def build_instruments(robots: Sequence[RobotDescription]) -> Instruments:

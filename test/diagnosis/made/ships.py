@@ -11,7 +11,7 @@ from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.motion.motion import Stepping, apply_commands, move
 from cocorosim_ros.world.state.state import STATE_SIZE, row_size
 from cocorosim_ros.world.surroundings.tank import Tank
-from cocorosim_ros.world.tick.assembly import build_vehicles
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 SOURCE = "source: made, confidence: estimate"
 MASS, INERTIA, DENSITY = 3000.0, 9000.0, 1000.0

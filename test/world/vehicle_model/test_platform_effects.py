@@ -16,7 +16,7 @@ from cocorosim_ros.world.checks.loading import load_scenario
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS, is_simulated
 from cocorosim_ros.world.state.state import SURGE, YAW, X
-from cocorosim_ros.world.tick.assembly import build_vehicles, build_world
+from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.vehicle_model.platform_effects import (
     KNOWN_EFFECTS,
@@ -25,6 +25,7 @@ from cocorosim_ros.world.vehicle_model.platform_effects import (
     check_platform,
     not_simulated,
 )
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS
 
 
