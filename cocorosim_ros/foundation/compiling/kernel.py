@@ -9,6 +9,9 @@ from numba import njit
 
 from cocorosim_ros.foundation.compiling.cache import cached_with_its_sources
 
+_OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+# Nothing here is called from C, and a second way into a function would be compiled with all that is inlined in it.
+
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile `function` to machine code: strict IEEE arithmetic, cached, releases the GIL.
@@ -18,16 +21,14 @@ def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     atomic and cost more than the arithmetic. Small working space comes from `stack_array`, large one as argument;
     an array cannot be the result.
     """
-    return cached_with_its_sources(
-        njit(cache=True, nogil=True, error_model="numpy", forceinline=True, _nrt=False), function
-    )
+    return cached_with_its_sources(njit(**_OPTIONS, forceinline=True, _nrt=False), function)
 
 
 def allocating_kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile `function` as `kernel` does, with allocation: for what is called once per tick, not once per robot."""
-    return cached_with_its_sources(njit(cache=True, nogil=True, error_model="numpy", _nrt=True), function)
+    return cached_with_its_sources(njit(**_OPTIONS, _nrt=True), function)
 
 
 def outlined_kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile `function` as `kernel` does, but leave it out of line: for what is rarely called from a hot loop."""
-    return cached_with_its_sources(njit(cache=True, nogil=True, error_model="numpy", _nrt=False), function)
+    return cached_with_its_sources(njit(**_OPTIONS, _nrt=False), function)

@@ -89,24 +89,35 @@ def complete_yaw_rate(observation: Observation, memory: Floats) -> None:
 
 
 @kernel
+def avoid(crew: Crew, robot: int, observation: Observation, memory: Floats) -> bool:
+    """Put what obstacle avoidance asks for into the request in `memory`; True if something is too near.
+
+    A robot whose behaviour commands the actuators directly is left alone.
+    """
+    sensor_axis = crew.sensor_axis[robot, : crew.sensor_count[robot]]
+    request, last_walls = memory[:REQUEST_SIZE], memory[LAST_WALLS:MEMORY_SIZE]
+    if request[DIRECT] != 0.0:
+        return False
+    avoids_wall: bool = avoid_walls(observation, sensor_axis, crew.system[robot], last_walls, request)
+    avoids_depth: bool = avoid_floor_and_surface(observation, sensor_axis, crew.system[robot], request)
+    return avoids_wall or avoids_depth
+
+
+@kernel
 def renew_request(crew: Crew, robot: int, observation: Observation, memory: Floats) -> None:
     """Let the behaviour change the request in `memory` or, where something is too near, obstacle avoidance.
 
     In the first cycle the behaviour runs in any case: nobody knows earlier whether it commands the actuators
-    directly, and then avoidance must leave them alone.
+    directly, and then avoidance must leave them alone. All behaviours are compiled into one place of this function,
+    since a second one would take the compiler as long again.
     """
     settings = crew.settings[robot, : crew.settings_count[robot]]
     sensor_axis = crew.sensor_axis[robot, : crew.sensor_count[robot]]
-    request, first = memory[:REQUEST_SIZE], math.isnan(memory[LAST_TIME])
+    first = math.isnan(memory[LAST_TIME])
+    if first or not avoid(crew, robot, observation, memory):
+        decide_by_code(crew.code[robot], observation, sensor_axis, settings, memory[:REQUEST_SIZE])
     if first:
-        decide_by_code(crew.code[robot], observation, sensor_axis, settings, request)
-    avoids_wall, avoids_depth = False, False
-    if request[DIRECT] == 0.0:
-        last_walls = memory[LAST_WALLS:MEMORY_SIZE]
-        avoids_wall = avoid_walls(observation, sensor_axis, crew.system[robot], last_walls, request)
-        avoids_depth = avoid_floor_and_surface(observation, sensor_axis, crew.system[robot], request)
-    if not (first or avoids_wall or avoids_depth):
-        decide_by_code(crew.code[robot], observation, sensor_axis, settings, request)
+        avoid(crew, robot, observation, memory)
 
 
 @kernel
