@@ -32,6 +32,21 @@ class EstimateCriteria:
 
 
 @dataclass(frozen=True)
+class FormWidthCriteria:
+    """Difference of a number between parts of the recordings that widens its interval (`showing.form_width`)."""
+
+    parts: int = 8
+    """[parts] of each division: enough for a variance, each still with an eighth of the readings. Chosen, not
+    measured."""
+    sure: float = 1e-3
+    """[probability] of a difference by chance: of thirty numbers in four divisions, one in ten fits has one.
+    Chosen, not measured."""
+    fewest: float = 3.0
+    """[parts] that tell of the number, by the sum of their weights squared over the sum of their squares. Chosen, not
+    measured."""
+
+
+@dataclass(frozen=True)
 class HardStopCriteria:
     """Signs of a fit that has gone wrong, under which nothing is more than suspected (`showing.hard_stops`)."""
 
@@ -135,6 +150,7 @@ class RegimeCriteria:
 
 VERDICT = VerdictCriteria()
 ESTIMATES = EstimateCriteria()
+FORM_WIDTH = FormWidthCriteria()
 HARD_STOPS = HardStopCriteria()
 LOCATION = LocationCriteria()
 FRAMING = FramingCriteria()

@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_between_parts
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 Z95 = float(norm.ppf(0.975))
@@ -40,10 +41,16 @@ class Fitted:
 
 
 def fitted(fit: Fit) -> tuple[Fitted, ...]:
-    """All unknowns of a fit but its noise, with standard deviations no less than ESTIMATES.numerical allows."""
+    """All unknowns of a fit but its noise, with standard deviations no less than ESTIMATES.numerical allows.
+
+    Since a cause may follow another law, two variances are added (`form_width`): that between parts of the recordings,
+    and that between laws of the kind.
+    """
     values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
-    spread = np.hypot(np.sqrt(np.diag(covariance(fit))), ESTIMATES.numerical * np.abs(values / slopes))
+    other = [spread_of_other_forms(unknown, float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)]
+    variance = np.diag(covariance(fit)) + variances_between_parts(fit) + np.square(other)
+    spread = np.hypot(np.sqrt(variance), ESTIMATES.numerical * np.abs(values / slopes))
     return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist()))
 
 

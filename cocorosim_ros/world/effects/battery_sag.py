@@ -39,6 +39,7 @@ BATTERY_SAG = Effect(
             gives="N",
             search=Strength(large=0.2),
             example=Example(0.1, "log of the voltage"),
+            other_form=0.12,  # discharge curves bend
         ),
         Number(
             "duration",

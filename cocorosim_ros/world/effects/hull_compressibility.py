@@ -40,6 +40,7 @@ HULL_COMPRESSIBILITY = Effect(
             gives="N",
             search=Strength(large=2e-3),
             example=Example(1e-3, "staircase of depths"),
+            other_form=0.08,  # the mean over the depths, of which the one at the surface is the steepest
         ),
         Number(
             "gas",

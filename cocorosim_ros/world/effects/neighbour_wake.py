@@ -72,6 +72,7 @@ NEIGHBOUR_WAKE = Effect(
             gives="N",
             search=Strength(large=0.6),
             example=Example(0.2, "two robots in line"),
+            other_form=0.15,  # jets that widen otherwise
         ),
     ),
     search=Search(channel="surge", manoeuvre="follow_neighbour"),

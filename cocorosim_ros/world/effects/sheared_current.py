@@ -39,6 +39,7 @@ SHEARED_CURRENT = Effect(
             gives="m/s",
             search=Strength(large=0.005),
             example=Example(0.002, "drift"),
+            other_form=0.08,  # profiles bend
         ),
         Number(
             "dx_dz",
@@ -48,6 +49,7 @@ SHEARED_CURRENT = Effect(
             gives="m/s",
             search=Strength(large=0.005),
             example=Example(0.001, "drift"),
+            other_form=0.08,  # profiles bend
         ),
         Number(
             "dy_dx",
@@ -57,6 +59,7 @@ SHEARED_CURRENT = Effect(
             gives="m/s",
             search=Strength(large=0.005),
             example=Example(-0.002, "drift"),
+            other_form=0.08,  # profiles bend
         ),
         Number(
             "dy_dz",
@@ -66,6 +69,7 @@ SHEARED_CURRENT = Effect(
             gives="m/s",
             search=Strength(large=0.005),
             example=Example(0.0, "drift"),
+            other_form=0.08,  # profiles bend
         ),
     ),
     search=Search(channel="surge", water=True, group=MOVING_WATER, manoeuvre="four_headings"),

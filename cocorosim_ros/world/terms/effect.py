@@ -26,13 +26,15 @@ class Number(Parameter):
     """A parameter with its term of the equation, the way it is looked for, and an example.
 
     The parameter [its unit] times what it `multiplies` [unit] `gives` the term of the equation that it stands in
-    [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it.
+    [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it. other_form: standard
+    deviation of the number, as a share of it, between causes that follow other laws of the kind than the equation.
     """
 
     gives: str
     multiplies: str = "1"
     search: Strength | Grid | Given | None = None
     example: Example | None = None  # none where a platform file cannot name the effect
+    other_form: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,0 +1,139 @@
+"""Spread of a fitted number from one part of the recordings to another, beyond what noise makes of it.
+
+A cause of another form than the model's law gives another number at each speed, turn rate, depth or time. An interval
+from the information of all readings does not show this: it narrows with every reading, around a mean of these numbers.
+The readings are therefore divided in parts. Estimates of each part by itself follow from the fit by one Newton step;
+where they differ by more than their noise (Cochran's test), a random-effects model gives the variance between parts.
+What no part shows, because each has the same law, is known beforehand only: by how much numbers of other laws of the
+kind differ stands in the file of the effect.
+Source: Cochran, Biometrics 10 (1954) 101; DerSimonian and Laird, Controlled Clinical Trials 7 (1986) 177; one-step
+estimates after Pregibon, Annals of Statistics 9 (1981) 705.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import chi2
+
+from cocorosim_ros.diagnosis.criteria.showing import FORM_WIDTH
+from cocorosim_ros.diagnosis.filter.products import weighted_products
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, information
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
+
+
+class Part(NamedTuple):
+    """Score (n,) and information (n, n) of n unknowns from one part of the readings, without priors."""
+
+    score: Floats
+    information: Floats
+    tracks: frozenset[int]
+
+
+def variances_between_parts(fit: Fit) -> Floats:
+    """Variance (unknowns,) of each q of a fit from part to part; 0 where parts agree as well as noise lets them.
+
+    It is the largest over four divisions: by time, by speed, by turn rate, by depth.
+    """
+    if not fit.unknowns:
+        return np.zeros(0)
+    courses = of_each_track(lambda number: fit.tracks[number].filter.smoothed(fit.filled[number]), len(fit.tracks))
+    spread = covariance(fit)
+    found = [_variances(fit, list(_parts(fit, labels)), spread) for labels in _divisions(fit.tracks, courses)]
+    return np.asarray(np.max(found, axis=0))
+
+
+def spread_of_other_forms(unknown: Unknown, q: float) -> float:
+    """Standard deviation of q by which a number differs under other laws of the kind, as the file of its effect says.
+
+    It is that for the effect itself; what one robot has on top of others is of the same law.
+    """
+    effect, _, name = unknown.column.partition(".")
+    if effect not in EFFECTS or unknown.on_top:
+        return 0.0
+    share = {number.name: number.other_form for number in EFFECTS[effect].numbers}.get(name, 0.0)
+    return abs(share * unknown.value(q) / unknown.slope(q))
+
+
+def _divisions(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Iterator[list[Integers]]:
+    """Number of the part of each reading (m,) of each track, in four divisions."""
+    times, first = [], 0
+    for track in tracks:
+        grid = track.timeline.grid
+        share = (track.timeline.stamp - grid.begin) / (grid.step * grid.points)
+        times.append(first + np.clip((share * FORM_WIDTH.parts).astype(np.int64), 0, FORM_WIDTH.parts - 1))
+        first += FORM_WIDTH.parts
+    yield times
+    for quantity in (_speed, _turn_rate, _height):
+        values = [quantity(course.mean)[_points(track)] for track, course in zip(tracks, courses, strict=True)]
+        edges = np.quantile(np.concatenate(values), np.arange(1, FORM_WIDTH.parts) / FORM_WIDTH.parts)
+        yield [np.searchsorted(edges, value) for value in values]
+
+
+def _speed(course: Floats) -> Floats:
+    return np.asarray(np.linalg.norm(course[:, SURGE : HEAVE + 1], axis=1))
+
+
+def _turn_rate(course: Floats) -> Floats:
+    return np.abs(course[:, YAW_RATE])
+
+
+def _height(course: Floats) -> Floats:
+    return course[:, Z]
+
+
+def _points(track: Track) -> Integers:
+    """Grid point next to each reading (m,)."""
+    grid = track.timeline.grid
+    return np.clip(np.rint((track.timeline.stamp - grid.begin) / grid.step).astype(np.int64), 0, grid.points - 1)
+
+
+def _parts(fit: Fit, labels: Sequence[Integers]) -> Iterator[Part]:
+    """Score and information of each part of a division that has readings."""
+    known, size = information(fit), len(fit.unknowns)
+    for part in np.unique(np.concatenate(labels)).tolist():
+        score, matrix, tracks = np.zeros(size), np.zeros((size, size)), set()
+        for number, (passed, felt, label) in enumerate(zip(fit.passes, known.own, labels, strict=True)):
+            chosen: Flags = label == part
+            if chosen.any():
+                slope, variance = felt.slopes[chosen], passed.variance[chosen]
+                matrix[felt.block] += weighted_products(slope, slope, variance)
+                score[felt.unknowns] -= weighted_products(slope, passed.innovation[chosen, None], variance).ravel()
+                tracks.add(number)
+        yield Part(score, matrix, frozenset(tracks))
+
+
+def _variances(fit: Fit, parts: Sequence[Part], spread: Floats) -> Floats:
+    """Variance (unknowns,) between the parts of one division; spread: covariance of q (unknowns, unknowns)."""
+    moved = np.array([spread @ part.score for part in parts])
+    share = [spread @ part.information for part in parts]
+    noise = np.array([np.einsum("ij,ij->i", each, spread) for each in share])
+    weight = np.array([np.diag(each) for each in share])
+    found = np.zeros(len(fit.unknowns))
+    for index, unknown in enumerate(fit.unknowns):
+        felt = np.array([bool(part.tracks & set(unknown.tracks)) for part in parts]) & (noise[:, index] > 0.0)
+        found[index] = _variance(moved[felt, index], noise[felt, index], weight[felt, index])
+    return found
+
+
+def _variance(moved: Floats, noise: Floats, weight: Floats) -> float:
+    """Variance between parts of one unknown; 0 if they agree, or too few of them tell of it.
+
+    moved: (parts,) share of each part in the fitted q; noise: (parts,) variance of that share; weight: (parts,) by how
+    much the share grows with the q of the part.
+    """
+    telling = weight**2 / noise
+    if telling.sum() ** 2 < FORM_WIDTH.fewest * (telling**2).sum() or not telling.any():
+        return 0.0
+    disagreement, freedom = float(np.sum(moved**2 / noise)), len(moved) - 1
+    if chi2.sf(disagreement, freedom) > FORM_WIDTH.sure:
+        return 0.0
+    return float((disagreement - freedom) / (telling.sum() - (telling**2).sum() / telling.sum()))

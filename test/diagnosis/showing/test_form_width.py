@@ -1,0 +1,95 @@
+"""Intervals that are as wide as a number differs between parts of the recordings."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+# Log relative risks of 13 trials of the BCG vaccine and their variances: Colditz et al., JAMA 271 (1994) 698, as
+# computed by Viechtbauer, Journal of Statistical Software 36 (2010) 3, who has Q = 152.23 and tau^2 = 0.3088 for the
+# estimator of DerSimonian and Laird.
+RISKS = [
+    -0.8893, -1.5854, -1.3481, -1.4416, -0.2175, -0.7861, -1.6209, 0.0120, -0.4694, -1.3713, -0.3394, 0.4459, -0.0173
+]  # fmt: skip
+VARIANCES = [0.3256, 0.1946, 0.4154, 0.0200, 0.0512, 0.0069, 0.2230, 0.0040, 0.0564, 0.0730, 0.0124, 0.5325, 0.0714]
+
+LINEAR = 0.02  # N s/m, of drag that the platform does not have
+
+
+def shares(estimates: Any, variances: Any) -> tuple[Any, Any, Any]:
+    """What each part adds to the common estimate, the variance of that, and the weight of the part."""
+    weight = (1.0 / variances) / np.sum(1.0 / variances)
+    return weight * (estimates - np.sum(weight * estimates)), weight**2 * variances, weight
+
+
+def test_it_is_the_published_variance() -> None:
+    """The variance between 13 trials is the one that was published."""
+    from cocorosim_ros.diagnosis.showing.form_width import _variance
+
+    assert _variance(*shares(np.array(RISKS), np.array(VARIANCES))) == pytest.approx(0.3088, abs=5e-4)
+
+
+def test_parts_that_agree_have_none() -> None:
+    """Estimates that differ by their noise alone have a variance between them as rarely as the criterion asks."""
+    from cocorosim_ros.diagnosis.showing.form_width import _variance
+
+    rng = np.random.default_rng(20261123)
+    variances = rng.uniform(0.1, 2.0, (2000, 8))
+    estimates = rng.normal(0.0, np.sqrt(variances))
+    found = [_variance(*shares(each, spread)) > 0.0 for each, spread in zip(estimates, variances, strict=True)]
+    assert np.mean(found) < 0.004, "one in a thousand is asked for"
+
+
+def test_one_part_alone_tells_nothing_of_a_difference() -> None:
+    """An event that happens once has all its information in one part; noise elsewhere is no other estimate of it."""
+    from cocorosim_ros.diagnosis.showing.form_width import _variance
+
+    weight = np.array([1.0, 1e-3, 1e-3, 1e-3])
+    assert _variance(np.array([0.0, 5.0, -5.0, 5.0]), np.array([1.0, 1e-2, 1e-2, 1e-2]), weight) == 0.0
+
+
+def test_drag_of_another_form_has_a_wide_interval(swim: Any) -> None:
+    """Where drag in truth is linear in part, one quadratic coefficient differs from speed to speed; else it does not.
+
+    Beside d u the force D |V| u is that of a coefficient D + d / V: the interval reaches to that of the fastest eighth.
+    """
+    from cocorosim_ros.diagnosis.fitting.fit import covariance
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+    from cocorosim_ros.diagnosis.showing.estimates import fitted
+    from cocorosim_ros.diagnosis.showing.form_width import _speed, variances_between_parts
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+
+    plain = load_platform("lily")
+    unit = "N s/m"
+    drag = {axis: Quantity(LINEAR, unit, dimension_of(unit)) for axis in ("surge", "sway", "heave")}
+    other = replace(plain, effect_quantities={"linear_drag": drag})
+    fits = [base_fit(swim(true, 600.0, seed=11, base=plain)) for true in (plain, other)]
+    place = next(index for index, each in enumerate(fits[0].unknowns) if each.owner.parameter == "drag")
+    assert variances_between_parts(fits[0])[place] == 0.0
+    assert variances_between_parts(fits[1])[place] > covariance(fits[1])[place, place]
+    interval = fitted(fits[1])[place].estimate
+    fast = float(np.quantile(_speed(smoothed_tracks(fits[1])[0].mean), 0.875))
+    assert interval.holds(plain.drag + LINEAR / fast)
+
+
+@pytest.mark.parametrize("logarithmic", [False, True])
+def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -> None:
+    """By the share of the number that its effect's file has, whatever the number is fitted as; others stay."""
+    from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
+    from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms
+    from cocorosim_ros.world.effects import EFFECTS
+
+    (share,) = [each.other_form for each in EFFECTS["battery_sag"].numbers if each.name == "fraction_lost"]
+    assert share > 0.0
+    owner = Owner("battery_sag", ("lily_01",), "fraction_lost", "1")
+    sag = Unknown(owner, "battery_sag.fraction_lost", (0,), 0.1, 0.3, logarithmic)
+    q = 0.7
+    spread = spread_of_other_forms(sag, q)
+    assert spread * abs(sag.slope(q)) == pytest.approx(share * sag.value(q))
+    assert spread_of_other_forms(replace(sag, column="torque_bias.torque"), q) == 0.0
+    assert spread_of_other_forms(replace(sag, column="surge.drag"), q) == 0.0
