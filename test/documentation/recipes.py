@@ -13,6 +13,13 @@ from typing import Any
 
 from .documents import ROOT, fenced
 
+ONE_FILE_ONE_LINE = (
+    "Add an effect",
+    "Add a sensor",
+    "Add a sensor that a diagnosis compares",
+    "Add an error of a sensor",
+)
+FILES_CHANGED = 2  # the new one, and that of the table
 COPIED = ("cocorosim_ros", "config", "msg_defs", "package.xml")
 _HEAD = re.compile(r"# (?P<path>\S+?)(?:, in (?P<table>\w+))?\n")
 
@@ -35,21 +42,33 @@ def copy_of_this_tree(folder: Path) -> Path:
     return folder
 
 
-def python_with(recipes: Sequence[str], tree: Path) -> Callable[..., str]:
-    """Follow recipes of one file and one line each in a new copy with its tests, and give a function of words.
-
-    That runs Python with the copy first on its path and a cache of its own, and returns what Python prints.
-    """
-    copy = copy_of_this_tree(tree)
+def tree_with(recipes: Sequence[str], folder: Path) -> Path:
+    """Copy this tree with its tests into a folder, and follow recipes in the copy."""
+    copy = copy_of_this_tree(folder)
     shutil.copytree(ROOT / "test", copy / "test", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "pyproject.toml", copy)
     for title in recipes:
-        assert len(follow(title, copy)) == 2, f"{title}: one file, one line"
-    environment = os.environ | {"PYTHONPATH": str(copy), "NUMBA_CACHE_DIR": str(copy / "compiled")}
+        changed = follow(title, copy)
+        assert changed, title
+        assert len(changed) == FILES_CHANGED or title not in ONE_FILE_ONE_LINE, f"{title}: one file, one line"
+    return copy
 
-    def run(*words: Any) -> str:
+
+def python_in(tree: Path) -> Callable[..., str]:
+    """Give a function of words and variables of the environment.
+
+    That runs Python with the copy first on its path and a cache of its own, and returns what Python prints.
+    """
+    own = {"PYTHONPATH": str(tree), "NUMBA_CACHE_DIR": str(tree / "compiled")}
+
+    def run(*words: Any, **environment: str) -> str:
         done = subprocess.run(
-            [sys.executable, *map(str, words)], cwd=copy, env=environment, capture_output=True, text=True, check=False
+            [sys.executable, *map(str, words)],
+            cwd=tree,
+            env=os.environ | own | environment,
+            capture_output=True,
+            text=True,
+            check=False,
         )
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout

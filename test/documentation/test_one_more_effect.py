@@ -8,8 +8,6 @@ from types import SimpleNamespace
 
 import pytest
 
-from .recipes import python_with
-
 pytestmark = pytest.mark.timeout(1800)  # s; everything is compiled anew
 RATE = 2e-5  # N/s
 PLATFORM = f"""name: leaky
@@ -39,12 +37,6 @@ corruption:
 lockstep: {silent_controller: thrusters_off, patience: 10 s}
 recording: {topics: all}
 """
-
-
-@pytest.fixture(scope="module")
-def python(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., str]:
-    """Function of words: Python with the copy first on its path, and with a cache of its own."""
-    return python_with(["Add an effect"], tmp_path_factory.mktemp("copy"))
 
 
 def test_what_every_effect_has_to_keep_is_tested_on_it_unasked(python: Callable[..., str]) -> None:

@@ -16,8 +16,6 @@ import pytest
 
 from cocorosim_ros.world.sensors.errors.sensor_latency import CLOCK_TICK
 
-from .recipes import python_with
-
 pytestmark = pytest.mark.timeout(1800)  # s; everything is compiled anew
 SCALE = 1.1
 LATE = 0.5  # s
@@ -63,13 +61,6 @@ heights, warmths, speeds = shown("pose", "z"), shown("thermometer", "temperature
 east, north, yaw = (shown("pose", name)[1] for name in ("x", "y", "yaw"))
 print(json.dumps({"z": heights, "warmth": warmths, "speed": speeds, "east": east, "north": north, "yaw": yaw}))
 """
-
-
-@pytest.fixture(scope="module")
-def python(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., str]:
-    """Function of words: what Python prints, with the copy first on its path, and with a cache of its own."""
-    recipes = ("Add a sensor", "Add a sensor that a diagnosis compares", "Add an error of a sensor")
-    return python_with(recipes, tmp_path_factory.mktemp("copy"))
 
 
 @pytest.fixture(scope="module")

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from .recipes import copy_of_this_tree, follow, with_lines
+from .recipes import with_lines
 
 SCENARIO = """
 name: recipes
@@ -56,34 +53,12 @@ print(convert(folder / "map.yaml", folder / "log.jsonl", folder / "bag").recordi
 """
 
 
-def told(tree: Path, program: str, *words: Any, **environment: str) -> subprocess.CompletedProcess[str]:
-    """What a program prints in a process of its own, to which the package is that of the copy."""
-    return subprocess.run(
-        [sys.executable, "-c", program, *map(str, words)],
-        cwd=tree,
-        env=os.environ | {"PYTHONPATH": str(tree)} | environment,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
 @pytest.fixture(scope="module")
-def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy in which the recipes of controller, metric, current, message and format were followed."""
-    tree = copy_of_this_tree(tmp_path_factory.mktemp("recipes"))
-    for title in ("Add a controller", "Add a metric", "Add a current", "Add a message", "Add a format of logs"):
-        assert follow(title, tree), title
-    return tree
-
-
-@pytest.fixture(scope="module")
-def run(tree: Path) -> Path:
+def run(python: Callable[..., str], tree: Path) -> Path:
     """The folder of a run of the copy that needs all of them."""
     scenario = tree / "recipes.yaml"
     scenario.write_text(SCENARIO, encoding="utf-8")
-    ended = told(tree, RUN, scenario, tree / "out")
-    assert ended.returncode == 0, ended.stderr
+    python("-c", RUN, scenario, tree / "out")
     return tree / "out"
 
 
@@ -109,13 +84,12 @@ def test_the_new_metric_is_measured(run: Path) -> None:
     assert measured["value"] == pytest.approx(1.0, abs=0.1)
 
 
-def test_the_new_message_is_known(tree: Path, tmp_path: Path) -> None:
+def test_the_new_message_is_known(python: Callable[..., str], tree: Path, tmp_path: Path) -> None:
     """It is written and read back, with its comments as schema."""
     share = tmp_path / "share" / "cocorosim_msgs"
     share.mkdir(parents=True)
     (share / "msg").symlink_to(tree / "msg_defs" / "msg")
-    said = told(tree, MESSAGE, AMENT_PREFIX_PATH=str(tmp_path))
-    assert said.stdout.split() == ["288.5", "True"], said.stderr
+    assert python("-c", MESSAGE, AMENT_PREFIX_PATH=str(tmp_path)).split() == ["288.5", "True"]
 
 
 def test_lines_come_to_the_end_of_their_table() -> None:
@@ -127,7 +101,6 @@ def test_lines_come_to_the_end_of_their_table() -> None:
     )
 
 
-def test_the_new_format_is_read(tree: Path, tmp_path: Path) -> None:
+def test_the_new_format_is_read(python: Callable[..., str], tmp_path: Path) -> None:
     """A map may ask for it, and its rows become messages."""
-    ended = told(tree, LOG, tmp_path)
-    assert (ended.stdout, ended.returncode) == ("2\n", 0), ended.stderr
+    assert python("-c", LOG, tmp_path) == "2\n"
