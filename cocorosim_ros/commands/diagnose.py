@@ -12,6 +12,8 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
+from cocorosim_ros.commands.completion import config_or_file, several_of
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.diagnosis.findings import Verdict
@@ -56,11 +58,22 @@ class _WithSeveral(click.Command):
         return super().parse_args(ctx, spread)
 
 
+@with_examples("cocorosim diagnose runs/one --platform lily --out found")
 @click.command("diagnose", cls=_WithSeveral, short_help="where a recording and the model disagree, and why")
 @click.argument("bags", metavar="BAG...", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--platform", "platform_name", required=True, help="name in config/platforms, or a file")
+@click.option(
+    "--platform",
+    "platform_name",
+    required=True,
+    shell_complete=config_or_file("platforms"),
+    help="name in config/platforms, or a file",
+)
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="folder for the results")
-@click.option("--known", help="platform file whose effects are taken as known")
+@click.option(
+    "--known",
+    shell_complete=config_or_file("platforms"),
+    help="platform file whose effects are taken as known",
+)
 @click.option(
     _AGAINST,
     metavar="GOOD...",
@@ -72,6 +85,7 @@ class _WithSeveral(click.Command):
     "--fail-on",
     metavar="VERDICT,...",
     callback=lambda ctx, option, given: _verdicts(given),
+    shell_complete=several_of(get_args(Verdict)),
     help=f"end with status 3 for these verdicts: {', '.join(get_args(Verdict))}",
 )
 @json_option

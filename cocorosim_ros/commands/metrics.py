@@ -6,12 +6,14 @@ from pathlib import Path
 
 import click
 
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 
+@with_examples("cocorosim metrics runs/one --all", "cocorosim metrics runs/one --interval '1 s' --picture one.png")
 @click.command("metrics", short_help="shoaling statistics of any recording that has poses")
 @click.argument("bag", type=click.Path(path_type=Path))
 @json_option

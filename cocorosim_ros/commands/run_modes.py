@@ -52,6 +52,7 @@ class RunChoices:
     network: bool
     wait: float
     foxglove: int | None
+    json_file: Path | None
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that contradict each other."""
