@@ -13,6 +13,7 @@ from rich.console import Console
 from cocorosim_ros.commands.completion import config_or_file
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
+from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 
 if TYPE_CHECKING:
@@ -75,6 +76,9 @@ def command(ctx: click.Context, /, **options: object) -> None:
 
     for sentence in not_simulated({robot.name: robot.platform for robot in scenario.robots}):
         console.print(sentence, style="yellow", markup=False, highlight=False)
+    from cocorosim_ros.graph.runs.active_physics import active_physics
+
+    say(console, active_physics(scenario))
     folder = prepare_folder(choices.out or Path("runs") / scenario.name, force=choices.force)
     try:
         outcome = _mode(choices)(scenario, choices, folder, console)
