@@ -26,8 +26,9 @@ def command(
 ) -> None:
     """Show the shoaling statistics of BAG (a rosbag2 folder, an .mcap file, or the folder of a run).
 
-    Robots are the topics NAMESPACE/pose of type geometry_msgs/msg/PoseStamped. Where all robots have the same stamps,
-    each stamp is a moment; otherwise poses are interpolated to common moments, gaps are left out, and both are said.
+    Robots are the topics NAMESPACE/pose of type geometry_msgs/msg/PoseStamped; without any, topics of type
+    nav_msgs/msg/Odometry, poses of any name, or moving frames in /tf. Where all robots have the same stamps, each stamp
+    is a moment; otherwise poses are interpolated to common moments, gaps are left out, and both are said.
     """
     console = console_beside(json_file, force=force)
     check_file(picture, force=force)

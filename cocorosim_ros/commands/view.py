@@ -54,7 +54,7 @@ def command(**options: object) -> None:
     """Show BAG (a rosbag2 folder, an .mcap file, or the folder of a run) in a browser: tracks, headings, tank, metrics.
 
     The page is one HTML file that needs nothing else and can be sent to others. Robots are the topics NAMESPACE/pose of
-    type geometry_msgs/msg/PoseStamped.
+    type geometry_msgs/msg/PoseStamped; without any, nav_msgs/msg/Odometry, poses of any name, or moving frames in /tf.
 
     With --3d the file is a recording for Rerun (https://rerun.io): tank, bodies, thrusters, cones of the sensors, who
     hears whom, trails, shoals by colour, currents, and the metrics on the same time line.
@@ -97,7 +97,11 @@ def _remarks(recording: Recording) -> list[str]:
     """What is missing from the recording or cannot be read."""
     from cocorosim_ros.graph.runs.results import readable_scenario
 
-    return [sentence for sentence in (recording.damage, readable_scenario(recording.bag)[1]) if sentence]
+    return [
+        sentence
+        for sentence in (recording.damage, recording.source_of_poses, readable_scenario(recording.bag)[1])
+        if sentence
+    ]
 
 
 def _write_page(recording: Recording, file: Path) -> None:

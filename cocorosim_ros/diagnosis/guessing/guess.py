@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.guessing.units_by_size import with_units
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
 from cocorosim_ros.wire.bags.file_kinds import kind_of
+from cocorosim_ros.wire.bags.poses_of_others import frame_name
 
 _READY = {"dataflash": "ardusub_dataflash", "tlog": "ardusub_tlog"}  # their messages are the same for every vehicle
 _ONE = "vehicle"
@@ -121,13 +122,8 @@ def _robots(tables: Sequence[LogTable]) -> dict[str, list[LogTable]]:
     if len(with_pose) > 1:
         return {space: own[space] for space in with_pose}
     if not with_pose and len(transforms) > 1:
-        return {_frame(table): [table] for table in transforms}
+        return {frame_name(table.kind.partition(" of ")[2]): [table] for table in transforms}
     return {with_pose[0] if with_pose and len(spaces) == 1 else _ONE: list(tables)}
-
-
-def _frame(table: LogTable) -> str:
-    words = re.sub(r"[^A-Za-z0-9_]", "_", table.kind.partition(" of ")[2].partition("/")[0])
-    return words if _ROBOT.fullmatch(words) else f"robot_{words}"
 
 
 def _streams(tables: Sequence[LogTable], doubts: list[str]) -> Iterator[Guess]:

@@ -14,12 +14,12 @@ from cocorosim_ros.diagnosis.guessing.log_table import LogTable
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.wire.bags.poses_of_others import is_fixed
 from cocorosim_ros.wire.conversion.bag_rows import BagRows
 from cocorosim_ros.wire.conversion.formats.bag import open_messages
 from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
 from cocorosim_ros.wire.conversion.formats.ulog import ULogLog
 
-_FIXED = frozenset({"map", "world", "odom", "earth", "tank", "pool", "ned", "enu", "local_origin"})
 _TF = "tf2_msgs/msg/TFMessage"
 
 
@@ -86,7 +86,7 @@ def _moving_transforms(topic: TopicLog) -> Iterator[LogTable]:
     """One table for each frame that moves in a frame of the world."""
     found: dict[tuple[str, str], list[Transform]] = {}
     for transform in topic.transforms:
-        if transform.parent.rpartition("/")[2] in _FIXED and transform.child.rpartition("/")[2] not in _FIXED:
+        if is_fixed(transform.parent) and not is_fixed(transform.child):
             found.setdefault((transform.parent, transform.child), []).append(transform)
     for (_, child), transforms in found.items():
         numbers = np.array([each.numbers for each in transforms])

@@ -50,7 +50,7 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
     damage = f" ({bag.summary.damage.rstrip('.')})" if bag.summary.damage else ""
     return (
         f"{bag.path} holds no poses: {there}{damage}; there must be a topic NAMESPACE/pose of type "
-        "geometry_msgs/msg/PoseStamped for each robot."
+        "geometry_msgs/msg/PoseStamped for each robot, or Odometry, poses of any name, or moving frames in /tf."
     )
 
 
