@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 from rich.console import Console
@@ -18,6 +18,13 @@ if TYPE_CHECKING:
     from cocorosim_ros.wire.bags.digest import Digest
 
 EQUAL, DIFFERENT = 0, 1
+
+
+class _Digested(NamedTuple):
+    """A recording with its digest."""
+
+    bag: Bag
+    digest: Digest
 
 
 @with_examples("cocorosim digest runs/one --topics")
@@ -40,7 +47,7 @@ def command(ctx: click.Context, /, bags: tuple[Path, ...], topics: bool, json_fi
     from cocorosim_ros.wire.bags.comparison import bag_digest
 
     digests = [bag_digest(bag) for bag in opened]
-    pairs = list(zip(opened, digests, strict=True))
+    pairs = [_Digested(bag, digest) for bag, digest in zip(opened, digests, strict=True)]
     untouched = [_show(console, bag, digest, topics=topics) for bag, digest in pairs]
     differences = [_compare(console, *pairs[0], *pair) for pair in pairs[1:]]
     give_json(console, json_file, _tree(pairs, untouched, differences))
@@ -78,7 +85,7 @@ def _compare(console: Console, first: Bag, digest: Digest, other: Bag, other_dig
     return sentences
 
 
-def _tree(pairs: list[tuple[Bag, Digest]], untouched: list[bool], differences: list[list[str]]) -> dict[str, Any]:
+def _tree(pairs: list[_Digested], untouched: list[bool], differences: list[list[str]]) -> dict[str, Any]:
     """Each recording with its topics, and from the second on where it differs from the first."""
     told = [{}, *({"equal": not sentences, "differences": sentences} for sentences in differences)]
     recordings = []

@@ -20,7 +20,14 @@ class GuessingCriteria:
     pulse_low: float = 800.0
     """[us] servo pulses are 1000 to 2000 us long, a bit more on either side. Known of servos; chosen, not measured."""
     pulse_high: float = 2200.0
-    """[us] as `pulse_low`."""
+    """[us] the other end of the same range. Chosen, not measured."""
+    epoch: float = 1e8
+    """[s] since 1970, between 1973 and 5138 with a thousandth and a thousand of it: a unit follows from the size of a
+    time. Follows from the calendar; chosen, not measured."""
+    later: float = 1e11
+    """[s] the other end of that range. Follows from the calendar; chosen, not measured."""
+    head_lines: int = 20
+    """[lines] of a text that tell how it is written. Chosen, not measured."""
     under_way: float = 0.3
     """[of the highest speed] below it a direction of travel means nothing. Chosen, not measured."""
     turned_enough: float = 1.0
@@ -34,6 +41,3 @@ class GuessingCriteria:
 
 
 GUESSING = GuessingCriteria()
-EPOCHS = {"ns": 1e17, "us": 1e14, "ms": 1e11, "s": 1e8}
-"""[by unit] a time since 1970 is larger than that in this unit and smaller than that of the next: between 1973 and
-5138. Follows from the calendar; chosen, not measured."""

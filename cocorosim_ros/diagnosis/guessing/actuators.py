@@ -1,4 +1,4 @@
-"""Commands of actuators: which columns and topics they are, their unit, and between what they lie."""
+"""Commands of actuators: columns and topics that they stand in, their units, and the ends of their ranges."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def _short(names: Sequence[str]) -> list[str]:
 
 
 def together(guesses: Sequence[Guess]) -> list[Guess]:
-    """The same, with short names where each actuator has a topic of its own, and no name twice."""
+    """Commands with short names where each actuator has a topic of its own, and no name twice."""
     names = [(guess, name) for guess in guesses for name in guess.numbers]
     short = _short([name for _, name in names]) if len(names) > 1 else ["thruster" for _ in names]
     renamed = iter(short if len(set(short)) == len(short) else [name for _, name in names])
@@ -99,7 +99,7 @@ def _moves(values: Floats) -> bool:
 
 
 def _limits(column: str, values: Floats) -> tuple[dict[str, object], str]:
-    """What a map says of a command: unit, stop, full ahead and astern; and what is doubtful about it."""
+    """Entries of a map for a command: unit, stop, full ahead and astern; and a sentence about what is doubtful."""
     known = values[np.isfinite(values)]
     if ((known > GUESSING.pulse_low) & (known < GUESSING.pulse_high)).all():
         return dict(_PULSE), "taken for servo pulses, of which 1500 us is stop, and 1100 and 1900 us are the ends."

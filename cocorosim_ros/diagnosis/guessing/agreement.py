@@ -16,7 +16,6 @@ from cocorosim_ros.diagnosis.guessing.log_table import Guess
 from cocorosim_ros.foundation.arrays import Floats
 
 _DOWN = "z of the pose grows with the depth: z is down, so its axes are taken to be north-east-down."
-_QUARTER = 90  # deg
 _POSE, _PRESSURE, _VELOCITY, _IMU = "pose", "pressure", "velocity", "imu"
 
 
@@ -95,14 +94,14 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     steps = np.column_stack([rate_of(time, place[:, axis]) for axis in range(2)])
     speed = np.hypot(*steps.T)
     moves = speed > max(CHECKING.moving, GUESSING.under_way * float(np.nanmax(speed, initial=0.0)))
-    course, heading = np.arctan2(steps[:, 1], steps[:, 0])[moves], averaged(time, yaw)[moves]
+    course, heading = np.arctan2(*steps.T[::-1])[moves], averaged(time, yaw)[moves]
     if len(course) < CHECKING.fewest or np.ptp(heading) < GUESSING.turned_enough:
         return pose
     as_yaw, as_bearing = (complex(np.mean(np.exp(1j * (course - sign * heading)))) for sign in (1.0, -1.0))
     name = pose.numbers["yaw"].column
     if abs(as_bearing) > CHECKING.related > abs(as_yaw):
-        quarters = round(math.degrees(cmath.phase(as_bearing)) / _QUARTER)
-        number = replace(pose.numbers["yaw"], negated=True, offset=_QUARTER * quarters)
+        quarters = round(2.0 * cmath.phase(as_bearing) / math.pi)
+        number = replace(pose.numbers["yaw"], negated=True, quarters=quarters)
         words = f"'{name}' counts clockwise from where y points, as the direction of travel says."
         return pose.with_number("yaw", number).doubting(words)
     if abs(as_yaw) > CHECKING.related and abs(cmath.phase(as_yaw)) > GUESSING.turned_enough:

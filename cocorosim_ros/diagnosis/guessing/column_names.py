@@ -1,10 +1,12 @@
-"""What a column is by its name: the words in it, the letter of an axis at its end, a unit behind it."""
+"""Meanings of columns by their names: the words in it, the letter of an axis at its end, a unit behind it."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping
 from typing import NamedTuple
+
+from cocorosim_ros.scenario.reading.quantity import UNITS
 
 
 class Meaning(NamedTuple):
@@ -26,10 +28,8 @@ _UNITS = {
     "s": "s", "sec": "s", "secs": "s", "seconds": "s", "ms": "ms", "us": "us", "ns": "ns", "nsec": "ns",
     "n": "N", "rpm": "rpm", "rps": "rev/s", "v": "V",
 }  # fmt: skip
-_DIMENSION_OF_UNIT = {
-    "rad/s": "rate", "deg/s": "rate", "m/s^2": "acc", "m/s": "vel", "cm/s": "vel", "mm/s": "vel",
-    "Pa": "pressure", "hPa": "pressure", "kPa": "pressure", "mbar": "pressure", "dbar": "pressure", "bar": "pressure",
-}  # fmt: skip
+_BY_UNIT = {"angular velocity": "rate", "acceleration": "acc", "speed": "vel", "pressure": "pressure"}
+_DIMENSION_OF_UNIT = {unit: context for dimension, context in _BY_UNIT.items() for unit in UNITS[dimension]}
 _BRACKETED = re.compile(r"\s*[\[(]\s*([^\])]+?)\s*[\])]\s*$")
 _CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z])")
 _CONTEXTS: dict[str, frozenset[str]] = {
@@ -75,13 +75,13 @@ def tokens_and_unit(name: str) -> tuple[list[str], str]:
 
 
 def is_time(name: str) -> bool:
-    """Whether a column is a time by its name."""
+    """Tell whether a column is a time by its name."""
     words, _ = tokens_and_unit(name)
     return bool(words) and words[-1] in _TIMES and not set(words) & _CONTEXTS["command"]
 
 
 def meaning_of(name: str, others: Mapping[str, object]) -> Meaning | None:
-    """What a column of a table is; `others` are the table's columns, which decide between meanings of a letter."""
+    """Meaning of a column of a table; `others` are the table's columns, which decide between meanings of a letter."""
     words, unit = tokens_and_unit(name)
     if not words or set(words) & _CONTEXTS["mag"]:
         return None
@@ -141,5 +141,5 @@ def _axis(words: list[str], unit: str, others: Mapping[str, object]) -> Meaning 
 
 
 def _has_w(words: list[str], others: Mapping[str, object]) -> bool:
-    """Whether there is a fourth component beside x, y and z."""
+    """Tell whether there is a fourth component beside x, y and z."""
     return any(_words(name) == [*words[:-1], "w"] for name in others)

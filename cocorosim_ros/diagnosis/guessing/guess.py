@@ -101,7 +101,7 @@ def _tables_of_folder(files: Sequence[Path]) -> tuple[str, list[LogTable], list[
 
 
 def _pattern(files: Sequence[Path]) -> str:
-    """What the names of files have in common, with {run} for the rest."""
+    """The beginning that the names of files have in common, with {run} for the rest."""
     names, ending = [file.stem for file in files], files[0].suffix
     if len(names) == 1:
         return f"{{run}}{ending}"
@@ -110,7 +110,7 @@ def _pattern(files: Sequence[Path]) -> str:
 
 
 def _robots(tables: Sequence[LogTable]) -> dict[str, list[LogTable]]:
-    """Which topics are of which robot: each namespace with a pose of its own is one, where there are several."""
+    """Topics by robot: each namespace with a pose of its own is one, where there are several."""
     spaces = {table.source.strip("/").partition("/")[0] for table in tables if "/" in table.source.strip("/")}
     own = {space: [table for table in tables if table.source.strip("/").startswith(f"{space}/")] for space in spaces}
     with_pose = sorted(
@@ -143,7 +143,7 @@ def _streams(tables: Sequence[LogTable], doubts: list[str]) -> Iterator[Guess]:
 
 
 def _rank(guess: Guess) -> tuple[bool, int, int]:
-    """The most telling first: with a heading of its own, of a type that is made for it, the most frequent."""
+    """Order of preference: with a heading of its own, of a type that is made for it, the most frequent."""
     kind = guess.table.kind
     order = _BETTER_TYPES.index(kind) if kind in _BETTER_TYPES else len(_BETTER_TYPES)
     return bool(guess.fixed), order, -len(guess.table.time)

@@ -46,7 +46,7 @@ ROS_TYPES: Mapping[str, Mapping[str, Fields]] = {
     },
     "sensor_msgs/msg/FluidPressure": {"pressure": {"pressure": "fluid_pressure"}},
 }
-"""By type the streams of its messages, those of which there is more first: in SI units, axes as REP 103 has them."""
+"""Streams of the messages of each type: in SI units, axes as REP 103 has them."""
 PX4_TOPICS: Mapping[str, Mapping[str, Fields]] = {
     "vehicle_odometry": {"pose": {**_list("position", "x y z"), **_list("q", "qw qx qy qz")}},
     "vehicle_local_position": {"pose": {"x": "x", "y": "y", "z": "z", "yaw": "heading"}},
@@ -55,7 +55,7 @@ PX4_TOPICS: Mapping[str, Mapping[str, Fields]] = {
     "vehicle_attitude": {"imu": _list("q", "qw qx qy qz")},
     "vehicle_air_data": {"pressure": {"pressure": "baro_pressure_pa"}},
 }
-"""By topic the streams of PX4, those of which there is more first: SI units, north-east-down, docs.px4.io."""
+"""Streams of the topics of PX4: SI units, north-east-down, docs.px4.io."""
 DIMENSIONS = {
     **dict.fromkeys(("x", "y", "z", "depth"), "length"),
     **dict.fromkeys(("roll", "pitch", "yaw", "heading"), "angle"),
@@ -65,7 +65,7 @@ DIMENSIONS = {
     "pressure": "pressure",
     "yaw_rate": "angular velocity",
 }
-"""Of every number of a stream, but for x, y and z of a velocity."""
+"""Dimension of every number of a stream, but for x, y and z of a velocity."""
 
 
 def dimension_of_number(stream: str, name: str) -> str:

@@ -33,8 +33,8 @@ class LogTable:
 class Number:
     """A number that was recognised: its column, its dimension, the unit in which it stands, and its values there.
 
-    sure: whether the log says the unit, in a name or by its format. negated: whether the map turns its sign. offset:
-    what it then adds [deg].
+    sure: whether the log says the unit, in a name or by its format. negated: whether the map turns its sign.
+    quarters: quarter turns that it then adds.
     """
 
     column: str
@@ -43,18 +43,18 @@ class Number:
     unit: str = ""
     sure: bool = False
     negated: bool = False
-    offset: int = 0
+    quarters: int = 0
 
     def in_si(self) -> Floats:
         """(n,) the values in SI units."""
         factor = float(Fraction(UNITS[self.dimension][self.unit])) if self.unit else 1.0
-        return np.asarray(self.values * factor * (-1.0 if self.negated else 1.0) + math.radians(self.offset))
+        return np.asarray(self.values * factor * (-1.0 if self.negated else 1.0) + self.quarters * math.pi / 2)
 
     def entry(self) -> dict[str, Any]:
-        """What the map says of it."""
+        """Entry of the map for it."""
         unit = {"unit": self.unit} if self.unit and self.dimension != "pure number" else {}
         scale = {"scale": -1} if self.negated else {}
-        offset = {"offset": f"{self.offset} deg"} if self.offset else {}
+        offset = {"offset": f"{90 * self.quarters} deg"} if self.quarters else {}
         return {"column": self.column, **unit, **scale, **offset}
 
 
@@ -73,11 +73,11 @@ class Guess:
     doubts: tuple[str, ...] = ()
 
     def doubting(self, *sentences: str) -> Guess:
-        """The same with further doubts."""
+        """A copy with further doubts."""
         return replace(self, doubts=(*self.doubts, *(sentence for sentence in sentences if sentence)))
 
     def with_number(self, name: str, number: Number) -> Guess:
-        """The same with another number."""
+        """A copy with another number."""
         return replace(self, numbers={**self.numbers, name: number})
 
     @property

@@ -32,7 +32,7 @@ def recognised(table: LogTable) -> Iterator[Guess]:
 
 
 def meanings(table: LogTable) -> dict[str, Meaning]:
-    """What the columns of a table are by their names; a topic's own name counts where a field says nothing."""
+    """Meanings of the columns of a table by their names; a topic's own name counts where a field says nothing."""
     if not table.kind:
         found = {name: meaning_of(name, table.columns) for name in table.columns}
     else:
@@ -51,7 +51,7 @@ def _known(table: LogTable) -> tuple[Mapping[str, Fields] | None, bool]:
 
 
 def _of_field(table: LogTable, path: str) -> Meaning | None:
-    """What a field of a message is: its own words, with those of the topic before them."""
+    """Meaning of a field of a message: its own words, with those of the topic before them."""
     words = path.partition("[")[0].removeprefix(_DATA).strip(".")
     return meaning_of(f"{table.source}/{words}".strip("/"), table.columns)
 
@@ -62,7 +62,7 @@ def _in_si(table: LogTable, topic: str, name: str, path: str) -> Number:
 
 
 def _without_dead_quaternion(numbers: dict[str, Number]) -> dict[str, Number]:
-    """Without an attitude that is zero, or all of which is not there."""
+    """Leave out an attitude that is zero, or of which a part is missing."""
     turn = [numbers[name].values for name in _QUATERNION if name in numbers]
     if len(turn) == len(_QUATERNION) and np.nanmedian(np.abs(turn).sum(axis=0)) > 0.0:
         return numbers
@@ -105,7 +105,7 @@ def _shared(streams: dict[str, dict[str, Number]]) -> dict[str, dict[str, Number
 
 
 def _completed_pose(pose: dict[str, Number], others: dict[str, dict[str, Number]]) -> dict[str, Number]:
-    """With the depth and the heading of other streams, where they lack in it; those are then not used twice."""
+    """Add the depth and the heading of other streams, where they lack in it; those are then not used twice."""
     if "z" not in pose and "depth" in others.get("pressure", {}):
         pose = {**pose, "depth": others["pressure"].pop("depth")}
     if set(_QUATERNION) <= pose.keys():
@@ -116,7 +116,7 @@ def _completed_pose(pose: dict[str, Number], others: dict[str, dict[str, Number]
 
 
 def _complete(guess: Guess) -> Guess:
-    """With what a pose must have: a height and a heading."""
+    """Add what a pose must have: a height and a heading."""
     if guess.topic != "pose":
         return guess
     fixed: dict[str, dict[str, str | bool]] = {}

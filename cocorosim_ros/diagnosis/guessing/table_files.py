@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -10,7 +11,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.guessing import EPOCHS, GUESSING
+from cocorosim_ros.diagnosis.criteria.guessing import GUESSING
 from cocorosim_ros.diagnosis.guessing.column_names import is_time, tokens_and_unit
 from cocorosim_ros.diagnosis.guessing.log_table import LogTable
 from cocorosim_ros.foundation.arrays import Floats
@@ -24,7 +25,7 @@ from cocorosim_ros.wire.conversion.formats.format import FileFormat
 ENDINGS = {".csv": "csv", ".txt": "csv", ".tsv": "csv", ".dat": "csv", ".log": "csv", ".parquet": "parquet",
            ".npz": "npz", ".mat": "mat"}  # fmt: skip
 _SEPARATORS = (",", ";", "\t", "|", " ")
-_HEAD_LINES = 20
+_SMALL = ("s", "ms", "us", "ns")  # units in which loggers count
 _NUMBER = re.compile(r"[-+]?\d*[.,]?\d+([eE][-+]?\d+)?")
 
 
@@ -95,11 +96,11 @@ def _unit_of_time(name: str, values: Floats) -> tuple[str, bool]:
     if unit in UNITS["time"]:
         return unit, True
     first = float(values[np.isfinite(values)][0])
-    epoch = next((unit for unit, least in EPOCHS.items() if first > least), None)
-    if epoch is not None:
-        return epoch, True
+    for unit, factor in UNITS["time"].items():
+        if GUESSING.epoch < first * float(factor) < GUESSING.later and unit in _SMALL:
+            return unit, True
     step = float(np.nanmedian(np.diff(values)))
-    for unit in ("s", "ms", "us", "ns"):
+    for unit in _SMALL:
         tick = step * float(UNITS["time"][unit])
         if GUESSING.shortest_tick <= tick <= GUESSING.longest_tick:
             return unit, False
@@ -107,14 +108,14 @@ def _unit_of_time(name: str, values: Floats) -> tuple[str, bool]:
 
 
 def _layout(path: Path) -> CsvLayout:
-    """How a CSV file is written, by its first lines."""
+    """Layout of a CSV file by its first lines."""
     plain = CsvLayout()
     try:
         text = path.read_bytes()[: 1 << 16]
     except OSError as error:
         raise CocorosimError(f"{path} cannot be read: {error.strerror}; check its name and permissions.") from error
     encoding = "utf-8" if _is_utf8(text) else "latin-1"
-    lines = [line for line in text.decode(encoding, "replace").splitlines()[:_HEAD_LINES] if line.strip()]
+    lines = [line for line in text.decode(encoding, "replace").splitlines()[: GUESSING.head_lines] if line.strip()]
     comment = "#" if lines and lines[0].startswith("#") and len(lines) > 1 and not lines[1].startswith("#") else ""
     kept = [line for line in lines if not comment or not line.startswith(comment)]
     separator = max(_SEPARATORS, key=lambda mark: _fields(kept, mark)) if kept else ","
@@ -131,14 +132,14 @@ def _layout(path: Path) -> CsvLayout:
 
 def _is_utf8(text: bytes) -> bool:
     try:
-        text[:-4].decode("utf-8")
-    except UnicodeDecodeError as error:
-        return error.start >= len(text) - 8  # the piece may end within a letter
+        codecs.getincrementaldecoder("utf-8")().decode(text)  # the piece may end within a letter
+    except UnicodeDecodeError:
+        return False
     return True
 
 
 def _fields(lines: list[str], mark: str) -> int:
-    """How many cells every line has, if all have as many; a blank separates only where nothing else does."""
+    """Number of cells of every line, if all have as many; a blank separates only where nothing else does."""
     counts = {len(line.split() if mark == " " else line.split(mark)) for line in lines}
     fewest = min(counts, default=0)
     return 0 if len(counts) > 1 or fewest == 1 else 2 * fewest - (mark == " ")

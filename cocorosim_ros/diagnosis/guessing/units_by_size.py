@@ -60,7 +60,7 @@ _UNITS: dict[str, Callable[[Number], str]] = {"angle": _angle, "angular velocity
 
 
 def _acceleration_unit(guess: Guess) -> str:
-    """By gravity, which is a part of what an accelerometer shows."""
+    """Unit of an acceleration by gravity, which is a part of what an accelerometer shows."""
     felt = [guess.numbers[name].values for name in _FORCES if name in guess.numbers]
     if not felt:
         return "m/s^2"
