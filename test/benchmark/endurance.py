@@ -173,7 +173,7 @@ def main() -> None:
         f"{ticks} ticks, {ticks * scenario.tick / 3600.0:.2f} h simulated, {chosen.minutes:g} min of wall clock"
     )
     console.print(
-        f"{summary.message_count} messages recorded, {sum(missing.values())} lost{f' {missing}' if missing else ''}, {size:.0f} MB"
+        f"{summary.message_count} messages recorded, {sum(missing.values())} lost, {size:.0f} MB: {missing or 'none'}"
     )
     console.print(f"complaints: {complaints or 'none'}")
     console.print(f"the recording is {folder / 'bag'}")
