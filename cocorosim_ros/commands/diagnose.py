@@ -102,7 +102,9 @@ def command(ctx: click.Context, /, **options: object) -> None:
 
     Writes report.html (to read), diagnosis.json (the same for programs) and model.yaml (a platform with what was
     found, for `cocorosim run` and for --platform of the next diagnosis). Where something is left open, also
-    next_manoeuvre.yaml: a scenario for `cocorosim run` that drives what would show it.
+    next_manoeuvre.yaml: a scenario for `cocorosim run` that drives what would show it. overlay/ is a bag on the
+    recording's own clock, to open beside it in Foxglove or Lichtblick, or with `cocorosim view --3d BAG --against
+    OUT/overlay`: ghosts of both models through the parts that no fit saw, residual forces, evidence over time.
     """
     from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
     from cocorosim_ros.library.diagnose import diagnose
@@ -125,6 +127,8 @@ def command(ctx: click.Context, /, **options: object) -> None:
     show_table(console, terminal_tables(result.diagnosis))
     _show_remarks(console, result.remarks)
     say(console, f"{choices.out}: {', '.join(reversed(list(result.files)))}")
+    if result.overlay is not None:
+        say(console, f"{choices.out / 'overlay'}: ghosts, residual forces and evidence, to open beside the recording")
     give_json(console, choices.json_file, result.tree)
     if choices.junit is not None:
         write_text(choices.junit, result.junit(choices.fail_on))
