@@ -37,7 +37,7 @@ _CONTEXTS: dict[str, frozenset[str]] = {
                       "ref", "reference", "target", "goal", "setpoint", "wind", "current", "voltage", "battery"}),
     "command": frozenset({"cmd", "command", "commands", "motor", "thruster", "thrusters", "thrust", "pwm", "propeller",
                           "prop", "rotor", "rudder", "servo", "esc", "actuator", "force", "torque", "wrench", "rpm",
-                          "input", "port", "starboard"}),
+                          "input", "port", "starboard", "buoyancy", "pump", "ballast"}),
     "acc": frozenset({"acc", "accel", "acceleration", "accelerometer"}),
     "rate": frozenset({"angular", "gyro", "gyr", "rate", "rates", "omega", "w"}),
     "vel": frozenset({"velocity", "vel", "velo", "linear", "twist", "dvl", "speed"}),

@@ -8,7 +8,7 @@ Of each robot, under its own name:
     residual_force_left   the same of the model that was found
     evidence              gathered for the model that was found, over the recalibrated one [nats]
 
-and of all of them /markers/residual_force: these forces as arrows in the world.
+and of all of them /markers/residuals: these forces as arrows in the world.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from cocorosim_ros.wire.topics.swarm_messages import WORLD_FRAME
 POSE, WRENCH = "geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/WrenchStamped"
 NUMBER, ARROWS = "std_msgs/msg/Float64", "visualization_msgs/msg/MarkerArray"
 BY_PLATFORM, BY_MODEL = "by_platform/pose", "by_model/pose"
-BEFORE, LEFT, EVIDENCE, MARKERS = "residual_force", "residual_force_left", "evidence", "/markers/residual_force"
+BEFORE, LEFT, EVIDENCE, MARKERS = "residual_force", "residual_force_left", "evidence", "/markers/residuals"
 _ARROW = 0  # visualization_msgs/msg/Marker
 _RED, _GREEN = {"r": 0.9, "g": 0.25, "b": 0.2, "a": 0.9}, {"r": 0.3, "g": 0.8, "b": 0.35, "a": 0.9}
 

@@ -77,8 +77,11 @@ def readable_scenario(bag: Bag) -> tuple[Scenario | None, str]:
 def scenario_facts(bag: Bag) -> ScenarioFacts:
     """Name, seed, tank and obstacles, where the recording knows its scenario."""
     scenario, _ = readable_scenario(bag)
-    if scenario is None:
-        return ScenarioFacts(bag.path.name)
+    return ScenarioFacts(bag.path.name) if scenario is None else facts_of(scenario)
+
+
+def facts_of(scenario: Scenario) -> ScenarioFacts:
+    """Name, seed, tank and obstacles of a scenario."""
     tank = scenario.tank
     spheres = tuple((*solid.centre, solid.radius) for solid in tank.obstacles if isinstance(solid, Sphere))
     boxes = tuple(solid.corners() for solid in tank.obstacles if isinstance(solid, Box))

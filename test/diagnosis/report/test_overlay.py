@@ -86,7 +86,7 @@ def test_forces_and_evidence(found: Diagnosis, tmp_path: Path) -> None:
     parts = (first.wrench.force.x, first.wrench.force.y, first.wrench.force.z, first.wrench.torque.z)
     assert parts == pytest.approx(force)
     assert "/lily_01/residual_force_left" in messages
-    arrows = [message.markers[0] for _, message in messages["/markers/residual_force"]]
+    arrows = [message.markers[0] for _, message in messages["/markers/residuals"]]
     assert {(arrow.ns, arrow.id) for arrow in arrows} == {("lily_01", 0), ("lily_01", 1)}
     arrow = next(each for each in arrows if each.id == 0)
     begin, end = (np.array([getattr(point, axis) for axis in "xyz"]) for point in arrow.points)
