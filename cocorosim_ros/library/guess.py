@@ -6,8 +6,7 @@ import re
 from pathlib import Path
 
 from cocorosim_ros.diagnosis.guessing.guess import GuessedMap, guess_map
-from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.foundation.output_file import check_file
+from cocorosim_ros.foundation.output_file import check_file, write_text
 from cocorosim_ros.scenario.reading.arguments import Place, place_text
 
 
@@ -26,8 +25,5 @@ def guess(source: Place, out: Place, *, force: bool = False) -> GuessedMap:
     file, log = Path(place_text(out, "out")), Path(place_text(source, "source"))
     check_file(file, force=force)
     found = guess_map(log, re.sub(r"\W+", "_", file.stem).strip("_") or "guessed")
-    try:
-        file.write_text(found.text, "utf-8")
-    except OSError as error:
-        raise CocorosimError(f"{file} cannot be written: {error.strerror}; give another file.") from error
+    write_text(file, found.text)
     return found

@@ -9,11 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned, yaw_of
-from cocorosim_ros.diagnosis.criteria.checking import CHECKING, DEGREES
+from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned
+from cocorosim_ros.diagnosis.criteria.checking import CHECKING
 from cocorosim_ros.diagnosis.criteria.guessing import GUESSING
 from cocorosim_ros.diagnosis.guessing.log_table import Guess
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 
 _DOWN = "z of the pose grows with the depth: z is down, so its axes are taken to be north-east-down."
 _POSE, _PRESSURE, _VELOCITY, _IMU = "pose", "pressure", "velocity", "imu"
@@ -50,7 +51,7 @@ def yaw_in(pose: Guess) -> Floats | None:
     if "qw" not in pose.numbers:
         return None
     turn = np.column_stack([pose.numbers[name].in_si() for name in ("qx", "qy", "qz", "qw")])
-    return np.asarray(np.unwrap(yaw_of(turn)))
+    return np.asarray(np.unwrap(yaw_of_quaternions(turn)))
 
 
 def _by_gravity(imu: Guess) -> Guess:
@@ -157,7 +158,7 @@ def _by_turning(guess: Guess, name: str, pose: Guess) -> Guess:
     slope, related = slope_and_correlation(seen, told)
     if float(np.std(seen)) < CHECKING.moving or abs(related) < CHECKING.related:
         return guess
-    if _near(abs(slope) / DEGREES) or _near(abs(slope) * DEGREES):
+    if _near(abs(slope) / math.degrees(1.0)) or _near(abs(slope) / math.radians(1.0)):
         right = "deg/s" if abs(slope) > 1.0 else "rad/s"
         rates = {
             n: replace(part, unit=right) for n, part in guess.numbers.items() if part.dimension == number.dimension
