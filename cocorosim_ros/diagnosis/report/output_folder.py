@@ -10,7 +10,7 @@ from pathlib import Path
 from cocorosim_ros.foundation.errors import ArgumentError
 
 FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
-OVERLAY = "overlay"
+OVERLAY_FOLDER = "overlay"
 _UNFINISHED = ".overlay.partial"
 
 
@@ -22,7 +22,7 @@ def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
     """
     if folder.exists() and not folder.is_dir():
         raise ArgumentError(f"{folder} is a file; give a folder with '{argument}'.", argument)
-    there = [name for name in (*FILES, OVERLAY) if (folder / name).exists()]
+    there = [name for name in (*FILES, OVERLAY_FOLDER) if (folder / name).exists()]
     if there and not force:
         told = f"{folder / there[0]} exists already; give another folder with '{argument}', or 'force'."
         raise ArgumentError(told, argument, "force")
@@ -42,7 +42,7 @@ def write_folder(
     """
     made = _missing(folder)
     partial = {folder / f".{name}.partial": folder / name for name in texts}
-    unfinished = folder / _UNFINISHED / OVERLAY
+    unfinished = folder / _UNFINISHED / OVERLAY_FOLDER
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if overlay is not None:
@@ -67,10 +67,10 @@ def _exchange(folder: Path, partial: Mapping[Path, Path], overlay: Path | None) 
     for name in FILES:
         if folder / name not in partial.values():
             (folder / name).unlink(missing_ok=True)
-    if (folder / OVERLAY).is_dir():
-        shutil.rmtree(folder / OVERLAY)
+    if (folder / OVERLAY_FOLDER).is_dir():
+        shutil.rmtree(folder / OVERLAY_FOLDER)
     if overlay is not None:
-        os.replace(overlay, folder / OVERLAY)
+        os.replace(overlay, folder / OVERLAY_FOLDER)
         overlay.parent.rmdir()
 
 

@@ -34,7 +34,7 @@ from cocorosim_ros.wire.topics.swarm_messages import WORLD_FRAME
 POSE, WRENCH = "geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/WrenchStamped"
 NUMBER, ARROWS = "std_msgs/msg/Float64", "visualization_msgs/msg/MarkerArray"
 BY_PLATFORM, BY_MODEL = "by_platform/pose", "by_model/pose"
-BEFORE, LEFT, EVIDENCE, MARKERS = "residual_force", "residual_force_left", "evidence", "/markers/residuals"
+LACKING, LEFT_OVER, EVIDENCE, MARKERS = "residual_force", "residual_force_left", "evidence", "/markers/residuals"
 _ARROW = 0  # visualization_msgs/msg/Marker
 _RED, _GREEN = {"r": 0.9, "g": 0.25, "b": 0.2, "a": 0.9}, {"r": 0.3, "g": 0.8, "b": 0.35, "a": 0.9}
 
@@ -68,7 +68,7 @@ def write_overlay(diagnosis: Diagnosis, hull: float, folder: Path) -> None:
 
 
 def _write(folder: Path, clock: Clock, messages: Sequence[_Timed], scale: float) -> None:
-    kinds = {MARKERS: ARROWS, BY_PLATFORM: POSE, BY_MODEL: POSE, BEFORE: WRENCH, LEFT: WRENCH, EVIDENCE: NUMBER}
+    kinds = {MARKERS: ARROWS, BY_PLATFORM: POSE, BY_MODEL: POSE, LACKING: WRENCH, LEFT_OVER: WRENCH, EVIDENCE: NUMBER}
     topics = sorted({each.topic for each in messages})
     channels = [Channel(topic, next(kind for end, kind in kinds.items() if topic.endswith(end))) for topic in topics]
     metadata = {"overlay_of": clock.recording, "arrow_metres_per_newton": f"{scale:.6g}"}
@@ -82,7 +82,7 @@ def _messages(diagnosis: Diagnosis, clock: Clock, scale: float) -> Iterator[_Tim
         if run.clock == clock:
             yield from _ghost(run, BY_PLATFORM, run.nominal)
             yield from _ghost(run, BY_MODEL, run.augmented)
-    for name, number, residuals in ((BEFORE, 0, diagnosis.residual_before), (LEFT, 1, diagnosis.residual_after)):
+    for name, number, residuals in ((LACKING, 0, diagnosis.residual_before), (LEFT_OVER, 1, diagnosis.residual_after)):
         for residual in residuals:
             if residual.clock == clock:
                 yield from _forces(residual, name)
@@ -96,8 +96,8 @@ def _ghost(run: FreeRun, name: str, path: Floats) -> Iterator[_Timed]:
     """Poses of a free run: path (n, 4) x, y, z, yaw."""
     fields = [f"pose.position.{axis}" for axis in "xyz"] + ["pose.orientation.z", "pose.orientation.w"]
     message = PackedMessage([build(POSE, {"header": {"frame_id": WORLD_FRAME}})], fields)
-    half = 0.5 * path[:, -1]
-    values = np.column_stack([path[:, :-1], np.sin(half), np.cos(half)])
+    *place, yaw = path.T
+    values = np.column_stack([*place, np.sin(0.5 * yaw), np.cos(0.5 * yaw)])
     yield from _each(message, f"/{_word(run.robot)}/{name}", run.clock, run.time, values)
 
 
@@ -158,7 +158,7 @@ def _thinned(time: Floats) -> slice:
 
 def _metres_per_newton(residuals: Sequence[ResidualForce], hull: float) -> float:
     """Length of an arrow by its force, so that the strongest are some hulls long."""
-    sizes = [np.linalg.norm(residual.force[:, :-1], axis=1) for residual in residuals]
+    sizes = [np.sqrt(x**2 + y**2 + z**2) for x, y, z, _ in (residual.force.T for residual in residuals)]
     strongest = float(np.nanquantile(np.concatenate(sizes), OVERLAY.strong)) if sizes else 0.0
     return OVERLAY.hulls * hull / strongest if strongest > 0.0 else 1.0
 
