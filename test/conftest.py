@@ -7,18 +7,45 @@ tests expect does not depend on how files are read.
 from __future__ import annotations
 
 import math
+import shutil
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 TICK = 0.5  # s
 OPEN_WATER = ((-1000.0, -1000.0, -1000.0), (1000.0, 1000.0, 0.0))
 TANK = {"bounds": OPEN_WATER, "spheres": (), "boxes": ()}
 PAPER_TANK = ((-3.0, -3.0, -2.0), (3.0, 3.0, 0.0))
+
+
+@pytest.fixture
+def browse(tmp_path: Path) -> Callable[..., str]:
+    """A function of a page and a place in it: what a browser shows of it when all scripts have run, as HTML.
+
+    With `picture`, a file, the browser also takes a picture of it. Skips the test where there is no browser.
+    """
+    if BROWSER is None:
+        pytest.skip("no Chromium is installed, so the page cannot be opened")
+    options = ["--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'profile'}"]
+    options += ["--virtual-time-budget=5000", "--window-size=1280,2000", "--hide-scrollbars"]
+
+    def open_page(page: Path, place: str = "", picture: Path | None = None) -> str:
+        address = f"{page.as_uri()}{place}"
+        jobs = [["--dump-dom"]] + ([[f"--screenshot={picture}"]] if picture else [])
+        done = [
+            subprocess.run([BROWSER, *options, *job, address], capture_output=True, text=True, timeout=300, check=True)
+            for job in jobs
+        ]
+        return done[0].stdout
+
+    return open_page
 
 
 @pytest.fixture

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
 from rich.table import Table
 
+from cocorosim_ros.commands.completion import config_or_file
+from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
 
@@ -18,24 +21,36 @@ if TYPE_CHECKING:
     from cocorosim_ros.study.calibration.section_four import Row
 
 
+@with_examples("cocorosim calibrate", "cocorosim calibrate runs/calibration_run --platform lily --out my_lily.yaml")
 @click.command("calibrate", short_help="calibrate a platform")
 @click.argument("bag", required=False, type=click.Path(path_type=Path))
-@click.option("--platform", "platform_name", default="lily", show_default=True, help="platform to begin with")
+@click.option(
+    "--platform",
+    "platform_name",
+    default="lily",
+    show_default=True,
+    shell_complete=config_or_file("platforms"),
+    help="platform to begin with",
+)
 @click.option("--robot", help="whose run it is, if the recording has several")
 @click.option("--out", type=click.Path(path_type=Path), help="platform file to write")
-@click.option("--force", is_flag=True, help="replace the file if it is there")
-def command(bag: Path | None, platform_name: str, robot: str | None, out: Path | None, force: bool) -> None:
+@json_option
+@click.option("--force", is_flag=True, help="replace files that are there")
+def command(
+    bag: Path | None, platform_name: str, robot: str | None, out: Path | None, json_file: Path | None, force: bool
+) -> None:
     """Without BAG: Lily from the published measurements, with what does not fit together.
 
     With the BAG of a calibration run (see the scenario calibration_run): fit the platform to it.
     """
-    console = Console()
+    if bag is None and (out is not None or robot is not None):
+        raise CocorosimError("--out and --robot belong to a recording; give the BAG of a calibration run too.")
+    console = console_beside(json_file, force=force)
     if bag is None:
-        if out is not None or robot is not None:
-            raise CocorosimError("--out and --robot belong to a recording; give the BAG of a calibration run too.")
-        _show_section_four(console)
-        return
-    _fit(console, bag, platform_name, robot, _Target(out, force))
+        tree = _show_section_four(console)
+    else:
+        tree = _fit(console, bag, platform_name, robot, _Target(out, force))
+    give_json(console, json_file, tree)
 
 
 @dataclass(frozen=True)
@@ -46,7 +61,7 @@ class _Target:
     force: bool
 
 
-def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: _Target) -> None:
+def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: _Target) -> dict[str, Any]:
     from cocorosim_ros.scenario.parts.platform import load_platform
     from cocorosim_ros.wire.bags.bag_reader import check_there
 
@@ -67,14 +82,19 @@ def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, tar
     if target.out is not None:
         write_platform(target.out, platform, fit, str(bag), force=target.force)
         console.print(f"{target.out}: the fitted platform")
+    left_over = {"x_m": x, "y_m": y, "depth_m": z, "heading_rad": yaw}
+    numbers = [asdict(number) for number in fit.numbers]
+    return {"platform": platform_name, "numbers": numbers, "not_shown": list(fit.not_shown), "left_over": left_over}
 
 
-def _show_section_four(console: Console) -> None:
+def _show_section_four(console: Console) -> dict[str, Any]:
     from cocorosim_ros.study.calibration.section_four import calibration_rows, findings
 
-    console.print(section_table(calibration_rows()))
-    for number, sentence in enumerate(findings(), 1):
+    rows, sentences = calibration_rows(), findings()
+    console.print(section_table(rows))
+    for number, sentence in enumerate(sentences, 1):
         console.print(f"{number}. {sentence}", highlight=False)
+    return {"rows": [asdict(row) for row in rows], "findings": sentences}
 
 
 def section_table(rows: list[Row]) -> Table:

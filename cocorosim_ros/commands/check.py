@@ -6,12 +6,14 @@ from pathlib import Path
 
 import click
 
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 
 FOUND = 1  # exit status
 
 
+@with_examples("cocorosim check runs/one")
 @click.command(
     "check",
     short_help="what is odd about any robot's recording, in seconds",

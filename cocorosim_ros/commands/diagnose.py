@@ -12,6 +12,8 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
+from cocorosim_ros.commands.completion import config_or_file, several_of
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.diagnosis.findings import Verdict
@@ -56,11 +58,22 @@ class _WithSeveral(click.Command):
         return super().parse_args(ctx, spread)
 
 
+@with_examples("cocorosim diagnose runs/one --platform lily --out found")
 @click.command("diagnose", cls=_WithSeveral, short_help="where a recording and the model disagree, and why")
 @click.argument("bags", metavar="BAG...", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--platform", "platform_name", required=True, help="name in config/platforms, or a file")
+@click.option(
+    "--platform",
+    "platform_name",
+    required=True,
+    shell_complete=config_or_file("platforms"),
+    help="name in config/platforms, or a file",
+)
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="folder for the results")
-@click.option("--known", help="platform file whose effects are taken as known")
+@click.option(
+    "--known",
+    shell_complete=config_or_file("platforms"),
+    help="platform file whose effects are taken as known",
+)
 @click.option(
     _AGAINST,
     metavar="GOOD...",
@@ -72,6 +85,7 @@ class _WithSeveral(click.Command):
     "--fail-on",
     metavar="VERDICT,...",
     callback=lambda ctx, option, given: _verdicts(given),
+    shell_complete=several_of(get_args(Verdict)),
     help=f"end with status 3 for these verdicts: {', '.join(get_args(Verdict))}",
 )
 @json_option
@@ -88,7 +102,9 @@ def command(ctx: click.Context, /, **options: object) -> None:
 
     Writes report.html (to read), diagnosis.json (the same for programs) and model.yaml (a platform with what was
     found, for `cocorosim run` and for --platform of the next diagnosis). Where something is left open, also
-    next_manoeuvre.yaml: a scenario for `cocorosim run` that drives what would show it.
+    next_manoeuvre.yaml: a scenario for `cocorosim run` that drives what would show it. overlay/ is a bag on the
+    recording's own clock, to open beside it in Foxglove or Lichtblick, or with `cocorosim view --3d BAG --against
+    OUT/overlay`: ghosts of both models through the parts that no fit saw, residual forces, evidence over time.
     """
     from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
     from cocorosim_ros.library.diagnose import diagnose
@@ -111,6 +127,8 @@ def command(ctx: click.Context, /, **options: object) -> None:
     show_table(console, terminal_tables(result.diagnosis))
     _show_remarks(console, result.remarks)
     say(console, f"{choices.out}: {', '.join(reversed(list(result.files)))}")
+    if result.overlay is not None:
+        say(console, f"{choices.out / 'overlay'}: ghosts, residual forces and evidence, to open beside the recording")
     give_json(console, choices.json_file, result.tree)
     if choices.junit is not None:
         write_text(choices.junit, result.junit(choices.fail_on))

@@ -12,6 +12,7 @@ import click
 from rich.table import Table
 from rich.text import Text
 
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.missing_package import check_ros
 from cocorosim_ros.commands.terminal import say, show_table
@@ -25,6 +26,7 @@ _STYLES = {"good": "green", "absent": "yellow", "bad": "red"}
 _QUESTIONS, _LIMIT = 100, 30.0  # s
 
 
+@with_examples("cocorosim doctor")
 @click.command(
     "doctor",
     short_help="what is installed, and whether two processes can talk",

@@ -6,6 +6,7 @@ import os
 import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager, ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,9 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
+from cocorosim_ros.commands.completion import config_or_file
+from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 
@@ -34,15 +38,22 @@ _SPEED_OVER = 3600.0  # s; rich's own 30 s hold no two chunks of a long design, 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
+@with_examples("cocorosim experiment smoke --replicates 2 --out results/smoke")
 @click.command("experiment", short_help="many runs without ROS, resumable")
-@click.argument("design")
+@click.argument("design", shell_complete=config_or_file("designs"))
 @click.option("--out", type=click.Path(path_type=Path), required=True, help="folder of the results")
 @click.option("--workers", type=int, help="processes [default: one per processor]")
 @click.option("--dask", metavar="SCHEDULER", help="calculate on the workers of this Dask scheduler")
 @click.option("--replicates", type=int, help="runs per group instead of the design's own")
 @click.option("--group", "groups", multiple=True, help="only this group (repeatable)")
-@click.option("--numerics", multiple=True, help="only these numerics (repeatable)")
-@click.option("--controller", help="of all robots in every group: a name, a file, or my_file.py:MyController")
+@click.option(
+    "--numerics", multiple=True, shell_complete=config_or_file("numerics"), help="only these numerics (repeatable)"
+)
+@click.option(
+    "--controller",
+    shell_complete=config_or_file("controllers"),
+    help="of all robots in every group: a name, a file, or my_file.py:MyController",
+)
 @click.option(
     "--row",
     type=int,
@@ -50,6 +61,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     "names, or of one that was made with these --replicates (the design's own if left out), --group and --numerics",
 )
 @click.option("--results", type=click.Path(path_type=Path), help="with --row: folder of the experiment with the table")
+@json_option
 @click.option("--force", is_flag=True, help="start again instead of resuming")
 @click.pass_context
 def command(ctx: click.Context, /, **options: Any) -> None:
@@ -68,35 +80,47 @@ def command(ctx: click.Context, /, **options: Any) -> None:
         raise CocorosimError(f"--workers has {options['workers']}; give 1 or more.")
     for cell in design.cells:
         check_plain(cell.scenario.robots)
-    console = Console()
+    console = console_beside(options["json_file"], force=options["force"])
     if options["row"] is None and options["results"]:
         raise CocorosimError("--results names the table whose row is to be recorded; give --row too.")
-    run = _run_all if options["row"] is None else _record_row
     try:
-        status = run(design, options, console)
+        if options["row"] is None:
+            kept = Kept(options["out"], options["dask"] or options["workers"], options["force"])
+            status, tree = run_all(design, kept, console)
+        else:
+            status, tree = _record_row(design, options, console)
+        give_json(console, options["json_file"], tree)
     except ControllerError as error:
         click.echo(f"cocorosim: {error} What is finished is in {options['out']}.", err=True)
         status = FAILED
     ctx.exit(status)
 
 
-def _run_all(design: Design, options: dict[str, Any], console: Console) -> int:
+@dataclass(frozen=True)
+class Kept:
+    """Where the rows of a design are kept, what calculates them (as in `run_design`), and whether it starts again."""
+
+    out: Path
+    workers: int | str | None = None
+    force: bool = False
+
+
+def run_all(design: Design, kept: Kept, console: Console) -> tuple[int, dict[str, Any]]:
+    """Run what is not there yet of a design; the exit status, and the results for programs."""
     from cocorosim_ros.library.design import Watch, run_design
 
     with _Bar(console, design) as bar:
-        workers = options["dask"] or options["workers"]
-        results = run_design(
-            design, options["out"], workers=workers, force=options["force"], watch=Watch(bar.show, bar.going)
-        )
+        watch = Watch(bar.show, bar.going)
+        results = run_design(design, kept.out, workers=kept.workers, force=kept.force, watch=watch)
     if results.missing:
-        kept = design.runs - results.missing
-        console.print(f"Interrupted; {kept} of {design.runs} runs are kept. The same command goes on.")
-        return INTERRUPTED
+        there = design.runs - results.missing
+        console.print(f"Interrupted; {there} of {design.runs} runs are kept. The same command goes on.")
+        return INTERRUPTED, results.tree()
     console.print(f"{results.file}: {results.table.num_rows} rows, {time.monotonic() - bar.began:.1f} s")
     for sentence in results.findings:
         say(console, sentence, "yellow")
-    console.print(f"cocorosim report {options['out']}   shows them")
-    return 0
+    console.print(f"cocorosim report {kept.out}   shows them")
+    return 0, results.tree()
 
 
 class _Bar(AbstractContextManager["_Bar"]):
@@ -161,7 +185,7 @@ def new_bar(
     return bar, task
 
 
-def _record_row(design: Design, options: dict[str, Any], console: Console) -> int:
+def _record_row(design: Design, options: dict[str, Any], console: Console) -> tuple[int, dict[str, Any]]:
     """One run of the design again, with its bag, statistics and picture."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.commands.progress import RunProgress
@@ -188,8 +212,8 @@ def _record_row(design: Design, options: dict[str, Any], console: Console) -> in
 
         ticks = run_in_process(scenario, record, show, replicate)
     outcome = Outcome(ticks, progress.seconds, progress.starting_after(start), interruption.happened)
-    show_results(console, scenario, folder, outcome)
-    return INTERRUPTED if outcome.interrupted else 0
+    tree = {**made_by, **show_results(console, scenario, folder, outcome)}
+    return INTERRUPTED if outcome.interrupted else 0, tree
 
 
 def _run_of_row(design: Design, options: dict[str, Any], console: Console) -> tuple[Cell, int]:

@@ -11,6 +11,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from cocorosim_ros.commands.completion import explained
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 
@@ -20,8 +22,9 @@ if TYPE_CHECKING:
 _MOST_IN_FULL = 4
 
 
+@with_examples("cocorosim explain lockstep.patience", "cocorosim explain wall_effect")
 @click.command("explain", short_help="what a key, an effect, a metric, a topic or a controller means")
-@click.argument("key", required=False)
+@click.argument("key", required=False, shell_complete=explained)
 @json_option
 @click.option("--force", is_flag=True, help="replace a file that is there")
 def command(key: str | None, json_file: Path | None, force: bool) -> None:

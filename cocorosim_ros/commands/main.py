@@ -32,6 +32,13 @@ COMMANDS: dict[str, str] = {
 }
 
 
+_COMPLETION = """\b
+The tab key completes commands, options and names of scenarios, platforms,
+controllers, effects and metrics after (or with zsh_source, fish_source)
+  eval "$(_COCOROSIM_COMPLETE=bash_source cocorosim)"
+"""
+
+
 class _Commands(click.Group):
     """Loads a sub-command only when it is used, so that `--help` and errors are quick."""
 
@@ -64,7 +71,7 @@ def _options(command: click.Command | None) -> dict[str, str]:
     return {name: part.opts[0] for part in given for name in (part.opts[0].lstrip("-"), str(part.name))}
 
 
-@click.group(cls=_Commands)
+@click.group(cls=_Commands, epilog=_COMPLETION)
 @click.version_option(__version__, prog_name="cocorosim")
 def cocorosim() -> None:
     """Swarms of small underwater robots as a ROS 2 node graph."""
@@ -73,7 +80,7 @@ def cocorosim() -> None:
 def main() -> None:
     """Entry point: an error is one sentence on standard error and status 2."""
     try:
-        status = cocorosim.main(standalone_mode=False)
+        status = cocorosim.main(prog_name="cocorosim", standalone_mode=False)
         sys.exit(status if isinstance(status, int) else 0)
     except CocorosimError as error:
         click.echo(f"cocorosim: {error}", err=True)

@@ -6,12 +6,14 @@ from pathlib import Path
 
 import click
 
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 
+@with_examples("cocorosim metrics runs/one --all", "cocorosim metrics runs/one --interval '1 s' --picture one.png")
 @click.command("metrics", short_help="shoaling statistics of any recording that has poses")
 @click.argument("bag", type=click.Path(path_type=Path))
 @json_option
@@ -24,8 +26,9 @@ def command(
 ) -> None:
     """Show the shoaling statistics of BAG (a rosbag2 folder, an .mcap file, or the folder of a run).
 
-    Robots are the topics NAMESPACE/pose of type geometry_msgs/msg/PoseStamped. Where all robots have the same stamps,
-    each stamp is a moment; otherwise poses are interpolated to common moments, gaps are left out, and both are said.
+    Robots are the topics NAMESPACE/pose of type geometry_msgs/msg/PoseStamped; without any, topics of type
+    nav_msgs/msg/Odometry, poses of any name, or moving frames in /tf. Where all robots have the same stamps, each stamp
+    is a moment; otherwise poses are interpolated to common moments, gaps are left out, and both are said.
     """
     console = console_beside(json_file, force=force)
     check_file(picture, force=force)

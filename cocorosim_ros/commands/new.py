@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import click
-from rich.console import Console
 
+from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 
 _KINDS = ("platform", "controller", "scenario", "map")
@@ -18,16 +19,20 @@ _NEXT = {
 }
 
 
+@with_examples("cocorosim new platform my_robot")
 @click.command("new", short_help="a commented file to begin with")
 @click.argument("kind", metavar=f"[{'|'.join(_KINDS)}]", type=click.Choice(_KINDS))
 @click.argument("name")
 @click.option("--out", type=click.Path(path_type=Path), help="the file [default: NAME.yaml or NAME.py, here]")
-@click.option("--force", is_flag=True, help="replace a file that is there")
-def command(kind: str, name: str, out: Path | None, force: bool) -> None:
+@json_option
+@click.option("--force", is_flag=True, help="replace files that are there")
+def command(kind: str, name: str, out: Path | None, json_file: Path | None, force: bool) -> None:
     """Write a commented platform, controller, scenario or map called NAME, which works as it is."""
     from cocorosim_ros.library.beginning import begin_file, class_name
 
+    console = console_beside(json_file, force=force)
     file = begin_file(kind, name, out, force=force)
-    console = Console()
+    following = _NEXT[kind].format(file=file, name=class_name(name))
     say(console, f"wrote {file}; next:")
-    say(console, f"  {_NEXT[kind].format(file=file, name=class_name(name))}")
+    say(console, f"  {following}")
+    give_json(console, json_file, {"file": str(file), "next": following})

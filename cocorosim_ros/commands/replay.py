@@ -8,13 +8,15 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn
 
+from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.interruption import Interruption
+from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
@@ -43,6 +45,8 @@ class ReplayChoices:
     reliable: bool
     network: bool
     foxglove: int | None
+    json_file: Path | None
+    force: bool
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that make no sense or contradict each other."""
@@ -54,6 +58,7 @@ class ReplayChoices:
             raise CocorosimError(f"--wait has {self.wait}; give the number of subscriptions to wait for.")
 
 
+@with_examples("cocorosim replay runs/one", "cocorosim replay runs/one --fast --wait 1 --topics '/lily_01/*'")
 @click.command("replay", short_help="publish a recording on its topics again")
 @click.argument("bag", type=click.Path(path_type=Path))
 @click.option("--rate", type=float, help="seconds of recording per second of wall clock [default: 1]")
@@ -66,6 +71,8 @@ class ReplayChoices:
 @click.option("--reliable", is_flag=True, help="offer every topic reliably, whatever was recorded")
 @click.option("--network", is_flag=True, help="let other machines listen")
 @click.option("--foxglove", type=int, metavar="PORT", help="show it to Foxglove or Lichtblick; 0: any free port")
+@json_option
+@click.option("--force", is_flag=True, help="replace a file that is there")
 @click.pass_context
 def command(ctx: click.Context, /, **options: object) -> None:
     """Publish BAG (a rosbag2 folder, an .mcap file, or the folder of a run) on its topics again, with /clock.
@@ -75,7 +82,7 @@ def command(ctx: click.Context, /, **options: object) -> None:
     /shoal_statistics is left to a metrics node where one publishes them.
     """
     choices = ReplayChoices(**options)  # type: ignore[arg-type]
-    console = Console()
+    console = console_beside(choices.json_file, force=choices.force)
     bag = read_bag(choices.bag)
     from cocorosim_ros.wire.bags.playback import choose_span, choose_topics
 
@@ -84,13 +91,15 @@ def command(ctx: click.Context, /, **options: object) -> None:
     if bag.summary.damage:
         say(console, bag.summary.damage, "yellow")
     with Interruption() as interruption:
-        _replay(choices, bag, topics, span, console, interruption)
+        tree = _replay(choices, bag, topics, span, console, interruption)
+    give_json(console, choices.json_file, tree)
     ctx.exit(INTERRUPTED if interruption.happened else 0)
 
 
 def _replay(
     choices: ReplayChoices, bag: Bag, topics: list[str], span: Span, console: Console, interruption: Interruption
-) -> None:
+) -> dict[str, Any]:
+    """Publish it; what was done, for programs."""
     from cocorosim_ros.graph.nodes.domain import OwnDomain
     from cocorosim_ros.graph.nodes.node_shell import ros_node
     from cocorosim_ros.graph.nodes.replay import Pace, Replay
@@ -114,7 +123,9 @@ def _replay(
             start = time.monotonic()
             with _ReplayProgress(console, span, choices.bag.name) as progress:
                 replay.run(progress.show)
-            say(console, _summary(replay, time.monotonic() - start, fast=choices.fast))
+            seconds = time.monotonic() - start
+            say(console, _summary(replay, seconds, fast=choices.fast))
+            return _tree(replay, seconds, domain.number)
     finally:
         domain.release()
 
@@ -142,6 +153,20 @@ def _announce(console: Console, choices: ReplayChoices, replay: Replay, domain: 
     say(console, f"to listen: export {settings}")
     if choices.wait:
         say(console, f"waiting for {choices.wait} subscriptions")
+
+
+def _tree(replay: Replay, seconds: float, domain: int) -> dict[str, Any]:
+    position = replay.position
+    return {
+        "topics": list(replay.topics),
+        "left_out": list(replay.left_out),
+        "domain": domain,
+        "messages": position.messages,
+        "rounds": position.rounds + 1,
+        "seconds": seconds,
+        "behind_at_most_s": position.late,
+        "interrupted": replay.stop,
+    }
 
 
 def _summary(replay: Replay, seconds: float, *, fast: bool) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -28,10 +29,23 @@ def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
     write_rerun(scenes, file)
 
 
+def await_scene() -> str:
+    """Start Rerun's viewer without a file, and give the address at which it waits for a scene."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    _start("--port", str(port), "--hide-welcome-screen")
+    return f"rerun+http://127.0.0.1:{port}/proxy"
+
+
 def open_viewer(file: Path) -> None:
     """Start Rerun's viewer on a file; it stays when this process ends."""
+    _start(str(file))
+
+
+def _start(*arguments: str) -> None:
     subprocess.Popen(
-        [sys.executable, "-m", "rerun", str(file)],
+        [sys.executable, "-m", "rerun", *arguments],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         start_new_session=True,

@@ -6,14 +6,14 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from cocorosim_ros.commands.missing_package import check_ros
+from cocorosim_ros.commands.missing_package import check_installed, check_ros
 from cocorosim_ros.commands.progress import RunProgress
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -22,7 +22,8 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
 
 if TYPE_CHECKING:
-    from cocorosim_ros.graph.nodes.graph import GraphPlan
+    from cocorosim_ros.graph.nodes.graph import GraphPlan, OpenViewers
+    from cocorosim_ros.wire.live.viewers import Viewers
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,8 @@ class RunChoices:
     network: bool
     wait: float
     foxglove: int | None
+    json_file: Path | None
+    view: bool
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that contradict each other."""
@@ -77,6 +80,8 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
         )
     if choices.foxglove is not None:
         foxglove_port(choices.foxglove)
+    if choices.view:
+        check_installed(("rerun",), "leave out --view, and look at the recording with `cocorosim view`")
     if not choices.in_process:
         check_ros("give --in-process, which does the same run without ROS")
         check_latency(scenario)
@@ -161,6 +166,9 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
         record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
         if port is not None:
             record.show_to(stack.enter_context(foxglove_server(port, scenario.name)))
+        scene = _live_scene(scenario, choices, console)
+        if scene is not None:
+            record.show_to(stack.enter_context(scene()))
         interruption = stack.enter_context(Interruption())
         progress = stack.enter_context(RunProgress(console, scenario))
         stack.enter_context(record.writer)
@@ -191,7 +199,27 @@ def _plan(scenario: Scenario, choices: RunChoices, folder: Path, console: Consol
     from cocorosim_ros.graph.nodes.graph import GraphPlan
 
     port = _live_port(choices, console)
-    return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port)
+    show = _live_scene(scenario, choices, console)
+    return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port, show)
+
+
+def _live_scene(scenario: Scenario, choices: RunChoices, console: Console) -> OpenViewers | None:
+    """Start Rerun's viewer, which is said, and give the function that opens the scene in it; None if not asked for."""
+    if not choices.view:
+        return None
+    from cocorosim_ros.commands.rerun_viewer import await_scene
+    from cocorosim_ros.graph.runs.results import facts_of
+
+    url = await_scene()
+    say(console, f"Rerun: {url}")
+
+    def show() -> AbstractContextManager[Viewers]:
+        # Loaded here, in the process that draws: its threads would not survive a fork.
+        from cocorosim_ros.study.scene.rerun_live import live_scene
+
+        return live_scene(scenario, facts_of(scenario), url)
+
+    return show
 
 
 def _live_port(choices: RunChoices, console: Console) -> int | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 from rich.markup import escape
@@ -19,11 +19,12 @@ if TYPE_CHECKING:
     from cocorosim_ros.commands.run_modes import Outcome  # which loads all ways of running
 
 
-def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Outcome) -> None:
-    """Write metrics.json and shoal.png into the run's folder and show the table."""
+def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Outcome) -> dict[str, Any]:
+    """Write metrics.json and shoal.png into the run's folder and show the table; the same for programs."""
+    tree = _tree(scenario, folder, outcome)
     if outcome.ticks == 0:
         say(console, f"Not a single tick was run; {folder} holds what there is.")
-        return
+        return tree
     recording = read_recording(folder / "bag")
     statistics = recording.measure()
     write_json(folder / "metrics.json", statistics.tree())
@@ -34,6 +35,19 @@ def show_results(console: Console, scenario: Scenario, folder: Path, outcome: Ou
     say(console, _pace(scenario, outcome))
     say(console, f"digest {statistics.digest or 'unknown'}")
     say(console, f"{folder}: bag, metrics.json, shoal.png")
+    return {**tree, "statistics": statistics.tree()}
+
+
+def _tree(scenario: Scenario, folder: Path, outcome: Outcome) -> dict[str, Any]:
+    return {
+        "scenario": scenario.name,
+        "folder": str(folder),
+        "ticks": outcome.ticks,
+        "simulated_s": outcome.ticks * scenario.tick,
+        "seconds": outcome.seconds,
+        "starting_s": outcome.starting,
+        "interrupted": outcome.interrupted,
+    }
 
 
 def _pace(scenario: Scenario, outcome: Outcome) -> str:

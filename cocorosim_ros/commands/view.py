@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import tempfile
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
 
+from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
@@ -20,40 +23,61 @@ if TYPE_CHECKING:
     from cocorosim_ros.library.recording import Recording
 
 
+@dataclass(frozen=True)
+class _ViewChoices:
+    """The options of one call."""
+
+    bag: Path
+    in_3d: bool
+    against: Path | None
+    out: Path | None
+    no_open: bool
+    json_file: Path | None
+    force: bool
+
+    def __post_init__(self) -> None:
+        """Raise CocorosimError for options that contradict each other."""
+        if self.against is not None and not self.in_3d:
+            raise CocorosimError("--against shows two recordings side by side, in three dimensions only; add --3d.")
+
+
+@with_examples("cocorosim view runs/one", "cocorosim view runs/one --out one.html --no-open")
 @click.command("view", short_help="look at a recording: a page that plays it, or a 3-D scene")
 @click.argument("bag", type=click.Path(path_type=Path))
 @click.option("--3d", "in_3d", is_flag=True, help="a scene for Rerun (.rrd) instead of a page; needs rerun-sdk")
 @click.option("--against", type=click.Path(path_type=Path), help="with --3d: another recording beside BAG")
 @click.option("--out", type=click.Path(path_type=Path), help="the page or scene [default: a new temporary file]")
 @click.option("--no-open", is_flag=True, help="write the file and open nothing")
-@click.option("--force", is_flag=True, help="replace a file that is there")
-def command(bag: Path, in_3d: bool, against: Path | None, out: Path | None, no_open: bool, force: bool) -> None:
+@json_option
+@click.option("--force", is_flag=True, help="replace files that are there")
+def command(**options: object) -> None:
     """Show BAG (a rosbag2 folder, an .mcap file, or the folder of a run) in a browser: tracks, headings, tank, metrics.
 
     The page is one HTML file that needs nothing else and can be sent to others. Robots are the topics NAMESPACE/pose of
-    type geometry_msgs/msg/PoseStamped.
+    type geometry_msgs/msg/PoseStamped; without any, nav_msgs/msg/Odometry, poses of any name, or moving frames in /tf.
 
     With --3d the file is a recording for Rerun (https://rerun.io): tank, bodies, thrusters, cones of the sensors, who
     hears whom, trails, shoals by colour, currents, and the metrics on the same time line.
     """
-    console = Console()
-    if against is not None and not in_3d:
-        raise CocorosimError("--against shows two recordings side by side, in three dimensions only; add --3d.")
-    check_file(out, force=force)
-    opened = [read_bag(path) for path in (bag, against) if path is not None]
+    choices = _ViewChoices(**options)  # type: ignore[arg-type]
+    console = console_beside(choices.json_file, force=choices.force)
+    check_file(choices.out, force=choices.force)
+    opened = [read_bag(path) for path in (choices.bag, choices.against) if path is not None]
     recordings = [_with_poses(each) for each in opened]
-    if in_3d:
-        from cocorosim_ros.commands.rerun_viewer import open_viewer, write_scenes
-
-        file = _written(lambda place: write_scenes(recordings, place), out, recordings[0], ".rrd")
-    else:
-        file = _written(lambda place: _write_page(recordings[0], place), out, recordings[0], ".html")
-    for sentence in (sentence for recording in recordings for sentence in _remarks(recording)):
+    file = _written(recordings, choices)
+    remarks = [sentence for recording in recordings for sentence in _remarks(recording)]
+    for sentence in remarks:
         say(console, sentence, "yellow")
     say(console, f"wrote {file}, {file.stat().st_size / 1e6:.1f} MB")
-    if no_open:
-        return
+    give_json(console, choices.json_file, {"file": str(file), "findings": remarks})
+    if not choices.no_open:
+        _open(console, file, in_3d=choices.in_3d)
+
+
+def _open(console: Console, file: Path, *, in_3d: bool) -> None:
     if in_3d:
+        from cocorosim_ros.commands.rerun_viewer import open_viewer
+
         open_viewer(file)
     elif not webbrowser.open(file.resolve().as_uri()):
         say(console, "no browser was found here; open the page in one")
@@ -73,7 +97,11 @@ def _remarks(recording: Recording) -> list[str]:
     """What is missing from the recording or cannot be read."""
     from cocorosim_ros.graph.runs.results import readable_scenario
 
-    return [sentence for sentence in (recording.damage, readable_scenario(recording.bag)[1]) if sentence]
+    return [
+        sentence
+        for sentence in (recording.damage, recording.source_of_poses, readable_scenario(recording.bag)[1])
+        if sentence
+    ]
 
 
 def _write_page(recording: Recording, file: Path) -> None:
@@ -91,12 +119,17 @@ def _write_page(recording: Recording, file: Path) -> None:
     file.write_text(player_page(recording.tracks, scenario_facts(recording.bag), findings, series), "utf-8")
 
 
-def _written(write: Callable[[Path], None], out: Path | None, recording: Recording, ending: str) -> Path:
-    """The file that `write` has filled. Raises CocorosimError if it cannot be written."""
-    name = recording.path.resolve().name
+def _written(recordings: Sequence[Recording], choices: _ViewChoices) -> Path:
+    """The page or scene, written. Raises CocorosimError if it cannot be."""
+    name, out = recordings[0].path.resolve().name, choices.out
     try:
-        file = _temporary(f"cocorosim_{name}_", ending) if out is None else out
-        write(file)
+        file = _temporary(f"cocorosim_{name}_", ".rrd" if choices.in_3d else ".html") if out is None else out
+        if choices.in_3d:
+            from cocorosim_ros.commands.rerun_viewer import write_scenes
+
+            write_scenes(recordings, file)
+        else:
+            _write_page(recordings[0], file)
     except OSError as error:
         raise CocorosimError(f"{out or name} cannot be written: {error.strerror}; give a file with --out.") from error
     return file

@@ -28,6 +28,7 @@ from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrate
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.free_runs import Unseen, held_out_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -91,6 +92,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         residual_forces(naming.fit, final_courses),
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=runs,
+        gathered=gathered_evidence(base, naming.fit),
         remarks=(*intake.evidence.remarks, *_of_form(form), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),

@@ -31,6 +31,7 @@ from cocorosim_ros.diagnosis.showing.differing import differing_effects, differi
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
@@ -140,6 +141,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         residual_forces(final, courses[1]),
         readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
         free_runs=runs,
+        gathered=gathered_evidence(base, final),
         remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),

@@ -22,6 +22,18 @@ Regime = Literal["turning", "straight", "fast", "slow", "deep", "shallow", "clim
 
 
 @dataclass(frozen=True)
+class Clock:
+    """A recording, and the moment [ns], by its stamps, from which all times [s] about it count."""
+
+    recording: str
+    start_ns: int
+
+
+NO_CLOCK = Clock("", 0)
+"""Clock of a course that is of no recording."""
+
+
+@dataclass(frozen=True)
 class Estimate:
     """A number with its 95 % interval."""
 
@@ -136,6 +148,7 @@ class ResidualForce:
     force: Floats
     spread: Floats
     course: Course
+    clock: Clock = NO_CLOCK
 
     @property
     def time(self) -> Floats:
@@ -184,6 +197,17 @@ class FreeRun:
     nominal: Floats
     recalibrated: Floats
     augmented: Floats
+    clock: Clock = NO_CLOCK
+
+
+@dataclass(frozen=True)
+class GatheredEvidence:
+    """Evidence for the model with the effects over the recalibrated one, from the readings up to each moment; (n,)."""
+
+    robot: str
+    time: Floats  # s
+    nats: Floats
+    clock: Clock = NO_CLOCK
 
 
 @dataclass(frozen=True)
@@ -223,6 +247,7 @@ class Diagnosis:
     residual_after: tuple[ResidualForce, ...] = ()  # of the model with the effects
     readings: tuple[ResidualReading, ...] = ()
     free_runs: tuple[FreeRun, ...] = ()
+    gathered: tuple[GatheredEvidence, ...] = ()
     remarks: tuple[str, ...] = ()
     needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors

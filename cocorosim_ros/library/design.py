@@ -71,6 +71,15 @@ class DesignResults(Shown):
         loaded_pandas()
         return self.table.to_pandas()
 
+    def tree(self) -> dict[str, Any]:
+        """What `cocorosim experiment --json` writes: the medians of the design's metrics in each group."""
+        groups = []
+        for cell in self.design.cells:
+            rows, medians = self._medians(cell)
+            groups.append({"numerics": cell.numerics, "group": cell.group, "runs": rows, "medians": medians})
+        facts = {"design": self.design.name, "folder": str(self.folder), "runs": self.design.runs}
+        return {**facts, "missing": self.missing, "groups": groups, "findings": list(self.findings)}
+
     def card(self) -> Card:
         """The median of the design's metrics over the runs of each group."""
         facts = {
@@ -83,11 +92,15 @@ class DesignResults(Shown):
         return Card(f"results of the design {self.design.name}", facts, headings, rows, self.findings)
 
     def _row(self, cell: Cell) -> tuple[str, ...]:
+        runs, medians = self._medians(cell)
+        return cell.numerics, cell.group, str(runs), *map(digits, medians.values())
+
+    def _medians(self, cell: Cell) -> tuple[int, dict[str, float | None]]:
+        """How many runs of a group are there, and the median of each metric over those that have it."""
         rows = group_rows(self.table, cell.numerics, cell.group)
-        values = [np.asarray(rows[name].to_numpy()) for name in self.design.metrics]
-        known = [column[~np.isnan(column)] for column in values]
-        medians = [digits(float(np.median(column))) if column.size else digits(None) for column in known]
-        return cell.numerics, cell.group, str(rows.num_rows), *medians
+        values = {name: np.asarray(rows[name].to_numpy()) for name in self.design.metrics}
+        known = {name: column[~np.isnan(column)] for name, column in values.items()}
+        return rows.num_rows, {name: float(np.median(each)) if each.size else None for name, each in known.items()}
 
     def _ran_away(self, cell: Cell) -> str:
         ticks = group_rows(self.table, cell.numerics, cell.group)["ticks"].to_pylist()

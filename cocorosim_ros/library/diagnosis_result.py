@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -83,6 +83,18 @@ class DiagnosisResult(Shown):
         """The texts of all files by name; made when asked for first, which draws the report's figures."""
         return _texts(self.diagnosis, self.evidence)
 
+    @property
+    def overlay(self) -> Callable[[Path], None] | None:
+        """A function that writes the bag of what is laid over the recording into a folder; None where there is none.
+
+        Ghosts of the models, residual forces and the evidence over time, on the recording's own clock; with several
+        recordings a bag for each below the folder.
+        """
+        from cocorosim_ros.diagnosis.report.overlay import has_overlay, write_overlay
+
+        hull = self.evidence.platform.hull.length
+        return (lambda folder: write_overlay(self.diagnosis, hull, folder)) if has_overlay(self.diagnosis) else None
+
     def save(self, folder: Place, *, force: bool = False) -> Path:
         """Write all files into a folder, which is made if need be; they appear together or not at all.
 
@@ -93,7 +105,7 @@ class DiagnosisResult(Shown):
 
         place = Path(place_text(folder, "folder"))
         check_folder(place, force=force, argument="folder")
-        write_folder(place, self.files, argument="folder")
+        write_folder(place, self.files, self.overlay, argument="folder")
         return place
 
     def junit(self, fail_on: Collection[Verdict] = ()) -> str:

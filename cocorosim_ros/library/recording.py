@@ -22,7 +22,7 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings, readable_topics
-from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses
+from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses_and_source
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.topics.topics import robot_topic, split_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
@@ -62,8 +62,12 @@ class Recording(Shown):
 
     @property
     def robots(self) -> tuple[str, ...]:
-        """The namespaces of all robots that have topics of poses or readings, sorted; no message is read for it."""
-        return tuple(sorted({split_topic(topic)[0] for topic in (*self._pose_topics(), *readable_topics(self.bag)[0])}))
+        """The namespaces of all robots that have topics of poses or readings, sorted.
+
+        Messages are read for it only where there is no topic NAMESPACE/pose.
+        """
+        named = {split_topic(topic)[0] for topic in (*self._pose_topics(), *readable_topics(self.bag)[0])}
+        return tuple(sorted(named if self._pose_topics() else named | self.tracks.keys()))
 
     @cached_property
     def tracks(self) -> Mapping[str, RecordedTrack]:
@@ -71,7 +75,8 @@ class Recording(Shown):
 
         Of a track: `stamp_ns` (n,) [ns], `time` (n,) [s] since its first pose, `position` (n, 3) [m; world], `yaw` (n,)
         [rad; world, -pi..pi], and how many poses were left out. Robots are the topics NAMESPACE/pose of type
-        geometry_msgs/msg/PoseStamped.
+        geometry_msgs/msg/PoseStamped; without any, topics of type nav_msgs/msg/Odometry, poses under other names, or
+        frames that move in /tf, as `source_of_poses` says.
         """
         return {
             name: replace(
@@ -80,8 +85,17 @@ class Recording(Shown):
                 position=read_only(track.position),
                 yaw=read_only(track.yaw),
             )
-            for name, track in read_poses(self.bag).items()
+            for name, track in self._poses[0].items()
         }
+
+    @property
+    def source_of_poses(self) -> str:
+        """A sentence on where the poses are from if there is no topic NAMESPACE/pose; empty where there is."""
+        return self._poses[1]
+
+    @cached_property
+    def _poses(self) -> tuple[Mapping[str, RecordedTrack], str]:
+        return read_poses_and_source(self.bag)
 
     @property
     def readings(self) -> Mapping[str, Mapping[str, TopicReadings]]:
@@ -106,7 +120,7 @@ class Recording(Shown):
         """Damage, a scenario or messages that cannot be read, topics of another type than the contract's; sentences."""
         from cocorosim_ros.graph.runs.results import readable_scenario
 
-        remarks = (self.damage, readable_scenario(self.bag)[1])
+        remarks = (self.damage, self.source_of_poses, readable_scenario(self.bag)[1])
         return (*(remark for remark in remarks if remark), *self._readings[1])
 
     def measure(self, interval: Time | None = None) -> ShoalStatistics:
@@ -121,8 +135,8 @@ class Recording(Shown):
             from cocorosim_ros.graph.runs.results import no_poses
 
             raise CocorosimError(no_poses(self.bag, list(self.tracks)))
-        damage = [self.damage] if self.damage else []
-        return statistics_of(sample_tracks(self.tracks, every), self.path.resolve().name, self.digest, damage)
+        found = [remark for remark in (self.damage, self.source_of_poses) if remark]
+        return statistics_of(sample_tracks(self.tracks, every), self.path.resolve().name, self.digest, found)
 
     def draw(self, out: Place, statistics: ShoalStatistics | None = None, *, force: bool = False) -> Path:
         """Draw tracks and statistics into a PNG file; returns its path.

@@ -43,6 +43,7 @@ NO_THRESHOLDS = {
         "AHEAD_AND_BACK": "a manoeuvre itself",
         "PROGRAMMES": "the manoeuvres themselves",
     },
+    "report/overlay.py": {"_RED": "a colour", "_GREEN": "a colour"},
     "report/number_text.py": {"_FINEST": "decimals of a text"},
     "report/place_figure.py": {
         "_CELLS": "size of a grid",

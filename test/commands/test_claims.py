@@ -105,7 +105,7 @@ def short_studies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str,
 def test_one_command_makes_the_page(cocorosim: Run, tmp_path: Path, short_studies: tuple[str, ...]) -> None:
     """With --run the designs run first, and every claim is asked of them: on the terminal and on the page."""
     page = tmp_path / "claims.md"
-    ended = cocorosim("claims", "--run", tmp_path / "runs", "--replicates", 2, "--out", page)
+    ended = cocorosim("claims", "--run", tmp_path / "runs", "--replicates", 2, "--out", page, "--json", "-")
     assert ended.status == 0, ended.err
     text = page.read_text("utf-8")
     for name in short_studies:
@@ -116,7 +116,8 @@ def test_one_command_makes_the_page(cocorosim: Run, tmp_path: Path, short_studie
                 range(1, last + 1)]  # fmt: skip
     assert [name for name in dict.fromkeys(cells[0] for cells in rows) if name in expected] == expected
     assert all({claims[name][4], claims[name][6]} <= {"yes", "**no**", "open"} for name in expected)
-    assert all(name in ended.out for name in expected)
+    assert all(name in ended.err for name in expected)
+    assert {answer["claim"] for answer in json.loads(ended.out)["answers"]} >= set(expected)
     a = share_of_wins(tmp_path / "runs" / "boids", "NA", "Van", "polarisation")
     assert f"A = {a:.3f} (" in claims["S3"][3]
     # Two runs decide nothing that needs an interval over runs.

@@ -6,6 +6,7 @@ import json
 import re
 import signal
 import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -20,6 +21,8 @@ from cocorosim_ros.wire.bags.bag_reader import read_bag
 from cocorosim_ros.wire.bags.comparison import bag_digest, difference
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.cdr.type_store import build, serialize, type_store
+
+from .conftest import PROGRAM
 
 POSE, CLOCK = "geometry_msgs/msg/PoseStamped", "rosgraph_msgs/msg/Clock"
 PATIENCE = 200.0  # s; a busy machine is slow
@@ -191,6 +194,17 @@ def test_foreign_recording(ears: Ears, start: Start, tmp_path: Path) -> None:
     stamps = {stamp_ns(POSE, data) for data in ears.heard["/fish/pose"]}
     assert stamps <= {1_500_000_000 + k * 50_000_000 for k in range(11)}
     assert set(ears.heard["/name"]) == set(recorded(tmp_path / "foreign", "/name"))
+
+
+@pytest.mark.usefixtures("domain")
+def test_for_programs(run_of_20_seconds: Any) -> None:
+    """What was published as JSON, alone on standard output: of /clock one message a tick."""
+    words = ["replay", str(run_of_20_seconds.bag), "--fast", "--topics", "/clock"]
+    line = [sys.executable, "-c", PROGRAM, *words, "--json", "-"]
+    done = subprocess.run(line, capture_output=True, text=True, timeout=PATIENCE, check=True)
+    told = json.loads(done.stdout)
+    assert (told["topics"], told["messages"], told["interrupted"]) == (["/clock"], 40, False)
+    assert "40 messages in " in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -69,3 +69,25 @@ class ManoeuvreCriteria:
 
 REPORT = ReportCriteria()
 MANOEUVRE = ManoeuvreCriteria()
+
+
+@dataclass(frozen=True)
+class OverlayCriteria:
+    """Layout of what is laid over a recording in a viewer (`report.overlay`)."""
+
+    interval: float = 0.1
+    """[s] between two messages of a topic at least: more is not seen. Chosen, not measured."""
+    rounding: float = 1e-6
+    """[share of an interval] by which steps of a grid may miss it. Chosen, not measured."""
+    hulls: float = 2.0
+    """[hulls] length of an arrow of a strong force. Chosen, not measured."""
+    strong: float = 0.99
+    """[share of the moments] whose forces are smaller than the strong one: a single one is not the rule. Chosen, not
+    measured."""
+    shaft: float = 0.01
+    """[m] width of an arrow. Chosen, not measured."""
+    lifetime: int = 1
+    """[s] that an arrow is seen. Chosen, not measured."""
+
+
+OVERLAY = OverlayCriteria()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
 from cocorosim_ros.diagnosis.evidence.robot_logs import ClockedRows, robot_log, seconds
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, Stream, told_apart
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
+from cocorosim_ros.diagnosis.findings import Clock
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
@@ -81,7 +83,7 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
         mine = [ClockedRows(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
         log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
         log, said_afloat = with_times_afloat(log, platform)
-        robots.append(log)
+        robots.append(replace(log, clock=Clock(str(path), start)))
         remarks += [*log_remarks, *hole_sentences(log), *said_afloat]
     robots, identity_remarks = with_true_identities(robots, platform)
     remarks += identity_remarks

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+import shutil
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from cocorosim_ros.foundation.errors import ArgumentError
 
 FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
+OVERLAY_FOLDER = "overlay"
+_UNFINISHED = ".overlay.partial"
 
 
 def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
@@ -19,35 +22,56 @@ def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
     """
     if folder.exists() and not folder.is_dir():
         raise ArgumentError(f"{folder} is a file; give a folder with '{argument}'.", argument)
-    there = [name for name in FILES if (folder / name).exists()]
+    there = [name for name in (*FILES, OVERLAY_FOLDER) if (folder / name).exists()]
     if there and not force:
         told = f"{folder / there[0]} exists already; give another folder with '{argument}', or 'force'."
         raise ArgumentError(told, argument, "force")
 
 
-def write_folder(folder: Path, texts: Mapping[str, str], *, argument: str = "out") -> None:
+def write_folder(
+    folder: Path,
+    texts: Mapping[str, str],
+    overlay: Callable[[Path], None] | None = None,
+    *,
+    argument: str = "out",
+) -> None:
     """Write the files, by name, into the folder, which is made if need be; older ones of FILES are taken away.
 
-    Raises CocorosimError if that fails; then everything is as it was.
+    overlay: function that writes the folder `overlay` at a place that does not exist yet; None if there is none, and
+    then an older one is taken away too. Raises CocorosimError if anything fails; then everything is as it was.
     """
     made = _missing(folder)
     partial = {folder / f".{name}.partial": folder / name for name in texts}
+    unfinished = folder / _UNFINISHED / OVERLAY_FOLDER
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        if overlay is not None:
+            shutil.rmtree(unfinished, ignore_errors=True)
+            overlay(unfinished)
         for path, text in zip(partial, texts.values(), strict=True):
             path.write_text(text, "utf-8")
-        for path, final in partial.items():
-            os.replace(path, final)
-        for name in FILES:
-            if name not in texts:
-                (folder / name).unlink(missing_ok=True)
+        _exchange(folder, partial, unfinished if overlay is not None else None)
     except OSError as error:
-        _take_away(partial, made)
+        _take_away(partial, folder / _UNFINISHED, made)
         told = f"The folder {folder} cannot be written: {error.strerror}; give another one with '{argument}'."
         raise ArgumentError(told, argument) from error
     except BaseException:
-        _take_away(partial, made)
+        _take_away(partial, folder / _UNFINISHED, made)
         raise
+
+
+def _exchange(folder: Path, partial: Mapping[Path, Path], overlay: Path | None) -> None:
+    """Put what is written in the place of what was there."""
+    for path, final in partial.items():
+        os.replace(path, final)
+    for name in FILES:
+        if folder / name not in partial.values():
+            (folder / name).unlink(missing_ok=True)
+    if (folder / OVERLAY_FOLDER).is_dir():
+        shutil.rmtree(folder / OVERLAY_FOLDER)
+    if overlay is not None:
+        os.replace(overlay, folder / OVERLAY_FOLDER)
+        overlay.parent.rmdir()
 
 
 def _missing(folder: Path) -> list[Path]:
@@ -55,7 +79,8 @@ def _missing(folder: Path) -> list[Path]:
     return [each for each in (folder, *folder.parents) if not each.exists()]
 
 
-def _take_away(partial: Mapping[Path, Path], made: list[Path]) -> None:
+def _take_away(partial: Mapping[Path, Path], unfinished: Path, made: list[Path]) -> None:
+    shutil.rmtree(unfinished, ignore_errors=True)
     for path in partial:
         try:
             path.unlink(missing_ok=True)

@@ -14,7 +14,7 @@ model has no part in it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -166,7 +166,8 @@ def _window(
             if name == "recalibrated":
                 _draw(measured, channel, errors, paths[name], course.time[span.first : span.end])
     time = course.time[span.first : span.end]
-    return Window(squared, FreeRun(track.name, time, measured, *(paths[name] for name in MODELS)))
+    run = FreeRun(track.name, time, measured, *(paths[name] for name in MODELS))  # type: ignore[arg-type]
+    return Window(squared, replace(run, clock=track.log.clock))
 
 
 def _path(track: Track, model: Model, number: int, span: Span) -> Smoothed:

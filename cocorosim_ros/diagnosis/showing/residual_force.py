@@ -29,4 +29,4 @@ def _of(track: Track, row: Floats, course: Smoothed) -> ResidualForce:
     across = np.sqrt((spread[:, FORCE_X] * cosine) ** 2 + (spread[:, FORCE_Y] * sine) ** 2)
     aside = np.sqrt((spread[:, FORCE_Y] * cosine) ** 2 + (spread[:, FORCE_X] * sine) ** 2)
     wide = np.column_stack([across, aside, spread[:, FORCE_Z], spread[:, YAW_MOMENT]])
-    return ResidualForce(track.name, force, wide, track.actuation.course_along(course, row))
+    return ResidualForce(track.name, force, wide, track.actuation.course_along(course, row), track.log.clock)

@@ -87,6 +87,8 @@ def run_composed(
         record = RunRecord(plan.out / "bag", bodies, metadata, selection=selection, scenery=scenery)
         if plan.foxglove is not None:
             record.show_to(stack.enter_context(foxglove_server(plan.foxglove, scenario.name)))
+        if plan.show is not None:
+            record.show_to(stack.enter_context(plan.show()))
         stack.callback(record.close)
         graph = ComposedGraph(plan, record, tell)
         on_start(graph)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
+from cocorosim_ros.wire.live.viewers import Viewers
+
+OpenViewers = Callable[[], AbstractContextManager[Viewers]]
 
 
 @dataclass(frozen=True)
@@ -22,6 +26,7 @@ class GraphPlan:
     rate: float = 0.0  # seconds of simulation per second of wall clock; 0: lock-step
     wait: float = 60.0  # s of wall clock that controllers and recorder get to appear
     foxglove: int | None = None  # port for live viewers; None: nobody
+    show: OpenViewers | None = None  # others to whom the recorder shows what it writes
 
     @property
     def controlled_here(self) -> list[str]:

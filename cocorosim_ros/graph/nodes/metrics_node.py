@@ -18,6 +18,7 @@ from rclpy.node import Node
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.json_file import json_text
 from cocorosim_ros.graph.nodes.arrival_recorder import ArrivalRecorder
+from cocorosim_ros.graph.nodes.graph import OpenViewers
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
 from cocorosim_ros.graph.nodes.physics_node import scenario_of
@@ -139,10 +140,10 @@ def record_arrivals(node: Node, record: RunRecord, life: _Life, period: float) -
     recorder.finish()
 
 
-def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
+def run_metrics(node: Node, scenario: Scenario | None = None, show: OpenViewers | None = None) -> None:
     """The node's life: the bag is closed and valid at its end, however it comes.
 
-    `scenario`, read already, is given by a supervisor.
+    `scenario`, read already, is given by a supervisor, and `show`, which opens viewers that are shown everything.
     """
     values = declare(node, PARAMETERS)
     warn_of_unknown(node)
@@ -164,6 +165,8 @@ def run_metrics(node: Node, scenario: Scenario | None = None) -> None:
             viewers = stack.enter_context(foxglove_server(values["foxglove"], node.get_name()))
             record.show_to(viewers)
             node.get_logger().info(f"Foxglove and Lichtblick: {viewers.address}")
+        if show is not None:
+            record.show_to(stack.enter_context(show()))
         if scenario is None:
             node.get_logger().info(f"ready: records {len(record.topics)} topics into {folder}")
         if values["lock_step"] and values["scenario"]:

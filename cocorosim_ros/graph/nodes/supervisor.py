@@ -149,7 +149,7 @@ class Supervisor:
 
     def _metrics_life(self) -> None:
         with ros_node("metrics_node", self.plan.metrics_arguments(), services=self._services) as node:
-            run_metrics(node, self.plan.scenario)
+            run_metrics(node, self.plan.scenario, self.plan.show)
             self.state.mark_closed()
 
     def _controller_life(self, robot: RobotDescription) -> Callable[[], None]:

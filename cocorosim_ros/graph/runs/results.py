@@ -50,7 +50,7 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
     damage = f" ({bag.summary.damage.rstrip('.')})" if bag.summary.damage else ""
     return (
         f"{bag.path} holds no poses: {there}{damage}; there must be a topic NAMESPACE/pose of type "
-        "geometry_msgs/msg/PoseStamped for each robot."
+        "geometry_msgs/msg/PoseStamped for each robot, or Odometry, poses of any name, or moving frames in /tf."
     )
 
 
@@ -77,8 +77,11 @@ def readable_scenario(bag: Bag) -> tuple[Scenario | None, str]:
 def scenario_facts(bag: Bag) -> ScenarioFacts:
     """Name, seed, tank and obstacles, where the recording knows its scenario."""
     scenario, _ = readable_scenario(bag)
-    if scenario is None:
-        return ScenarioFacts(bag.path.name)
+    return ScenarioFacts(bag.path.name) if scenario is None else facts_of(scenario)
+
+
+def facts_of(scenario: Scenario) -> ScenarioFacts:
+    """Name, seed, tank and obstacles of a scenario."""
     tank = scenario.tank
     spheres = tuple((*solid.centre, solid.radius) for solid in tank.obstacles if isinstance(solid, Sphere))
     boxes = tuple(solid.corners() for solid in tank.obstacles if isinstance(solid, Box))

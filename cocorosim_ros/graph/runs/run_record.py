@@ -107,14 +107,14 @@ class RunRecord:
         everything = {**self.topics, **(scenery.topics if scenery else {})}
         self._selected = selected_topics(everything, selection)
         self._offered = everything
-        self._viewers: Viewers | None = None
+        self._viewers: list[Viewers] = []
         rows = {topic: TOPICS[row] for topic, row in self._selected.items()}
         channels = [Channel(topic, row.type_name, row.quality) for topic, row in rows.items()]
         self.writer = BagWriter(folder, channels, metadata=metadata, force=force)
 
     def show_to(self, viewers: Viewers) -> None:
         """Send them every message from now on, also of topics that are not recorded."""
-        self._viewers = viewers
+        self._viewers.append(viewers)
         for topic, row in self._offered.items():
             viewers.add(topic, TOPICS[row].type_name)
 
@@ -128,9 +128,9 @@ class RunRecord:
         for topic in self._selected:
             if topic in messages:
                 write(topic, stamp_ns, stamp_ns, messages[topic])
-        if self._viewers is not None:
+        for viewers in self._viewers:
             for topic, data in messages.items():
-                self._viewers.send(topic, stamp_ns, data)
+                viewers.send(topic, stamp_ns, data)
         return self.measure(stamp_ns, [messages[topic] for topic in self.pose_topics], messages)
 
     def write(self, topic: str, stamp_ns: int, data: bytes) -> None:
@@ -138,9 +138,9 @@ class RunRecord:
         self._begin(stamp_ns)
         if topic in self._selected:
             self.writer.write(topic, stamp_ns, stamp_ns, data)
-        if self._viewers is not None:
+        for viewers in self._viewers:
             latched = self._scenery is not None and topic in self._scenery.standing
-            self._viewers.send(topic, stamp_ns, data, latched=latched)
+            viewers.send(topic, stamp_ns, data, latched=latched)
 
     def measure(self, stamp_ns: int, poses: Sequence[bytes | None], messages: Mapping[str, bytes]) -> dict[str, bytes]:
         """Record what is made of the poses of all robots at one moment, and return it by topic.

@@ -6,6 +6,7 @@ import csv
 import io
 import math
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from cocorosim_ros.study.experiments.rows import STATISTICS
 from cocorosim_ros.study.metrics import METRICS
@@ -15,6 +16,7 @@ HEADING = (
     *("design", "numerics", "group", "metric", "unit", "over time", "runs", "lower quartile", "median"),
     *("upper quartile", "baseline", "A against baseline", "A from", "A to"),
 )
+_TEXTS = ("design", "numerics", "group", "metric", "unit", "over time", "baseline")
 _WORDS = {"": "own definition", "_time_mean": "mean", "_time_median": "median"}
 
 
@@ -26,6 +28,18 @@ def summary_csv(experiments: Iterable[Results]) -> str:
     for results in experiments:
         writer.writerows(_lines(results))
     return stream.getvalue()
+
+
+def summary_rows(experiments: Iterable[Results]) -> list[dict[str, Any]]:
+    """The same for programs, a dict a line: numbers as such, None where a line of the text is empty."""
+    lines = (dict(zip(HEADING, line, strict=True)) for results in experiments for line in _lines(results))
+    return [{name: _plain(name, word) for name, word in line.items()} for line in lines]
+
+
+def _plain(name: str, word: str) -> str | float | None:
+    if not word:
+        return None
+    return word if name in _TEXTS else float(word)
 
 
 def _lines(results: Results) -> Iterator[tuple[str, ...]]:

@@ -34,7 +34,7 @@ def write_rerun(scenes: Sequence[Scene], file: Path) -> None:
             canvas = Canvas(stream, root, scene.start_ns)
             canvas.always("", rr.ViewCoordinates.RIGHT_HAND_Z_UP)
             colours = robot_colours([robot.name for robot in scene.robots])
-            draw_robots(canvas, scene, [_in_bytes(*each) for each in colours.values()])
+            draw_robots(canvas, scene, [in_bytes(*each) for each in colours.values()])
             draw_surroundings(canvas, scene, curve)
         stream.flush()
         stream.disconnect()
@@ -46,5 +46,6 @@ def write_rerun(scenes: Sequence[Scene], file: Path) -> None:
             provisional.unlink(missing_ok=True)
 
 
-def _in_bytes(red: float, green: float, blue: float, _: float) -> Colour:
+def in_bytes(red: float, green: float, blue: float, _: float) -> Colour:
+    """A colour of Matplotlib as Rerun has it."""
     return Colour(round(255 * red), round(255 * green), round(255 * blue))

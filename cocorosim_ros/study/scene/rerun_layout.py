@@ -20,8 +20,11 @@ _EYE = np.array([-0.22, -0.5, 0.32])  # from the middle of the swarm, as multipl
 _WATCHED_IN = 60.0  # s that playing takes at first, of a recording that is longer
 
 
-def layout(roots: Sequence[str], scenes: Sequence[Scene]) -> rrb.Blueprint:
-    """One scene, or two side by side, each below its root; every metric of all of them in one plot."""
+def layout(roots: Sequence[str], scenes: Sequence[Scene], *, live: bool = False) -> rrb.Blueprint:
+    """One scene, or two side by side, each below its root; every metric of all of them in one plot.
+
+    live: whether the time follows what comes, instead of being played.
+    """
     tanks = rrb.Horizontal(*(_tank_view(root, scene) for root, scene in zip(roots, scenes, strict=True)))
     seconds = max(_seconds(scene) for scene in scenes)
     plots = [_plot(name, roots, seconds) for name in PAPER_METRICS]
@@ -39,9 +42,9 @@ def layout(roots: Sequence[str], scenes: Sequence[Scene]) -> rrb.Blueprint:
         rrb.TimePanel(
             state="collapsed",
             timeline=TIMELINE,
-            play_state="playing",
-            loop_mode="all",
-            playback_speed=max(1.0, round(seconds / _WATCHED_IN)),
+            play_state="following" if live else "playing",
+            loop_mode="off" if live else "all",
+            playback_speed=1.0 if live else max(1.0, round(seconds / _WATCHED_IN)),
         ),
     )
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import mmap
 import struct
+import sys
 import zlib
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -194,6 +195,8 @@ class McapFile:
             return packed
         if block.compression not in _UNPACK:
             raise ValueError(f"its compression {block.compression!r} is unknown")
+        if block.plain_size > sys.maxsize:
+            raise ValueError(f"it says that it holds {block.plain_size} bytes, more than any machine")
         plain = _UNPACK[block.compression](packed, block.plain_size)
         if len(plain) != block.plain_size:
             raise ValueError(f"it holds {len(plain)} bytes instead of {block.plain_size}")

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
-from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
+from cocorosim_ros.wire.bags.poses_of_others import poses_of_others
+from cocorosim_ros.wire.cdr.stamped_numbers import StampedNumbers, read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 from cocorosim_ros.world.state.pose_track import PoseTrack
@@ -43,7 +44,17 @@ class RecordedTrack(PoseTrack):
 def read_poses(bag: Bag | Path | str) -> dict[str, RecordedTrack]:
     """The track of every robot of a recording, by its namespace (lily_01, tank/lily_01), sorted.
 
-    Robots are the topics NAMESPACE/pose of type geometry_msgs/PoseStamped, at any depth of namespace.
+    Robots are the topics NAMESPACE/pose of type geometry_msgs/PoseStamped, at any depth of namespace; without any,
+    those that `read_poses_and_source` tells.
+    """
+    return read_poses_and_source(bag)[0]
+
+
+def read_poses_and_source(bag: Bag | Path | str) -> tuple[dict[str, RecordedTrack], str]:
+    """The tracks, and a sentence on where they are from if there is no topic NAMESPACE/pose.
+
+    Then the robots are the topics of type nav_msgs/Odometry by their first namespace, else those with poses under other
+    names, else the frames that move in a frame of the world in /tf.
     """
     opened = bag if isinstance(bag, Bag) else read_bag(bag)
     topics = [topic.topic for topic in opened.summary.topics if is_pose(topic.topic, topic.type_name)]
@@ -51,7 +62,21 @@ def read_poses(bag: Bag | Path | str) -> dict[str, RecordedTrack]:
     for message in opened.messages(topics):
         if message.type_name == POSE.type_name:
             recorded[message.topic].append(message.data)
-    return {split_topic(topic)[0]: pose_track(recorded[topic]) for topic in sorted(topics)}
+    if not topics:
+        return _tracks_of_others(opened)
+    return {split_topic(topic)[0]: pose_track(recorded[topic]) for topic in sorted(topics)}, ""
+
+
+def _tracks_of_others(bag: Bag) -> tuple[dict[str, RecordedTrack], str]:
+    found = poses_of_others(bag)
+    tracks = {}
+    for each in found:
+        stamps = np.array([stamp for stamp, _ in each.rows], dtype=np.int64)
+        numbers = np.array([row or (np.nan,) * NUMBERS for _, row in each.rows], dtype=np.float64)
+        readable = np.array([row is not None for _, row in each.rows], dtype=np.bool_)
+        tracks[each.robot] = _track(StampedNumbers(stamps, numbers, readable, each.frames))
+    told = ", ".join(f"{each.robot} from {each.source}" for each in found)
+    return tracks, f"There is no topic NAMESPACE/pose; poses are those of {told}." if found else ""
 
 
 def is_pose(topic: str, type_name: str) -> bool:
@@ -61,7 +86,11 @@ def is_pose(topic: str, type_name: str) -> bool:
 
 def pose_track(messages: Sequence[bytes]) -> RecordedTrack:
     """The track in the CDR bytes of PoseStamped messages, in recorded order."""
-    read = read_stamped_numbers(messages, NUMBERS)
+    return _track(read_stamped_numbers(messages, NUMBERS))
+
+
+def _track(read: StampedNumbers) -> RecordedTrack:
+    """The track of place and quaternion in each row."""
     stamps, numbers, readable = read.stamp_ns, read.numbers, read.readable
     finite = readable & np.isfinite(numbers).all(axis=1)
     kept, duplicates, conflicts = first_of_each_stamp(stamps, numbers, np.flatnonzero(finite))

@@ -34,6 +34,11 @@ class CsvRows:
         short = sum(len(cells) < self._width for cells in self._cells)
         self.damage = f"{origin}: {short} rows end early; their last cells count as missing." if short else ""
 
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names in the header."""
+        return tuple(self._header)
+
     def words(self, column: Entry) -> list[str]:
         """The cells of a column as they stand there, empty where a row ends before it."""
         index = self._index(column)

@@ -7,9 +7,11 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.image import imread
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Located, ResidualReading
 from cocorosim_ros.diagnosis.report.model_file import Origin
@@ -278,3 +280,24 @@ def test_what_has_no_picture_has_a_sentence(example: Example) -> None:
     assert "Not drawn, to be brief: what /lily_01/compass show" in content.text
     assert "against the heading" in content.text
     assert "There is no picture of compass against sin" not in content.text
+
+
+MEASURE = """<script>
+const sizes = [...document.querySelectorAll("figure svg")].map((each) => each.getBoundingClientRect());
+document.body.dataset.figures = sizes.filter((size) => size.width > 100 && size.height > 50).length;
+document.body.dataset.wide = document.documentElement.scrollWidth > window.innerWidth;
+</script>"""
+
+
+def test_a_browser_shows_the_page(pages: Pages, tmp_path: Path, browse: Callable[..., str]) -> None:
+    """The sentence, every section and every figure at a size to be read; nothing sticks out, and it is not blank."""
+    text, content = pages("mismatch")
+    (tmp_path / "report.html").write_text(text.replace("</body>", f"{MEASURE}</body>"), "utf-8")
+    shown = browse((tmp_path / "report.html"), "", tmp_path / "report.png")
+    assert f'data-figures="{content.counts["svg"]}"' in shown
+    assert 'data-wide="false"' in shown
+    assert [f'id="{section}"' in shown for section in SECTIONS] == [True] * len(SECTIONS)
+    assert content.counts["svg"] > 3
+    picture = imread(tmp_path / "report.png")
+    assert picture.shape[:2] == (2000, 1280)
+    assert len(np.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 10

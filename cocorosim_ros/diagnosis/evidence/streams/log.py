@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
+from cocorosim_ros.diagnosis.findings import NO_CLOCK, Clock
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.sensors import SENSORS
@@ -53,6 +54,7 @@ class RobotLog:
     gaps: tuple[tuple[float, float], ...] = ()  # s: start and end of each gap of the poses
     attitude: Attitude | None = None  # roll and pitch, where they were recorded; None for a robot that stays level
     afloat: tuple[tuple[float, float], ...] = ()  # s: begin and end of each time that it lies at the surface
+    clock: Clock = NO_CLOCK
 
 
 @dataclass(frozen=True)

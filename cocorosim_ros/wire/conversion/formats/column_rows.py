@@ -36,6 +36,11 @@ class ColumnRows:
         if not self.count:
             raise CocorosimError(f"{origin} holds no row of numbers; give a file that has some.")
 
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of all columns that have a cell in every row."""
+        return tuple(name for name, cells in self._columns.items() if len(cells) == self.count)
+
     def row_name(self, row: int) -> str:
         """The row, counted from 1."""
         return f"row {row + 1}"

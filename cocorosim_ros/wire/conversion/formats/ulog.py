@@ -37,6 +37,11 @@ class ULogLog:
         damaged = log.file_corruption or _ends_early(path.read_bytes())
         self.damage = (f"{path.name} is damaged or ends early: what can be read of it was converted.",) * damaged
 
+    @property
+    def topics(self) -> tuple[str, ...]:
+        """The names of all topics that have messages."""
+        return tuple(self._topics)
+
     def rows(self, topic: str, place: Entry) -> ColumnRows:
         """The messages of a topic."""
         if topic not in self._topics:
