@@ -50,7 +50,7 @@ NO_THRESHOLDS = {
         "_MIDDLE": "a colour",
         "_COLOURS": "colours",
     },
-    "showing/bootstrap.py": {"SAMPLES": "length of a calculation"},
+    "foretelling/bootstrap.py": {"SAMPLES": "length of a calculation"},
     "showing/estimates.py": {"Z95": "a quantile of the normal distribution"},
     "tracks/averaging.py": {"NOTHING": "a shape"},
     "tracks/lately.py": {"REMEMBERED": "size of a cache, which changes no result"},

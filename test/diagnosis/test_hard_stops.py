@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, o
 def sound(swim: Any) -> Case:
     """A swim of a minute under the very model, its base fit and course, and nothing found."""
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-    from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), 60.0, seed=31))

@@ -20,13 +20,14 @@ from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import held_out_gain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
-from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
 Progress = Callable[[str, float], None]

@@ -17,9 +17,9 @@ from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
-from cocorosim_ros.diagnosis.showing.residual_reading import deviation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track

@@ -11,8 +11,8 @@ import pytest
 
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
-from cocorosim_ros.diagnosis.showing.nameless_force import foretold, turn_back
+from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.foretelling.nameless_force import foretold, turn_back
 from cocorosim_ros.diagnosis.showing.regimes import QUANTITIES, regime_remarks
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.scenario.parts.platform import load_platform

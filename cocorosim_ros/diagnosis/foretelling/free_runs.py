@@ -19,17 +19,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.showing import FREE_RUNS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.findings import Against, FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
-from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
-from cocorosim_ros.diagnosis.showing.fixed_errors import with_fixed_errors
-from cocorosim_ros.diagnosis.showing.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks
-from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
-from cocorosim_ros.diagnosis.showing.horizon import coasting_time, window_length
-from cocorosim_ros.diagnosis.showing.nameless_force import explained_forces
-from cocorosim_ros.diagnosis.showing.rulers import CHANNELS, Errors, against, errors_of_course, errors_of_readings
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling.bootstrap import drawn, interval_of_root
+from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks
+from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
+from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
+from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
+from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, Errors, against, errors_of_course, errors_of_readings
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
