@@ -12,6 +12,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, objections, stopped
 
@@ -107,6 +108,15 @@ def test_an_interval_that_holds_zero(sound: Case) -> None:
     assert sentences(hard_stops.interval_holds_zero, named(sound, "torque_bias", torque=1.5)) == []
     assert sentences(hard_stops.interval_holds_zero, named(sound, "steady_current", x=0.1, y=2.0)) == []
     assert len(sentences(hard_stops.interval_holds_zero, named(sound, "steady_current", x=0.1, y=-0.9))) == 1
+
+
+@pytest.mark.parametrize(("mean", "said"), [(-0.001, 1), (0.001, 0), (None, 0)])
+def test_an_effect_that_foretells_nothing(sound: Case, mean: float | None, said: int) -> None:
+    """Free runs that are no better with it are said; an error of readings, which they do not judge, is not."""
+    case = named(sound, "torque_bias", torque=1.5)
+    told = None if mean is None else Gain(mean, 0.01)
+    case = replace(case, named=tuple(replace(each, foretold=told) for each in case.named))
+    assert len(sentences(hard_stops.foretells_nothing, case)) == said
 
 
 @pytest.mark.parametrize(

@@ -47,5 +47,23 @@ class NamelessForceCriteria:
     """[of the largest term] smaller terms are rounding. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class GainCriteria:
+    """Gains of free runs from one model to another, by which effects are chosen (`foretelling.gains`)."""
+
+    most: float = 3.0
+    """[logarithm of the error] by which one window counts at most: a model that has run away is no worse than one that
+    errs by e^3. Chosen, not measured."""
+    sure: float = 2.0
+    """[standard deviations] of a mean gain over the windows from which it is clear. The usual 2."""
+    doubt: float = 1.0
+    """[standard deviations] of a mean loss from which an effect is not kept, and of a mean gain that a law outside the
+    catalogue needs: an effect that is right gains in the mean, and of the many laws some gain by chance. Chosen, not
+    measured."""
+    material: float = 0.02
+    """[logarithm of the error] a smaller change is none: 2 % of an error at the noise floor. Chosen, not measured."""
+
+
 FREE_RUNS = FreeRunCriteria()
+GAINS = GainCriteria()
 NAMELESS_FORCE = NamelessForceCriteria()

@@ -102,6 +102,13 @@ def interval_holds_zero(case: Case) -> Iterator[Objection]:
             )
 
 
+def foretells_nothing(case: Case) -> Iterator[Objection]:
+    """Object to effects by which free runs on unseen data gain nothing."""
+    for found, named in _named(case):
+        if named.foretold is not None and named.foretold.mean <= 0.0:
+            yield Objection("Free runs through data that no fit saw err no less with it than without it.", effect=found)
+
+
 def collapsed_base(case: Case) -> Iterator[Objection]:
     """Object to a recalibrated model that foretells unseen data clearly worse than the platform as given."""
     for channel in EXACT:
@@ -184,6 +191,7 @@ STOPS: tuple[Stop, ...] = (
     number_at_a_bound,
     effect_at_a_bound,
     interval_holds_zero,
+    foretells_nothing,
     collapsed_base,
     strayed_course,
     coloured_innovations,
