@@ -20,7 +20,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.foretelling import GAINS
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
-from cocorosim_ros.diagnosis.fitting.solving import clipped, step_within
+from cocorosim_ros.diagnosis.fitting.solving import clipped, not_held, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import write_values
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Split
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, against, errors_of_readings
@@ -130,15 +130,17 @@ def rows_without_held_out(fit: Fit, splits: Collection[Split], kept: Collection[
     loose = [place for place, unknown in enumerate(fit.unknowns) if unknown.column not in kept]
     if not loose:
         return fit.filled
-    matrix, score = known.matrix.copy(), known.score.copy()
+    matrix, gone = known.matrix.copy(), np.zeros(len(fit.unknowns))
     for track, split, passed, slope in zip(fit.tracks, splits, fit.passes, known.slopes, strict=True):
         held = _held(track, split)
         weighted = slope[held] / passed.variance[held, None]
         matrix -= slope[held].T @ weighted
-        score += weighted.T @ passed.innovation[held]
+        gone += weighted.T @ passed.innovation[held]
+    # The fit is taken as finished: what is left of the score would move it as no likelihood did.
     unknowns, q = [fit.unknowns[place] for place in loose], fit.q.copy()
-    step = step_within(matrix[np.ix_(loose, loose)], score[loose], unknowns, q[loose])
-    q[loose] = clipped(unknowns, q[loose] + step)
+    free = np.array(loose)[not_held((known.score + gone)[loose], unknowns, q[loose])]
+    q[free] += solve(matrix[np.ix_(free, free)], gone[free])
+    q[loose] = clipped(unknowns, q[loose])
     return write_values(write_values(fit.rows, fit.unknowns, q), fit.noise, fit.q_noise)
 
 
