@@ -157,6 +157,25 @@ def test_predictions_that_err_to_one_side(sound: Case) -> None:
     assert len(sentences(hard_stops.coloured_innovations, case(3.0 * rng.standard_normal(count)))) == 1
 
 
+def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
+    """Innovations twice as large at speed are said of an effect by which free runs do not clearly gain, by how much."""
+    (track,), (passed,), (course,) = sound.final.tracks, sound.final.passes, sound.courses
+    speed = np.linalg.norm(course.mean[:, 4:7], axis=1)
+    at = np.interp(track.timeline.stamp, course.time, (speed - speed.mean()) / speed.std())
+
+    def case(growth: float, gain: float) -> Case:
+        sizes = np.random.default_rng(1).standard_normal(len(at)) * np.sqrt(np.maximum(1.0 + growth * at, 0.05))
+        passes = (replace(passed, innovation=sizes * np.sqrt(passed.variance)),)
+        found = named(replace(sound, final=replace(sound.final, passes=passes)), "torque_bias", torque=1.5)
+        return replace(found, named=tuple(replace(each, foretold=Gain(gain, 0.1)) for each in found.named))
+
+    (said,) = sentences(hard_stops.uneven_pushes, case(0.6, 0.1))
+    assert "grows with speed" in said
+    assert sentences(hard_stops.uneven_pushes, case(0.6, 0.5)) == []  # free runs gain five times their spread
+    assert sentences(hard_stops.uneven_pushes, case(0.0, 0.1)) == []
+    assert sentences(hard_stops.uneven_pushes, named(case(0.6, 0.1), "torque_bias", torque=1.5)) == []  # of no free run
+
+
 def test_noise_that_is_a_guess(sound: Case) -> None:
     """A stream whose readings were interpolated is said, with its columns."""
     (track,) = sound.final.tracks

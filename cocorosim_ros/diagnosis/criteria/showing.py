@@ -74,6 +74,19 @@ class HardStopCriteria:
 
 
 @dataclass(frozen=True)
+class UnevenNoiseCriteria:
+    """Random force that is not the same at all times; evidence alone then confirms nothing (`showing.uneven_noise`)."""
+
+    clear: float = 5.0
+    """[standard deviations] of the score, which neighbouring readings share: more than the usual 3. Chosen, not
+    measured."""
+    growth: float = 0.3
+    """[of the variance] with each standard deviation of speed or thrust. Chosen, not measured."""
+    fewest: int = 100
+    """[readings] of a kind; fewer tell no variance. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class LocationCriteria:
     """Limits from which a difference of model and recording stands out, in all or in a regime (`showing.location`)."""
 
@@ -110,6 +123,7 @@ VERDICT = VerdictCriteria()
 ESTIMATES = EstimateCriteria()
 FORM_WIDTH = FormWidthCriteria()
 HARD_STOPS = HardStopCriteria()
+UNEVEN = UnevenNoiseCriteria()
 LOCATION = LocationCriteria()
 FRAMING = FramingCriteria()
 REGIMES = RegimeCriteria()

@@ -19,8 +19,6 @@ from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
-MICROSECONDS = 1e6
-
 
 @dataclass(frozen=True)
 class Skew:
@@ -57,7 +55,7 @@ def has_clock_of_commands(log: RobotLog, topic: str) -> bool:
 
     Such rows of one table cannot run at two rates.
     """
-    stamp, command = (np.rint(time * MICROSECONDS) for time in (log.streams[topic].time, log.command_time))
+    stamp, command = (np.round(time, 6) for time in (log.streams[topic].time, log.command_time))
     return len(stamp) > 1 and float(np.mean(np.isin(stamp, command))) >= CLOCKS.shared
 
 

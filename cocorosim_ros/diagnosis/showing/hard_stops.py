@@ -20,6 +20,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
+from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -109,6 +110,24 @@ def foretells_nothing(case: Case) -> Iterator[Objection]:
             yield Objection("Free runs through data that no fit saw err no less with it than without it.", effect=found)
 
 
+def uneven_pushes(case: Case) -> Iterator[Objection]:
+    """Object to effects of motion that evidence alone speaks for, where the random force is not the same at all times.
+
+    Free runs that clearly gain by an effect speak for it too.
+    """
+    uneven = uneven_noise(case.final.tracks, case.final.passes, case.courses)
+    if not uneven:
+        return
+    growth = " and ".join(f"{each.quantity} (by {each.growth:.0%} for each standard deviation)" for each in uneven)
+    for found, named in _named(case):
+        if named.foretold is not None and not named.foretold.is_clear:
+            yield Objection(
+                f"What the model errs by grows with {growth}, which its evidence takes for the same at all times; free "
+                "runs do not clearly gain by it.",
+                effect=found,
+            )
+
+
 def collapsed_base(case: Case) -> Iterator[Objection]:
     """Object to a recalibrated model that foretells unseen data clearly worse than the platform as given."""
     for channel in EXACT:
@@ -192,6 +211,7 @@ STOPS: tuple[Stop, ...] = (
     effect_at_a_bound,
     interval_holds_zero,
     foretells_nothing,
+    uneven_pushes,
     collapsed_base,
     strayed_course,
     coloured_innovations,
