@@ -55,7 +55,8 @@ class GainCriteria:
     """[logarithm of the error] by which one window counts at most: a model that has run away is no worse than one that
     errs by e^3. Chosen, not measured."""
     sure: float = 2.0
-    """[standard deviations] of a mean gain over the windows from which it is clear. The usual 2."""
+    """[standard deviations] of a mean gain over the windows from which it is clear: one in forty is that by
+    chance. Known of the normal distribution."""
     doubt: float = 1.0
     """[standard deviations] of a mean loss from which an effect is not kept, and of a mean gain that a law outside the
     catalogue needs: an effect that is right gains in the mean, and of the many laws some gain by chance. Chosen, not
