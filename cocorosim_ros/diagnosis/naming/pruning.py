@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -87,13 +86,17 @@ def _measured(effect: NamedEffect, whole: float, smaller: Fit, fit: Fit) -> Name
 
 
 def without_least(naming: Naming) -> Naming:
-    """Take back the effect that free runs gain least by, the one with the least evidence of equals; fit the rest anew.
+    """Take back the effect that speaks least for itself, and fit the rest anew: see `_worth`."""
+    least = min(naming.named, key=_worth)
+    fit = without(naming.fit, least.candidate, naming.base)
+    return replace(naming, fit=fit, named=_others(naming.named, least))
 
-    Errors of readings, which free runs do not judge, come last.
-    """
-    weakest = min(naming.named, key=lambda effect: (effect.foretold.mean if effect.foretold else math.inf, effect.nats))
-    fit = without(naming.fit, weakest.candidate, naming.base)
-    return replace(naming, fit=fit, named=_others(naming.named, weakest))
+
+def _worth(effect: NamedEffect) -> tuple[int, float]:
+    """Rank of an effect: what free runs lose by, then errors of readings by their evidence, then what they gain by."""
+    if effect.foretold is None:
+        return 1, effect.nats
+    return (2 if effect.foretold.mean > 0.0 else 0), effect.foretold.mean
 
 
 def _others(named: tuple[NamedEffect, ...], gone: NamedEffect) -> tuple[NamedEffect, ...]:
