@@ -35,11 +35,15 @@ def harms(candidate: Candidate, gain: Gain) -> bool:
 
 @dataclass(frozen=True)
 class Choice:
-    """Free runs of the models that one more effect makes of `fit`; those of a model are run once."""
+    """Free runs of the models that one more effect makes of `fit`; those of a model are run once.
+
+    onsets: columns of moments of events that the fit has, of which what is held out may tell alone.
+    """
 
     unseen: Unseen
     fit: Fit
-    _errors: dict[int, Floats] = field(default_factory=dict)
+    onsets: frozenset[str] = frozenset()
+    _known: list[tuple[Refined, Floats]] = field(default_factory=list)
 
     @cached_property
     def _runs(self) -> FreeRuns:
@@ -47,7 +51,7 @@ class Choice:
 
     @cached_property
     def _before(self) -> Floats:
-        return self._runs.errors(rows_without_held_out(self.fit, self.unseen.splits))
+        return self._runs.errors(rows_without_held_out(self.fit, self.unseen.splits, self.onsets))
 
     def gain(self, refined: Refined) -> Gain:
         """Gain of a refined candidate over the model without any, both without the held-out readings."""
@@ -107,10 +111,13 @@ class Choice:
 
     def _of(self, refined: Refined) -> Floats:
         """Mean squared errors (windows, channels) of a candidate's model that has not seen what is held out."""
-        if id(refined) not in self._errors:
-            kept = refined.candidate.onset_columns
-            self._errors[id(refined)] = self._runs.errors(rows_without_held_out(refined.fit, self.unseen.splits, kept))
-        return self._errors[id(refined)]
+        for known, errors in self._known:
+            if known is refined:
+                return errors
+        onsets = self.onsets | refined.candidate.onset_columns
+        rows = rows_without_held_out(refined.fit, self.unseen.splits, onsets)
+        self._known.append((refined, self._runs.errors(rows)))
+        return self._known[-1][1]
 
 
 def _may_replace(leader: Candidate, other: Candidate) -> bool:

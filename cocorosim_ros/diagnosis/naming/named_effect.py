@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -32,6 +33,11 @@ class NamedEffect:
     rivals: tuple[NearRival, ...]
     held_out: HeldOutGain
     foretold: Gain | None = None
+
+
+def onsets_of(named: Sequence[NamedEffect]) -> frozenset[str]:
+    """Columns of the moments at which events happen once, of all named effects."""
+    return frozenset(column for effect in named for column in effect.candidate.onset_columns)
 
 
 class Stage(NamedTuple):

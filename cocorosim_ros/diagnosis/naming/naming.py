@@ -27,7 +27,7 @@ from cocorosim_ros.diagnosis.naming.choice import Choice, harms, moves
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Stage
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.residual import scene_of
@@ -60,7 +60,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
         tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each)])
         if round_number == 0:
             first, first_laws = tested, tested_laws
-        choice = Choice(unseen, fit) if unseen is not None else None
+        choice = Choice(unseen, fit, onsets_of(named)) if unseen is not None else None
         best = best_addition((*known, *named), screen, tested, tested_laws, choice)
         if best is None:
             break

@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, rows_without_hel
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import harms, moves
 from cocorosim_ros.diagnosis.naming.contest import log_evidence
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, needed_nats
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
 
@@ -60,7 +60,7 @@ def _run_freely(
 ) -> tuple[NamedEffect, ...]:
     """Measure anew what free runs gain by each effect that moves; smaller: the fits without one of them."""
     runs = FreeRuns(unseen, fit.filled)
-    onsets = frozenset(column for effect in named for column in effect.candidate.onset_columns)
+    onsets = onsets_of(named)
     whole = runs.errors(rows_without_held_out(fit, unseen.splits, onsets))
 
     def measured(effect: NamedEffect) -> NamedEffect:
