@@ -51,6 +51,7 @@ NO_THRESHOLDS = {
         "_COLOURS": "colours",
     },
     "foretelling/bootstrap.py": {"SAMPLES": "length of a calculation"},
+    "foretelling/gains.py": {"SURE": "the end of a 95 % interval"},
     "showing/estimates.py": {"Z95": "a quantile of the normal distribution"},
     "tracks/averaging.py": {"NOTHING": "a shape"},
     "tracks/lately.py": {"REMEMBERED": "size of a cache, which changes no result"},

@@ -17,6 +17,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from scipy.stats import norm
+from scipy.stats import t as student
 
 from cocorosim_ros.diagnosis.criteria.foretelling import GAINS
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
@@ -29,9 +31,14 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
+SURE = 0.975  # quantile at the upper end of a 95 % interval
+
 
 class Gain(NamedTuple):
-    """Mean gain over the windows [logarithm of the error] and the standard deviation of that mean."""
+    """Mean gain over the windows [logarithm of the error] and the standard deviation of that mean.
+
+    The standard deviation is as wide for few windows as makes a normal 95 % interval of Student's.
+    """
 
     mean: float
     spread: float
@@ -61,8 +68,14 @@ def gain(before: Floats, after: Floats, floor: Floats) -> Gain:
         each = 0.5 * np.log((before + floor) / (after + floor))
     each = np.where(np.isfinite(before) & (floor > 0.0), each, 0.0)
     found = np.clip(np.nan_to_num(each, nan=-GAINS.most).sum(axis=1), -GAINS.most, GAINS.most)
-    spread = float(found.std(ddof=1)) / math.sqrt(len(found)) if len(found) > 1 else math.inf
-    return Gain(float(found.mean()) if len(found) else 0.0, spread)
+    return Gain(float(found.mean()) if len(found) else 0.0, _spread_of_mean(found))
+
+
+def _spread_of_mean(found: Floats) -> float:
+    if len(found) < 2:
+        return math.inf
+    wider = float(student.ppf(SURE, len(found) - 1) / norm.ppf(SURE))
+    return wider * float(found.std(ddof=1)) / math.sqrt(len(found))
 
 
 @dataclass(frozen=True)
