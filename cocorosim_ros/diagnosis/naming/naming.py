@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
@@ -34,6 +35,13 @@ from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
 Progress = Callable[[str, float], None]
+
+
+class PassedOver(NamedTuple):
+    """Candidates of a round that explain something: too small to be believed, or contradicted by free runs."""
+
+    negligible: list[Candidate]
+    harmful: list[Candidate]
 
 
 def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) -> Naming:
@@ -106,10 +114,10 @@ def best_addition(
     if not begun:
         return None
     base_evidence = log_evidence(screen.fit)
-    negligible: list[Candidate] = []  # candidates that explain something but are too small to be believed, or harm
+    passed_over = PassedOver([], [])
     for promising in _by_promise(begun, choice):
         refined = [_refined(screen.fit, each, base_evidence) for each in promising]
-        found = _first_believed(Stage(screen.fit, named), refined, negligible, choice)
+        found = _first_believed(Stage(screen.fit, named), refined, passed_over, choice)
         if found is not None:
             return found
     return None
@@ -154,47 +162,47 @@ def _by_promise(begun: Sequence[Begun], choice: Choice | None) -> tuple[list[Beg
 
 
 def _first_believed(
-    stage: Stage, refined: list[Refined], negligible: list[Candidate], choice: Choice | None
+    stage: Stage, refined: list[Refined], passed_over: PassedOver, choice: Choice | None
 ) -> tuple[Fit, NamedEffect] | None:
     """Name the best of the refined candidates that may be named, and return the fit with it; None if none may.
 
     The best is the one with most evidence, or one that may be named too and foretells unseen data clearly better. One
-    that makes free runs worse is not named, and added to `negligible`.
+    that makes free runs worse is not named. After it the order of evidence counts for less: what follows has to gain.
     """
     refined.sort(key=lambda each: -standing(each))
     for place, leader in enumerate(refined):
         if standing(leader) < needed_nats(stage.named, leader.candidate, leader.fit):
             return None
-        if not _may_be_named(leader, stage, negligible):
+        if not _may_be_named(leader, stage, passed_over):
             continue
         if choice is None or not moves(leader.candidate):
             return _addition(leader, _rivals(leader, refined, choice), stage, None)
         better = choice.better(leader, refined[place + 1 :])
-        best = next((each for each in better if _may_be_named(each, stage, negligible)), leader)
+        best = next((each for each in better if _may_be_named(each, stage, passed_over)), leader)
         gain = choice.gain(best)
-        if not harms(best.candidate, gain):
+        if not harms(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
             return _addition(best, _rivals(best, refined, choice), stage, gain)
-        negligible.append(best.candidate)
+        passed_over.harmful.append(best.candidate)
     return None
 
 
-def _may_be_named(refined: Refined, stage: Stage, negligible: list[Candidate]) -> bool:
+def _may_be_named(refined: Refined, stage: Stage, passed_over: PassedOver) -> bool:
     """Tell whether a candidate may be named.
 
     It may if its evidence suffices, also over a model without it that was fitted anew where evidence is weak, if it is
     large enough to be believed and no larger than an instrument can err, and if it foretells held-out blocks. One that
-    is too small is added to `negligible`; candidates that may stand for the same effect are then passed over.
+    is too small is noted; candidates that may stand for what was passed over are passed over too.
     """
     needed = needed_nats(stage.named, refined.candidate, refined.fit)
     if standing(refined) < needed or (refined.nats < NAMING.checked and _regained(refined, stage.fit) < needed):
         return False
     if is_tiny(refined):
-        negligible.append(refined.candidate)
+        passed_over.negligible.append(refined.candidate)
         return False
     if is_beyond_instrument(refined.candidate, refined.fit):
         return False
-    if any(is_like(refined.candidate, other) for other in negligible):
-        return False  # it may stand for an effect that is too small to be believed
+    if any(is_like(refined.candidate, other) for other in (*passed_over.negligible, *passed_over.harmful)):
+        return False
     return held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns).total > 0.0
 
 
