@@ -9,6 +9,7 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
+from cocorosim_ros.diagnosis.criteria.foretelling import GAINS
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
@@ -114,9 +115,17 @@ def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns
 
 
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
-    """Tell whether free runs with all effects are worse than without, in all or clearly in a channel."""
-    moved = any(moves(effect.candidate) for effect in naming.named)
-    in_all = moved and free.gain is not None and free.gain.is_loss and not is_exact(free.table)
+    """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
+
+    In all is not asked of errors of the catalogue that act on readings alone. Of a law of readings it is asked without
+    any doubt in its favour: there are many, and they follow effects of motion.
+    """
+    in_all = False
+    if free.gain is not None and not is_exact(free.table):
+        named = [effect.candidate for effect in naming.named]
+        of_reading = any(each.entry.law is not None and not moves(each) for each in named)
+        worse = free.gain.mean < -GAINS.material
+        in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
     return in_all or any(_is_worse(channel, row) for channel, row in free.table.items())
 
 
