@@ -9,7 +9,7 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
-from cocorosim_ros.diagnosis.criteria.foretelling import GAINS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
@@ -124,7 +124,7 @@ def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
     if free.gain is not None and not is_exact(free.table):
         named = [effect.candidate for effect in naming.named]
         of_reading = any(each.entry.law is not None and not moves(each) for each in named)
-        worse = free.gain.mean < -GAINS.material
+        worse = free.gain.mean < -FREE_RUN_GAINS.material
         in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
     return in_all or any(_is_worse(channel, row) for channel, row in free.table.items())
 

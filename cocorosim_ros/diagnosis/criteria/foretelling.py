@@ -66,5 +66,5 @@ class GainCriteria:
 
 
 FREE_RUNS = FreeRunCriteria()
-GAINS = GainCriteria()
+FREE_RUN_GAINS = GainCriteria()
 NAMELESS_FORCE = NamelessForceCriteria()

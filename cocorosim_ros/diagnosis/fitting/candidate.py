@@ -22,7 +22,7 @@ from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
 
-SKEW = "clock_skew"
+_SKEW = "clock_skew"
 
 
 class Robots(NamedTuple):
@@ -209,6 +209,6 @@ def _shows(entry: Entry, tracks: Sequence[Track]) -> bool:
     if topic is None:
         return True
     having = [track for track in tracks if topic in track.log.streams and len(track.log.streams[topic].time)]
-    if entry.id == SKEW:
+    if entry.id == _SKEW:
         having = [track for track in having if not has_clock_of_commands(track.log, topic)]
     return bool(having) and can_be_told(entry, [track.timeline.kinds for track in having])

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.stats import norm
 from scipy.stats import t as student
 
-from cocorosim_ros.diagnosis.criteria.foretelling import GAINS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.fitting.solving import clipped, not_held, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import write_values
@@ -46,17 +46,17 @@ class Gain(NamedTuple):
     @property
     def is_clear(self) -> bool:
         """Tell whether a gain is material and no chance."""
-        return self.mean > max(GAINS.material, GAINS.sure * self.spread)
+        return self.mean > max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.sure * self.spread)
 
     @property
     def is_likely(self) -> bool:
         """Tell whether a gain is material, and rather no chance."""
-        return self.mean > max(GAINS.material, GAINS.doubt * self.spread)
+        return self.mean > max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.doubt * self.spread)
 
     @property
     def is_loss(self) -> bool:
         """Tell whether unseen data are foretold worse, and rather not by chance."""
-        return self.mean < -max(GAINS.material, GAINS.doubt * self.spread)
+        return self.mean < -max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.doubt * self.spread)
 
 
 def gain(before: Floats, after: Floats, floor: Floats) -> Gain:
@@ -67,7 +67,9 @@ def gain(before: Floats, after: Floats, floor: Floats) -> Gain:
     with np.errstate(divide="ignore", invalid="ignore"):
         each = 0.5 * np.log((before + floor) / (after + floor))
     each = np.where(np.isfinite(before) & (floor > 0.0), each, 0.0)
-    found = np.clip(np.nan_to_num(each, nan=-GAINS.most).sum(axis=1), -GAINS.most, GAINS.most)
+    found = np.clip(
+        np.nan_to_num(each, nan=-FREE_RUN_GAINS.most).sum(axis=1), -FREE_RUN_GAINS.most, FREE_RUN_GAINS.most
+    )
     return Gain(float(found.mean()) if len(found) else 0.0, _spread_of_mean(found))
 
 

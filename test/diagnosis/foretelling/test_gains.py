@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.criteria.foretelling import GAINS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.fitting.candidate import expand
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
@@ -54,7 +54,7 @@ def test_a_channel_without_readings_counts_for_nothing() -> None:
     one = gain(squares((2.0, math.nan)), squares((1.0, math.nan)), np.array([1e-12, 1.0]))
     assert one.mean == pytest.approx(math.log(2.0))
     away = gain(squares((1.0,), (1.0,)), squares((math.inf,), (math.nan,)), np.array([0.1]))
-    assert away.mean == pytest.approx(-GAINS.most)
+    assert away.mean == pytest.approx(-FREE_RUN_GAINS.most)
 
 
 def test_how_sure_a_gain_is_follows_from_its_spread_over_windows() -> None:
