@@ -9,25 +9,28 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
-from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
-from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, unseen_parts
+from cocorosim_ros.diagnosis.naming.choice import moves
+from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
-from cocorosim_ros.diagnosis.naming.pruning import without_weakest
-from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
-from cocorosim_ros.diagnosis.showing.free_runs import Unseen, held_out_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.location import locate
@@ -57,20 +60,22 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     form: ChosenForm | None = None
     if evidence.platform.drag_form is None:
         base, form = with_best_form(base, RECALIBRATION.most_rounds)
-    naming = name_effects(base, lambda words, share: progress(words, 0.2 + 0.5 * share))
+    progress("choosing what no fit sees", 0.2)
+    unseen = unseen_parts(base)
+    naming = name_effects(base, lambda words, share: progress(words, 0.25 + 0.45 * share), unseen)
     progress("locating what was missing", 0.7)
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
     progress("running free on what the fit did not see", 0.8)
-    unseen = unseen_parts(base)
-    naming, table, runs = _that_helps(naming, unseen)
+    naming, free = _that_helps(naming, unseen)
+    table = free.table
     progress("writing down", 0.95)
     effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named))
     every, moved = recalibrated(naming.fit)
     moved = moved or (_strongest(every) if _shifted(base) else ())
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
-    verdict = _verdict(effects, moved, silent)
+    verdict = _verdict(effects, moved, blind=is_blind(silent) and not shows_known(naming))
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
@@ -91,7 +96,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         residual_forces(base, courses),
         residual_forces(naming.fit, final_courses),
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
-        free_runs=runs,
+        free_runs=free.runs,
         gathered=gathered_evidence(base, naming.fit),
         remarks=(*intake.evidence.remarks, *_of_form(form), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
@@ -102,13 +107,28 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     )
 
 
-def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, dict[str, HeldOut], tuple[FreeRun, ...]]:
-    """Take back named effects that make free runs on unseen data worse, the weakest first; return what is left."""
-    table, runs = held_out_free_runs(unseen, naming.fit)
-    while naming.named and any(_is_worse(channel, row) for channel, row in table.items()):
-        naming = without_weakest(naming)
-        table, runs = held_out_free_runs(unseen, naming.fit)
-    return naming, table, runs
+def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:
+    """Take back named effects that make free runs on unseen data worse, the one they gain least by first."""
+    free = held_out_free_runs(unseen, naming.fit)
+    while naming.named and _is_harmed(naming, free):
+        naming = without_least(naming)
+        free = held_out_free_runs(unseen, naming.fit)
+    return naming, free
+
+
+def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
+    """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
+
+    In all is not asked of errors of the catalogue that act on readings alone. Of a law of readings it is asked without
+    any doubt in its favour: there are many, and they follow effects of motion.
+    """
+    in_all = False
+    if free.gain is not None and not is_exact(free.table):
+        named = [effect.candidate for effect in naming.named]
+        of_reading = any(each.entry.law is not None and not moves(each) for each in named)
+        worse = free.gain.mean < -FREE_RUN_GAINS.material
+        in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
+    return in_all or any(_is_worse(channel, row) for channel, row in free.table.items())
 
 
 FORM_WORDS = {
@@ -151,10 +171,10 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     )
 
 
-def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str]) -> Verdict:
+def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], *, blind: bool) -> Verdict:
     if effects:
         return "mismatch"
-    if is_blind(unseen):
+    if blind:
         return "insufficient"
     return "recalibrate" if moved else "consistent"
 

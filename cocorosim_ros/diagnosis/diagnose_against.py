@@ -23,14 +23,15 @@ from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect,
 from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
-from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
 from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
-from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -119,7 +120,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
-    table, runs = held_out_free_runs(unseen_parts(base), final)
+    table, runs, _ = held_out_free_runs(unseen_parts(base), final)
     unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     tried = {each.candidate.entry.id for each in naming.screened}
     courses = smoothed_tracks(base), smoothed_tracks(final)

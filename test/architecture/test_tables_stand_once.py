@@ -18,7 +18,7 @@ UNITS = {unit.symbol for units in DIMENSIONS.values() for unit in units if unit.
 PLACE = {"x", "y", "z", "yaw", "t", "1"}  # names of axes and of time, which much else has
 # By file: why it may.
 ALLOWED = {
-    "diagnosis/showing/nameless_force.py": "the regressors whose products a force without a name is made of",
+    "diagnosis/foretelling/nameless_force.py": "the regressors whose products a force without a name is made of",
     "diagnosis/tracks/vehicle_size.py": "sizes of a vehicle by unit, which are to follow from the units themselves",
     "diagnosis/catalogue/shown_by.py": "which readings show each state that an error of a reading may depend on",
 }

@@ -69,7 +69,8 @@ def short(swim: Any) -> Any:
 def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
     """With its amplitudes neutral the innovations are bit for bit the model's; with large ones they are not."""
     from cocorosim_ros.diagnosis.fitting.candidate import expand
-    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+    from cocorosim_ros.diagnosis.naming.residual import scene_of
 
     found = expand([entry], short.tracks, short.rows)
     if not found:

@@ -12,6 +12,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, objections, stopped
 
@@ -20,7 +21,7 @@ from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, o
 def sound(swim: Any) -> Case:
     """A swim of a minute under the very model, its base fit and course, and nothing found."""
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-    from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), 60.0, seed=31))
@@ -109,6 +110,15 @@ def test_an_interval_that_holds_zero(sound: Case) -> None:
     assert len(sentences(hard_stops.interval_holds_zero, named(sound, "steady_current", x=0.1, y=-0.9))) == 1
 
 
+@pytest.mark.parametrize(("mean", "said"), [(-0.001, 1), (0.001, 0), (None, 0)])
+def test_an_effect_that_foretells_nothing(sound: Case, mean: float | None, said: int) -> None:
+    """Free runs that are no better with it are said; an error of readings, which they do not judge, is not."""
+    case = named(sound, "torque_bias", torque=1.5)
+    told = None if mean is None else Gain(mean, 0.01)
+    case = replace(case, named=tuple(replace(each, foretold=told) for each in case.named))
+    assert len(sentences(hard_stops.foretells_nothing, case)) == said
+
+
 @pytest.mark.parametrize(
     ("nominal", "recalibrated", "said"),
     [(0.1, 0.3, 1), (0.1, 0.105, 0), (0.3, 0.1, 0), (0.1, 0.1111, 0), (1e-6, 5e-6, 0)],
@@ -145,6 +155,25 @@ def test_predictions_that_err_to_one_side(sound: Case) -> None:
     assert sentences(hard_stops.coloured_innovations, case(0.1 * slow)) == []  # as of an exact simulation
     assert sentences(hard_stops.coloured_innovations, case(rng.standard_normal(count))) == []
     assert len(sentences(hard_stops.coloured_innovations, case(3.0 * rng.standard_normal(count)))) == 1
+
+
+def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
+    """Innovations twice as large at speed are said of an effect by which free runs do not clearly gain, by how much."""
+    (track,), (passed,), (course,) = sound.final.tracks, sound.final.passes, sound.courses
+    speed = np.linalg.norm(course.mean[:, 4:7], axis=1)
+    at = np.interp(track.timeline.stamp, course.time, (speed - speed.mean()) / speed.std())
+
+    def case(growth: float, gain: float) -> Case:
+        sizes = np.random.default_rng(1).standard_normal(len(at)) * np.sqrt(np.maximum(1.0 + growth * at, 0.05))
+        passes = (replace(passed, innovation=sizes * np.sqrt(passed.variance)),)
+        found = named(replace(sound, final=replace(sound.final, passes=passes)), "torque_bias", torque=1.5)
+        return replace(found, named=tuple(replace(each, foretold=Gain(gain, 0.1)) for each in found.named))
+
+    (said,) = sentences(hard_stops.uneven_pushes, case(0.6, 0.1))
+    assert "grows with speed" in said
+    assert sentences(hard_stops.uneven_pushes, case(0.6, 0.5)) == []  # free runs gain five times their spread
+    assert sentences(hard_stops.uneven_pushes, case(0.0, 0.1)) == []
+    assert sentences(hard_stops.uneven_pushes, named(case(0.6, 0.1), "torque_bias", torque=1.5)) == []  # of no free run
 
 
 def test_noise_that_is_a_guess(sound: Case) -> None:

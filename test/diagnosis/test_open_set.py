@@ -90,7 +90,8 @@ def test_every_law_is_nothing_at_first_and_something_then(swim: Any) -> None:
     from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
     from cocorosim_ros.diagnosis.fitting.candidate import expand
     from cocorosim_ros.diagnosis.fitting.fit import make_fit
-    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+    from cocorosim_ros.diagnosis.naming.residual import scene_of
     from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
 
@@ -123,7 +124,8 @@ def test_laws_that_the_base_has_keep_their_places(swim: Any) -> None:
     from cocorosim_ros.diagnosis.catalogue.open_set import open_set
     from cocorosim_ros.diagnosis.fitting.candidate import expand
     from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
-    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+    from cocorosim_ros.diagnosis.naming.residual import scene_of
     from cocorosim_ros.diagnosis.tracks.columns import COLUMN
     from cocorosim_ros.scenario.parts.platform import load_platform
 
@@ -156,7 +158,8 @@ def test_a_law_of_the_pump_is_held_to_what_a_pump_is_held_to(swim: Any) -> None:
     """
     from cocorosim_ros.diagnosis.catalogue.laws import law_entries
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+    from cocorosim_ros.diagnosis.naming.residual import scene_of
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), 60.0))
@@ -240,7 +243,8 @@ def test_where_only_water_moves_a_robot_no_law_of_its_place_is_asked(swim: Any) 
     """A place that is read too short would make the water look calmer: laws of poses need a robot that is driven."""
     from cocorosim_ros.diagnosis.catalogue.sensor_laws import sensor_law_entries
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-    from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+    from cocorosim_ros.diagnosis.naming.residual import scene_of
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     fit = base_fit(swim(load_platform("lily"), SECONDS, seed=8))

@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.fitting import recalibration
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.scenario.parts.platform import load_platform
-from cocorosim_ros.scenario.reading.quantity import Quantity
+from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
 
 Swim = Callable[..., Any]
 
@@ -118,3 +118,15 @@ def test_a_force_that_stays_is_not_taken_for_chance(swim: Swim) -> None:
     evidence = swim(secret, 300.0, seed=6, disturbance=0.0, base=lily)
     found = noise_of(recalibration.base_fit(evidence))
     assert found["random.correlation"][0] < 61.0  # s
+
+
+def test_a_platform_that_is_far_off_does_not_drown_its_readings(swim: Swim) -> None:
+    """By 30 mN too heavy it leaves the gauge by metres, and 8 Pa are found for the gauge's noise all the same."""
+    lily = load_platform("lily")
+    heavy = {"buoyancy_trim": {"force": Quantity(-0.03, "N", dimension_of("N"))}}
+    evidence = swim(lily, 120.0, seed=3, base=replace(lily, effect_quantities=heavy))
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    blind = replace(log, streams={name: each for name, each in log.streams.items() if name != "pose"})
+    fit = recalibration.base_fit(replace(evidence, recordings=(replace(recording, robots=(blind,)),)))
+    assert noise_of(fit)["reading.pressure"] == [pytest.approx(8.0, rel=0.1)]

@@ -11,7 +11,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
 from cocorosim_ros.diagnosis.findings import FoundEffect
-from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
+from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.world.laws.law import Law

@@ -26,8 +26,9 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
-from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.foundation.arrays import Floats
 
 

@@ -28,20 +28,13 @@ from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage
 from cocorosim_ros.diagnosis.naming.naming import best_addition, keys_of, ranked
 from cocorosim_ros.diagnosis.naming.pruning import pruned
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
 _NOTHING: tuple[NamedEffect, ...] = ()
-
-
-class Stage(NamedTuple):
-    """A fit of a contest, and the effects that it has been named with."""
-
-    fit: Fit
-    named: tuple[NamedEffect, ...]
 
 
 class Addition(NamedTuple):
@@ -91,13 +84,13 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)
         if len(named) >= SEARCH.pruned_from:
-            fit, named = pruned(fit, named, joint)
-    fit, named = pruned(fit, named, joint)
+            fit, named = pruned(Stage(fit, named), joint)
+    fit, named = pruned(Stage(fit, named), joint)
     return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws, nameless)
 
 
 def _best(stage: Stage, screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened] = ()) -> Addition | None:
-    found = best_addition(stage.fit, stage.named, screen, tested, laws)
+    found = best_addition(stage.named, screen, tested, laws)
     return None if found is None else Addition(*found)
 
 

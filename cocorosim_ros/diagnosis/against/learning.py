@@ -19,10 +19,11 @@ from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.screening import Screen
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.contest import begin
 from cocorosim_ros.diagnosis.naming.naming import name_effects
-from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.naming.residual import scene_of
 
 LEARNED = "learned"
 """Owner of the numbers that the vehicle has beside the platform's: an effect's name and number are its parameter."""

@@ -117,6 +117,9 @@ class ClockCriteria:
     """[share of the messages] from which the offset is read, before a skew shows. Chosen, not measured."""
     prompt: float = 0.1
     """[1] quantile of the delays that belongs to messages that did not have to wait. Chosen, not measured."""
+    shared: float = 0.9
+    """[share of a stream's stamps] that are stamps of commands too, from which both were read from one clock: rows of
+    one table. Chosen, not measured."""
     notable_skew: float = 2e-5
     """[s/s] by which cheap quartz is off. Known of quartz; chosen, not measured."""
     sure: float = 6.0

@@ -27,6 +27,9 @@ class SearchCriteria:
     """[candidates] that are refined as leaders: each costs a fit. Chosen, not measured."""
     most_refined: int = 8
     """[candidates] that are refined in a round, leaders and their groups: each costs a fit. Chosen, not measured."""
+    overlooked: int = 2
+    """[candidates] of little evidence that are begun because their free runs promise most: each costs a fit. Chosen,
+    not measured."""
     most_rounds: int = 16
     """[rounds] of the search at most, each of which adds one effect that earns its place: a stop for a search that adds
     and takes back the same. Chosen, not measured."""

@@ -74,6 +74,19 @@ class HardStopCriteria:
 
 
 @dataclass(frozen=True)
+class UnevenNoiseCriteria:
+    """Random force that is not the same at all times; evidence alone then confirms nothing (`showing.uneven_noise`)."""
+
+    clear: float = 5.0
+    """[standard deviations] of the score, which neighbouring readings share: more than the usual 3. Chosen, not
+    measured."""
+    growth: float = 0.3
+    """[of the variance] with each standard deviation of speed or thrust. Chosen, not measured."""
+    fewest: int = 100
+    """[readings] of a kind; fewer tell no variance. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class LocationCriteria:
     """Limits from which a difference of model and recording stands out, in all or in a regime (`showing.location`)."""
 
@@ -96,48 +109,6 @@ class FramingCriteria:
 
 
 @dataclass(frozen=True)
-class FreeRunCriteria:
-    """Parts of a recording through which models run freely (`showing.free_runs`)."""
-
-    held_out: float = 0.4
-    """[of each recording, or of the recordings] is held out; the rest is fitted. Chosen, not measured."""
-    most_blocks: int = 4
-    """[blocks] of a recording that are held out. Chosen, not measured."""
-    seen_windows: float = 3.0
-    """[windows] that are fitted between two blocks, so that a fit sees whole motions. Chosen, not measured."""
-    places: tuple[float, ...] = (0.6, 0.05, 0.3)
-    """[of the period of the blocks] begin of the held-out block: late in the first recording, early in the second, in
-    the middle of the third, and so on. Early is not at once, because a state has to be known. Chosen, not measured."""
-    many: int = 6
-    """[recordings] each too short for two blocks: from so many on whole ones are held out. Chosen, not measured."""
-    coasted: float = 6.0
-    """[coasting times of the vehicle] that a free run lasts. Chosen, not measured: the 20 s of a
-    Lily, which coasts for 3.3 s."""
-    lengths: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0)
-    """[s] of free runs: one length for vehicles that are nearly alike, so that their errors can be compared.
-    Chosen, not measured."""
-    most_turned: float = 30.0
-    """[rad] in a window at the usual turn rate: after five turns no model foretells a heading. Chosen, not measured."""
-    fewest_points: int = 10
-    """[grid points] of a window, and twice as many of a fitted piece. Chosen, not measured."""
-
-
-@dataclass(frozen=True)
-class NamelessForceCriteria:
-    """A smooth force without a name, learnt for the noise floor (`showing.nameless_force`)."""
-
-    folds: int = 20
-    """[parts of all courses] each foretold by what the others teach. Chosen, not measured."""
-    most_terms: int = 12
-    """[terms] of the force along one axis. Chosen, not measured."""
-    memories: tuple[float, ...] = (2.0, 5.0, 15.0, 50.0)
-    """[steps of the grid] over which late forces may fade. Chosen, not measured: from a step's blur to a
-    pump."""
-    rounding: float = 1e-12
-    """[of the largest term] smaller terms are rounding. Chosen, not measured."""
-
-
-@dataclass(frozen=True)
 class RegimeCriteria:
     """Difference of the held-out parts from the fitted ones, from which it is said (`showing.regimes`)."""
 
@@ -152,8 +123,7 @@ VERDICT = VerdictCriteria()
 ESTIMATES = EstimateCriteria()
 FORM_WIDTH = FormWidthCriteria()
 HARD_STOPS = HardStopCriteria()
+UNEVEN = UnevenNoiseCriteria()
 LOCATION = LocationCriteria()
 FRAMING = FramingCriteria()
-FREE_RUNS = FreeRunCriteria()
-NAMELESS_FORCE = NamelessForceCriteria()
 REGIMES = RegimeCriteria()

@@ -14,6 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import CLOCKS
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
@@ -47,6 +48,15 @@ def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
     rates = [skew.rate for skew in found if np.isfinite(skew.rate)]
     usual = float(np.median(rates)) if rates else 0.0
     return [replace(skew, rate=skew.rate - usual) for skew in found]
+
+
+def has_clock_of_commands(log: RobotLog, topic: str) -> bool:
+    """Tell whether a stream was stamped by the clock of the commands: most of its stamps are stamps of commands too.
+
+    Such rows of one table cannot run at two rates.
+    """
+    stamp, command = (np.round(time, 6) for time in (log.streams[topic].time, log.command_time))
+    return len(stamp) > 1 and float(np.mean(np.isin(stamp, command))) >= CLOCKS.shared
 
 
 def skew_sentence(name: str, skew: Skew) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry, Shape
 from cocorosim_ros.diagnosis.catalogue.shown_by import can_be_told
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
+from cocorosim_ros.diagnosis.evidence.clocks import has_clock_of_commands
 from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
@@ -20,6 +21,8 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
+
+_SKEW = "clock_skew"
 
 
 class Robots(NamedTuple):
@@ -198,9 +201,14 @@ def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
 
 
 def _shows(entry: Entry, tracks: Sequence[Track]) -> bool:
-    """Tell whether any of these tracks has readings of the entry's stream, and others by which its error is told."""
+    """Tell whether any of these tracks has readings of the entry's stream, and others by which its error is told.
+
+    A skew of the stream's clock is told by commands that have another clock.
+    """
     topic = entry.topic
     if topic is None:
         return True
     having = [track for track in tracks if topic in track.log.streams and len(track.log.streams[topic].time)]
+    if entry.id == _SKEW:
+        having = [track for track in having if not has_clock_of_commands(track.log, topic)]
     return bool(having) and can_be_told(entry, [track.timeline.kinds for track in having])

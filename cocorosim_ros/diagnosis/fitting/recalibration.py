@@ -49,6 +49,9 @@ def climbed(first: Fit) -> Fit:
     climb may end at a local optimum. So a second climb starts from strong random forces, which explain nearly all
     motion, and a third from inertial sensors that hardly count, because the model leans on them at every step and they
     may be the ones in error. The best of the three goes on by leaps (`leaps`).
+
+    If a model is so far off that readings counted for next to nothing until its numbers were found, their noise may not
+    come down any more. Then one more climb starts from these numbers, with the first guess of that noise.
     """
     if not any(_is_shut(first, unknown) for unknown in first.noise):
         return settled(first, RECALIBRATION.most_rounds)
@@ -56,7 +59,11 @@ def climbed(first: Fit) -> Fit:
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
     ways = [settled(_opened(start), RECALIBRATION.most_rounds) for start in starts]
-    return leapt(max(ways, key=lambda fit: fit.objective), RECALIBRATION.most_rounds)
+    best = max(ways, key=lambda fit: fit.objective)
+    if any(q >= unknown.bounds[1] for unknown, q in zip(best.noise, best.q_noise, strict=True)):
+        again = _at_random(evaluated(replace(best, q_noise=first.q_noise)))
+        best = max(best, settled(again, RECALIBRATION.most_rounds), key=lambda fit: fit.objective)
+    return leapt(best, RECALIBRATION.most_rounds)
 
 
 def _at_random(fit: Fit) -> Fit:

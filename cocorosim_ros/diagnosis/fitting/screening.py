@@ -20,7 +20,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes
-from cocorosim_ros.diagnosis.fitting.solving import solve
+from cocorosim_ros.diagnosis.fitting.solving import clipped, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
@@ -59,6 +59,18 @@ class Screen:
         neutral = np.zeros(len(unknowns))
         rows = write_values(candidate.write(self.fit.rows, values), unknowns, neutral)
         return slopes(replace(self.fit, rows=rows), unknowns, neutral)
+
+    def stepped(self, screened: Screened) -> Floats:
+        """Rows (tracks, columns) after the linear step that a screening promises, the model's own unknowns with it."""
+        new = screened.candidate.amplitudes()
+        shared = np.zeros((len(self.known.matrix), len(new)))
+        moved = self.slopes(screened.candidate, screened.values, new)
+        for own, other, passed in zip(self.known.own, moved, self.fit.passes, strict=True):
+            shared[own.unknowns] += weighted_products(own.slopes, other, passed.variance)
+        q = clipped(self.fit.unknowns, self.fit.q - solve(self.known.matrix, shared) @ screened.q)
+        rows = screened.candidate.write(self.fit.rows, screened.values)
+        filled = write_values(rows, [*self.fit.unknowns, *new], np.concatenate([q, clipped(new, screened.q)]))
+        return write_values(filled, self.fit.noise, self.fit.q_noise)
 
     def test(self, candidate: Candidate) -> Screened:
         """Test a candidate at all points of its grid of shapes, and return the best.

@@ -8,7 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
 
 def solve(matrix: Floats, right: Floats) -> Floats:
@@ -28,12 +28,16 @@ def step_within(matrix: Floats, score: Floats, unknowns: Sequence[Unknown], q: F
 
     Were they not held, the others would move to make room for a step that is then cut off.
     """
-    step = np.zeros(len(unknowns))
-    pushes = np.sign(score) * STEPS.least_push
-    free = np.array([unknown.clipped(number + push) != number or push == 0.0
-                     for unknown, number, push in zip(unknowns, q, pushes, strict=True)])  # fmt: skip
+    step, free = np.zeros(len(unknowns)), not_held(score, unknowns, q)
     step[free] = solve(matrix[np.ix_(free, free)], score[free])
     return step
+
+
+def not_held(score: Floats, unknowns: Sequence[Unknown], q: Floats) -> Flags:
+    """Flags (n,) of the unknowns but those that stand at a bound and are pushed beyond it by their score."""
+    pushes = np.sign(score) * STEPS.least_push
+    return np.array([unknown.clipped(number + push) != number or push == 0.0
+                     for unknown, number, push in zip(unknowns, q, pushes, strict=True)], dtype=bool)  # fmt: skip
 
 
 def clipped(unknowns: Sequence[Unknown], q: Floats) -> Floats:

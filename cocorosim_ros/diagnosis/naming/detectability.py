@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
+from cocorosim_ros.diagnosis.naming.named_effect import Naming
 
 
 def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]:
@@ -57,3 +58,11 @@ def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
 def is_blind(unseen: Sequence[str]) -> bool:
     """Tell whether so little of the catalogue could be seen that a diagnosis without effects says nothing."""
     return len(unseen) > DETECTABILITY.blind * len(IDS)
+
+
+def shows_known(naming: Naming) -> bool:
+    """Tell whether the recordings show an effect that the model has already as clearly as one that would be named.
+
+    Such recordings tell something, however little else of the catalogue they would show.
+    """
+    return any(effect.nats >= NAMING.threshold for effect in naming.known)

@@ -18,8 +18,9 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
-from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_NOISE
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -9,6 +10,7 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screened
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
 
 
 class NearRival(NamedTuple):
@@ -22,13 +24,27 @@ class NearRival(NamedTuple):
 class NamedEffect:
     """An effect that was added to the model, with its evidence [nats], its rivals and its held-out gain.
 
-    The unknowns of a fit that belong to the effect are those that `candidate` owns.
+    The unknowns of a fit that belong to the effect are those that `candidate` owns. foretold: gain of free runs on
+    unseen data by the effect, beside all others; None for an error of readings, and where no model ran freely.
     """
 
     candidate: Candidate
     nats: float
     rivals: tuple[NearRival, ...]
     held_out: HeldOutGain
+    foretold: Gain | None = None
+
+
+def onsets_of(named: Sequence[NamedEffect]) -> frozenset[str]:
+    """Columns of the moments at which events happen once, of all named effects."""
+    return frozenset(column for effect in named for column in effect.candidate.onset_columns)
+
+
+class Stage(NamedTuple):
+    """A fit of a contest, and the effects that it has been named with or had before."""
+
+    fit: Fit
+    named: tuple[NamedEffect, ...]
 
 
 @dataclass(frozen=True)
@@ -36,6 +52,7 @@ class Naming:
     """Result of the contest.
 
     base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
+    known: effects that the base has already, with their evidence.
     """
 
     base: Fit
@@ -44,3 +61,4 @@ class Naming:
     screened: tuple[Screened, ...]
     laws: tuple[Screened, ...]  # outside the catalogue
     nameless: str = ""  # law that explains what is left over, where laws are not named
+    known: tuple[NamedEffect, ...] = ()

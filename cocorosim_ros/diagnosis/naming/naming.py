@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
@@ -20,20 +21,34 @@ from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import held_out_gain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
+from cocorosim_ros.diagnosis.naming.choice import Choice, harms, moves
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
-from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
 Progress = Callable[[str, float], None]
 
 
-def name_effects(base: Fit, progress: Progress) -> Naming:
-    """Name the effects that the recalibrated model `base` lacks; `progress` is told a task and the share done."""
+class PassedOver(NamedTuple):
+    """Candidates of a round that explain something: too small to be believed, or contradicted by free runs."""
+
+    negligible: list[Candidate]
+    harmful: list[Candidate]
+
+
+def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) -> Naming:
+    """Name the effects that the recalibrated model `base` lacks; `progress` is told a task and the share done.
+
+    unseen: parts of the recordings on which free runs choose among the effects; without, the likelihood alone does.
+    """
     fit = base
     named: tuple[NamedEffect, ...] = ()
     first: tuple[Screened, ...] = ()
@@ -53,14 +68,15 @@ def name_effects(base: Fit, progress: Progress) -> Naming:
         tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each)])
         if round_number == 0:
             first, first_laws = tested, tested_laws
-        best = best_addition(fit, (*known, *named), screen, tested, tested_laws)
+        choice = Choice(unseen, fit, onsets_of(named)) if unseen is not None else None
+        best = best_addition((*known, *named), screen, tested, tested_laws, choice)
         if best is None:
             break
         fit, named = settled(best[0], SEARCH.settling), (*named, best[1])
         if len(named) >= SEARCH.pruned_from:
-            fit, named = pruned(fit, named, base, known)
-    fit, named = pruned(fit, named, base, known)
-    return Naming(base, fit, named, first, first_laws)
+            fit, named = pruned(Stage(fit, named), base, known, unseen)
+    fit, named = pruned(Stage(fit, named), base, known, unseen)
+    return Naming(base, fit, named, first, first_laws, known=known)
 
 
 def _undeclared(base: Fit) -> list[Entry]:
@@ -80,35 +96,42 @@ def ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, .
 
 
 def best_addition(
-    fit: Fit, named: tuple[NamedEffect, ...], screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened]
+    named: tuple[NamedEffect, ...],
+    screen: Screen,
+    tested: Sequence[Screened],
+    laws: Sequence[Screened],
+    choice: Choice | None = None,
 ) -> tuple[Fit, NamedEffect] | None:
-    """Find the best addition: the fit with it and all named effects, or None if no candidate may be named.
+    """Find the best addition to the fit of a screen: the fit with it and all named effects; None if none may be named.
 
     named: also the effects that the base model has already. tested, laws: screened entries of the catalogue and
-    screened laws outside it, best first.
+    screened laws outside it, best first. choice: free runs among which the best is chosen, beside the likelihood.
     """
-    begun = _begun(fit, screen.scene, tested, [law for law in laws[:2] if law.nats > SEARCH.worth_refining])
+    wanted = [law for law in laws[:2] if law.nats > SEARCH.worth_refining]
+    if choice is not None:
+        wanted += choice.overlooked(screen, tested, _worth_refining(tested))
+    begun = _begun(screen.fit, screen.scene, tested, wanted)
     if not begun:
         return None
-    base_evidence = log_evidence(fit)
-    negligible: list[Candidate] = []  # candidates that explain something but are too small to be believed
-    for promising in _by_promise(begun):
-        refined = [_refined(fit, each, base_evidence) for each in promising]
-        found = _first_believed(fit, named, refined, negligible)
+    base_evidence = log_evidence(screen.fit)
+    passed_over = PassedOver([], [])
+    for promising in _by_promise(begun, choice):
+        refined = [_refined(screen.fit, each, base_evidence) for each in promising]
+        found = _first_believed(Stage(screen.fit, named), refined, passed_over, choice)
         if found is not None:
             return found
     return None
 
 
-def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], laws: Sequence[Screened]) -> list[Begun]:
-    """Begin the fit of every entry that is worth refining, and of these laws.
+def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], wanted: Sequence[Screened]) -> list[Begun]:
+    """Begin the fit of every entry that is worth refining, and of those that are wanted beside.
 
     A candidate whose fit finds hardly any of the nats that its screening promised makes room for the next one. A slope
     at a kink, as of a reading on the edge between two commands, promises what no model reaches.
     """
     begun: dict[int, Begun] = {}
     while True:
-        chosen = [each for each in (*_worth_refining(tested), *laws) if id(each) not in begun]
+        chosen = [each for each in (*_worth_refining(tested), *wanted) if id(each) not in begun]
         begun |= {id(each): begin(fit, each, scene) for each in chosen}
         empty = {_fault(each) for each in chosen if begun[id(each)].gain < SEARCH.kept * each.nats}
         tested, before = [each for each in tested if _fault(each) not in empty], tested
@@ -121,59 +144,89 @@ def _fault(screened: Screened) -> tuple[str, str | None]:
     return screened.candidate.entry.id, screened.candidate.entry.topic
 
 
-def _by_promise(begun: Sequence[Begun]) -> tuple[list[Begun], list[Begun]]:
-    """Split candidates into those that may lead, or be a rival, once noise is fitted too, and the rest."""
+def _by_promise(begun: Sequence[Begun], choice: Choice | None) -> tuple[list[Begun], list[Begun]]:
+    """Split candidates into those that may lead, or be a rival, once noise is fitted too, and the rest.
+
+    Those also may lead whose free runs are better than those of the one with the greatest gain.
+    """
     gains = [each.gain - each.candidate.entry.prior_nats for each in begun]
     needed = min(SEARCH.promising * max(gains), max(gains) - SEARCH.close)
     chosen: tuple[list[Begun], list[Begun]] = ([], [])
     for each, gain in zip(begun, gains, strict=True):
         chosen[gain < needed].append(each)
-    return chosen
+    if choice is None:
+        return chosen
+    leader = begun[gains.index(max(gains))]
+    more = choice.promising(leader, chosen[1])
+    return [*chosen[0], *more], [each for each in chosen[1] if not any(each is other for other in more)]
 
 
 def _first_believed(
-    fit: Fit, named: tuple[NamedEffect, ...], refined: list[Refined], negligible: list[Candidate]
+    stage: Stage, refined: list[Refined], passed_over: PassedOver, choice: Choice | None
 ) -> tuple[Fit, NamedEffect] | None:
     """Name the best of the refined candidates that may be named, and return the fit with it; None if none may.
 
-    A candidate may be named if its evidence suffices, also over a model without it that was fitted anew where evidence
-    is weak, if it is large enough to be believed and no larger than an instrument can err, and if it foretells held-out
-    blocks. One that is too small is added to `negligible`; candidates that may stand for the same effect are then
-    passed over.
+    The best is the one with most evidence, or one that may be named too and foretells unseen data clearly better. One
+    that makes free runs worse is not named. After it the order of evidence counts for less: what follows has to gain.
     """
     refined.sort(key=lambda each: -standing(each))
-    for best in refined:
-        needed = needed_nats(named, best.candidate, best.fit)
-        if standing(best) < needed:
+    for place, leader in enumerate(refined):
+        if standing(leader) < needed_nats(stage.named, leader.candidate, leader.fit):
             return None
-        if best.nats < NAMING.checked and _regained(best, fit) < needed:
+        if not _may_be_named(leader, stage, passed_over):
             continue
-        if is_tiny(best):
-            negligible.append(best.candidate)
-            continue
-        if is_beyond_instrument(best.candidate, best.fit):
-            continue
-        if any(is_like(best.candidate, other) for other in negligible):
-            continue  # it may stand for an effect that is too small to be believed
-        gain = held_out_gain(fit, best.fit, best.candidate.onset_columns)
-        if gain.total > 0.0:
-            added = NamedEffect(best.candidate, best.nats, _rivals(best, refined), gain)
-            return best.fit, added
+        if choice is None or not moves(leader.candidate):
+            return _addition(leader, _rivals(leader, refined, choice), stage, None)
+        better = choice.better(leader, refined[place + 1 :])
+        best = next((each for each in better if _may_be_named(each, stage, passed_over)), leader)
+        gain = choice.gain(best)
+        if not harms(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
+            return _addition(best, _rivals(best, refined, choice), stage, gain)
+        passed_over.harmful.append(best.candidate)
     return None
 
 
-def _rivals(best: Refined, refined: Sequence[Refined]) -> tuple[NearRival, ...]:
-    """Entries of the catalogue that explain nearly as much as the best candidate: its ambiguity set."""
-    others = [
+def _may_be_named(refined: Refined, stage: Stage, passed_over: PassedOver) -> bool:
+    """Tell whether a candidate may be named.
+
+    It may if its evidence suffices, also over a model without it that was fitted anew where evidence is weak, if it is
+    large enough to be believed and no larger than an instrument can err, and if it foretells held-out blocks. One that
+    is too small is noted; candidates that may stand for what was passed over are passed over too.
+    """
+    needed = needed_nats(stage.named, refined.candidate, refined.fit)
+    if standing(refined) < needed or (refined.nats < NAMING.checked and _regained(refined, stage.fit) < needed):
+        return False
+    if is_tiny(refined):
+        passed_over.negligible.append(refined.candidate)
+        return False
+    if is_beyond_instrument(refined.candidate, refined.fit):
+        return False
+    if any(is_like(refined.candidate, other) for other in (*passed_over.negligible, *passed_over.harmful)):
+        return False
+    return held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns).total > 0.0
+
+
+def _addition(best: Refined, rivals: Sequence[NearRival], stage: Stage, gain: Gain | None) -> tuple[Fit, NamedEffect]:
+    held_out = held_out_gain(stage.fit, best.fit, best.candidate.onset_columns)
+    return best.fit, NamedEffect(best.candidate, best.nats, tuple(rivals), held_out, gain)
+
+
+def _rivals(best: Refined, refined: Sequence[Refined], choice: Choice | None) -> list[NearRival]:
+    """List entries of the catalogue that explain nearly as much as the best candidate, or more: its ambiguity set.
+
+    Those that foretell clearly worse than it are none.
+    """
+    near = [
         each
         for each in refined
-        if each is not best and each.candidate.entry.law is None and not is_beyond_instrument(each.candidate, each.fit)
+        if each is not best and each.candidate.entry.law is None and best.nats - each.nats <= NAMING.ambiguity
     ]
-    return tuple(
+    return [
         NearRival(other.candidate, max(0.0, best.nats - other.nats))
-        for other in others
-        if best.nats - other.nats <= NAMING.ambiguity
-    )
+        for other in near
+        if not is_beyond_instrument(other.candidate, other.fit)
+        and not (choice is not None and choice.excludes(best, other))
+    ]
 
 
 def _regained(refined: Refined, before: Fit) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -9,10 +10,15 @@ import numpy as np
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
+from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, rows_without_held_out
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
+from cocorosim_ros.diagnosis.naming.choice import harms, moves
 from cocorosim_ros.diagnosis.naming.contest import log_evidence
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, needed_nats
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
+
+Key = tuple[str, str | None, tuple[str, ...]]
 
 
 def without(fit: Fit, candidate: Candidate, base: Fit) -> Fit:
@@ -29,23 +35,49 @@ def without(fit: Fit, candidate: Candidate, base: Fit) -> Fit:
     return improved(with_noise(smaller, 2, WATER_NOISE), 2)
 
 
-def pruned(
-    fit: Fit, named: tuple[NamedEffect, ...], base: Fit, known: tuple[NamedEffect, ...] = ()
-) -> tuple[Fit, tuple[NamedEffect, ...]]:
+def pruned(stage: Stage, base: Fit, known: tuple[NamedEffect, ...] = (), unseen: Unseen | None = None) -> Stage:
     """Take back effects that the others have made superfluous, the weakest first; return the fit and what is left.
 
-    base: the recalibrated fit, before any effect was named; known: the effects that it has already.
+    base: the recalibrated fit, before any effect was named; known: the effects that it has already. unseen: parts on
+    which no effect may make free runs worse; the one that harms most is taken back before any other.
     """
+    fit, named = stage
     while len(named) > 1:
         whole = log_evidence(fit)
         smaller = {effect.candidate.key: without(fit, effect.candidate, base) for effect in named}
         named = tuple(_measured(effect, whole, smaller[effect.candidate.key], fit) for effect in named)
+        named = _run_freely(named, fit, smaller, unseen) if unseen is not None else named
         needed = {effect.candidate.key: needed_nats((*known, *named), effect.candidate, fit) for effect in named}
-        weakest = min(named, key=lambda effect: effect.nats / needed[effect.candidate.key])
-        if weakest.nats >= needed[weakest.candidate.key]:
+        weakest = _harmful(named) or min(named, key=lambda effect: effect.nats / needed[effect.candidate.key])
+        if weakest.nats >= needed[weakest.candidate.key] and _harmful(named) is None:
             break
         fit, named = smaller[weakest.candidate.key], _others(named, weakest)
-    return fit, named
+    return Stage(fit, named)
+
+
+def _run_freely(
+    named: tuple[NamedEffect, ...], fit: Fit, smaller: Mapping[Key, Fit], unseen: Unseen
+) -> tuple[NamedEffect, ...]:
+    """Measure anew what free runs gain by each effect that moves; smaller: the fits without one of them."""
+    runs = FreeRuns(unseen, fit.filled)
+    onsets = onsets_of(named)
+    whole = runs.errors(rows_without_held_out(fit, unseen.splits, onsets))
+
+    def measured(effect: NamedEffect) -> NamedEffect:
+        less = runs.errors(rows_without_held_out(smaller[effect.candidate.key], unseen.splits, onsets))
+        return replace(effect, foretold=runs.gain(less, whole))
+
+    return tuple(measured(effect) if moves(effect.candidate) else effect for effect in named)
+
+
+def _harmful(named: tuple[NamedEffect, ...]) -> NamedEffect | None:
+    """Find the effect that makes free runs worst, of those that make them worse."""
+    worse = [
+        (effect.foretold.mean, effect)
+        for effect in named
+        if effect.foretold is not None and harms(effect.candidate, effect.foretold)
+    ]
+    return min(worse, key=lambda pair: pair[0])[1] if worse else None
 
 
 def _measured(effect: NamedEffect, whole: float, smaller: Fit, fit: Fit) -> NamedEffect:
@@ -53,11 +85,18 @@ def _measured(effect: NamedEffect, whole: float, smaller: Fit, fit: Fit) -> Name
     return replace(effect, nats=whole - log_evidence(smaller) - held_against(effect.candidate, smaller, fit))
 
 
-def without_weakest(naming: Naming) -> Naming:
-    """Take back the effect that has the least evidence, and fit the rest anew."""
-    weakest = min(naming.named, key=lambda effect: effect.nats)
-    fit = without(naming.fit, weakest.candidate, naming.base)
-    return replace(naming, fit=fit, named=_others(naming.named, weakest))
+def without_least(naming: Naming) -> Naming:
+    """Take back the effect that speaks least for itself, and fit the rest anew: see `_worth`."""
+    least = min(naming.named, key=_worth)
+    fit = without(naming.fit, least.candidate, naming.base)
+    return replace(naming, fit=fit, named=_others(naming.named, least))
+
+
+def _worth(effect: NamedEffect) -> tuple[int, float]:
+    """Rank of an effect: what free runs lose by, then errors of readings by their evidence, then what they gain by."""
+    if effect.foretold is None:
+        return 1, effect.nats
+    return (2 if effect.foretold.mean > 0.0 else 0), effect.foretold.mean
 
 
 def _others(named: tuple[NamedEffect, ...], gone: NamedEffect) -> tuple[NamedEffect, ...]:

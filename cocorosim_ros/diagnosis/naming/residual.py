@@ -8,11 +8,9 @@ import numpy as np
 from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.criteria.naming import SWINGS
-from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Z
@@ -21,12 +19,6 @@ from cocorosim_ros.world.terms.search import Scene
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
 IN_BODY = ("surge", "sway")
-
-
-def smoothed_tracks(fit: Fit) -> tuple[Smoothed, ...]:
-    """Smooth every track under the numbers of a fit: its most likely course, in the order of the tracks."""
-    filled = fit.filled
-    return tuple(of_each_track(lambda number: fit.tracks[number].filter.smoothed(filled[number]), len(fit.tracks)))
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: float = 0.0) -> Scene:

@@ -17,9 +17,10 @@ from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
-from cocorosim_ros.diagnosis.showing.residual_reading import deviation
+from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -99,6 +100,31 @@ def interval_holds_zero(case: Case) -> Iterator[Objection]:
         if doubts and all(doubts):
             yield Objection(
                 "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds zero.", effect=found
+            )
+
+
+def foretells_nothing(case: Case) -> Iterator[Objection]:
+    """Object to effects by which free runs on unseen data gain nothing."""
+    for found, named in _named(case):
+        if named.foretold is not None and named.foretold.mean <= 0.0:
+            yield Objection("Free runs through data that no fit saw err no less with it than without it.", effect=found)
+
+
+def uneven_pushes(case: Case) -> Iterator[Objection]:
+    """Object to effects of motion that evidence alone speaks for, where the random force is not the same at all times.
+
+    Free runs that clearly gain by an effect speak for it too.
+    """
+    uneven = uneven_noise(case.final.tracks, case.final.passes, case.courses)
+    if not uneven:
+        return
+    growth = " and ".join(f"{each.quantity} (by {each.growth:.0%} for each standard deviation)" for each in uneven)
+    for found, named in _named(case):
+        if named.foretold is not None and not named.foretold.is_clear:
+            yield Objection(
+                f"What the model errs by grows with {growth}, which its evidence takes for the same at all times; free "
+                "runs do not clearly gain by it.",
+                effect=found,
             )
 
 
@@ -184,6 +210,8 @@ STOPS: tuple[Stop, ...] = (
     number_at_a_bound,
     effect_at_a_bound,
     interval_holds_zero,
+    foretells_nothing,
+    uneven_pushes,
     collapsed_base,
     strayed_course,
     coloured_innovations,

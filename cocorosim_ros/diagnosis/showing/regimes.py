@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.showing import REGIMES
-from cocorosim_ros.diagnosis.showing.free_runs import Unseen
-from cocorosim_ros.diagnosis.showing.held_out_parts import Span
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
 

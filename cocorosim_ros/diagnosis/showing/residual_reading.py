@@ -7,25 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
-from cocorosim_ros.diagnosis.filter.reading import expected_along
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.findings import FoundEffect, ResidualReading
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
+from cocorosim_ros.diagnosis.foretelling.deviation import KIND_OF_TOPIC, RECORDED, deviation, unit_of_kind
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import factor_at
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.laws.law import Factor, Product
-from cocorosim_ros.world.motion.dynamics import relative_velocity
-from cocorosim_ros.world.sensors import KINDS, SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.regressors import HEADING
-
-_RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded and sensor.recorded.drawn}
-KIND_OF_TOPIC = {topic: KIND_NAMES.index(recorded.drawn) for topic, recorded in _RECORDED.items()}
-"""Kind of reading, as its code, that is drawn for a stream; by topic."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +38,6 @@ class SmoothedTrack:
 
     course: Smoothed
     row: Floats
-
-
-def unit_of_kind(kind: int) -> str:
-    """The SI unit of a kind of reading."""
-    return KINDS[KIND_NAMES[kind]].unit
 
 
 def residual_readings(
@@ -89,7 +76,7 @@ def _product(effect: FoundEffect, topic: str) -> Product:
         return effect.law.product
     if effect.id == "sensor_latency":
         # A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
-        return Product(Factor(_RECORDED[topic].late_with))
+        return Product(Factor(RECORDED[topic].late_with))
     return Product(Factor(ERRORS[effect.id].against if effect.id in ERRORS else "t"))
 
 
@@ -102,40 +89,3 @@ def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row:
     with np.errstate(divide="ignore", invalid="ignore"):
         values = factor_at(seen, stamp, product.first) * factor_at(seen, stamp, product.second)
     return np.mod(values + np.pi, 2.0 * np.pi) - np.pi if product.text == HEADING.name else values
-
-
-def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Floats:
-    """Deviations (n,) of readings of one kind: readings less expectations on a smoothed course, angles the shorter way.
-
-    chosen (m,): flags of the readings in the track's timeline; row: the numbers of the model, sensors' errors and the
-    errors of stamps among them.
-    """
-    kind = int(track.timeline.kind[chosen][0])
-    topic = next(name for name, each in KINDS_OF_STREAM.items() if kind in each)
-    stamp = track.timeline.stamp[chosen]
-    moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
-    state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
-    water = _through_water(track, kind, moment, state, row)
-    shown = _shown(kind, state, water, stamp, row)
-    deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - shown
-    return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind in ANGLES else deviation
-
-
-def _through_water(track: Track, kind: int, moment: Floats, state: Floats, row: Floats) -> Floats:
-    """Velocities through the water (n, 4) [m/s, rad/s; body] in states (n, 8 or more) at moments (n,) [s].
-
-    Zero for kinds of readings that do not depend on them.
-    """
-    water = np.zeros((len(moment), 4))
-    if KINDS[KIND_NAMES[kind]].of_water:
-        body = track.actuation.vehicle.body(row)
-        for time, each, relative in zip(moment, np.ascontiguousarray(state), water, strict=True):
-            relative_velocity(each, time, body, relative)
-    return water
-
-
-def _shown(kind: int, state: Floats, water: Floats, stamp: Floats, row: Floats) -> Floats:
-    """Readings (n,) of one kind that a sensor with the numbers in `row` shows in the states (n, 8 or more)."""
-    shown = np.empty(len(stamp))
-    expected_along(kind, state, water, stamp, row[SENSORS_IN_ROW], shown)
-    return shown

@@ -6,13 +6,15 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock
+from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, has_clock_of_commands, on_one_clock
 from cocorosim_ros.diagnosis.evidence.gather import gather_recording
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.scenario.parts.platform import Platform
 
@@ -119,6 +121,23 @@ def test_no_skew_is_read_where_log_times_are_stamps() -> None:
         [rows("pose", TIME), rows("imu", TIME[:100], TIME[:100] + 0.01 * TIME[:100]), rows("velocity", [])]
     )
     assert all(np.isnan(skew.rate) for skew in skews)
+
+
+@pytest.mark.parametrize(("late", "shared"), [(0.0, True), (2e-4 * 60.0, False)])
+def test_rows_of_one_table_have_one_clock(late: float, shared: bool) -> None:
+    """A skew of them is no hypothesis, of a stream whose stamps leave those of the commands it is one."""
+    from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+    from cocorosim_ros.diagnosis.fitting.candidate import _shows
+
+    stamps = TIME * (1.0 + late / 60.0)
+    pose = Stream(stamps, np.zeros((600, 4)), np.full(4, 0.01))
+    log = RobotLog("ship", TIME, np.zeros((600, 1)), {"pose": pose, "imu": replace(pose, time=stamps[:0])})
+    assert has_clock_of_commands(log, "pose") is shared
+    assert not has_clock_of_commands(log, "imu")
+    track: Any = SimpleNamespace(log=log, timeline=SimpleNamespace(kinds=("pose_x", "pose_y", "pose_yaw")))
+    by_id = {(entry.id, entry.topic): entry for entry in ENTRIES}
+    assert _shows(by_id["clock_skew", "pose"], [track]) is not shared
+    assert _shows(by_id["sensor_latency", "pose"], [track])
 
 
 def test_nothing_at_all() -> None:

@@ -14,7 +14,8 @@ from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog,
 from cocorosim_ros.diagnosis.fitting.candidate import expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
-from cocorosim_ros.diagnosis.naming.residual import scene_of, smoothed_tracks
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
 
 NOISE = np.array([0.005, 0.005, 0.005, 0.001])  # m, m, m, rad

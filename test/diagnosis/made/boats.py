@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -48,6 +48,8 @@ class Truth(NamedTuple):
     sway: float = 24.0  # kg/m
     linear: float = 0.3  # N m s
     lag: float = 0.35  # s
+    weed: float = 0.0  # N m, of a moment that turns the boat to the left
+    rough: float = 0.0  # N s/m: random push by speed, N, and ARM times as much moment; anew in every tick
 
 
 def platform(folder: Path, more: str = "") -> Any:
@@ -59,27 +61,33 @@ def platform(folder: Path, more: str = "") -> Any:
     return read_platform_file(path)
 
 
-def course(truth: Truth, commands: Any) -> Any:
-    """(rows, 8) x, y, z, yaw, u, v, w, r every STEP, under commands (ticks, 2) that hold for a TICK each."""
+def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0) -> Any:
+    """(rows, 8) x, y, z, yaw, u, v, w, r every STEP, under commands (ticks, 2) that hold for a TICK each.
 
-    def rate(_: float, state: Any, wanted: Any) -> list[float]:
+    truth: of all ticks, or of each tick.
+    """
+
+    def rate(_: float, state: Any, true: Truth, wanted: Any, push: Any) -> list[float]:
         _x, _y, yaw, u, v, r, left, right = state
-        drag = (-truth.surge * abs(u) * u, -truth.sway * abs(v) * v, -truth.linear * r - 0.2 * abs(r) * r)
+        drag = (-true.surge * abs(u) * u, -true.sway * abs(v) * v, -true.linear * r - 0.2 * abs(r) * r)
         return [
             u * math.cos(yaw) - v * math.sin(yaw),
             u * math.sin(yaw) + v * math.cos(yaw),
             r,
-            (left + right + drag[0]) / MASS + v * r,
-            drag[1] / MASS - u * r,
-            (ARM * (right - left) + drag[2]) / INERTIA,
-            (wanted[0] - left) / truth.lag,
-            (wanted[1] - right) / truth.lag,
+            (left + right + drag[0] + push[0]) / MASS + v * r,
+            (drag[1] + push[1]) / MASS - u * r,
+            (ARM * (right - left) + drag[2] + true.weed + ARM * push[2]) / INERTIA,
+            (wanted[0] - left) / true.lag,
+            (wanted[1] - right) / true.lag,
         ]
 
-    state, rows = np.zeros(8), []
+    state, rows, rng = np.zeros(8), [], np.random.default_rng([20261123, seed, 2])
     moments = np.arange(0.0, TICK + 0.5 * STEP, STEP)
-    for command in commands:
-        found = solve_ivp(rate, (0.0, TICK), state, args=(FULL * command,), t_eval=moments, rtol=1e-9, atol=1e-10)
+    truths = [truth] * len(commands) if isinstance(truth, Truth) else truth
+    for true, command in zip(truths, commands, strict=True):
+        push = true.rough * math.hypot(state[3], state[4]) * rng.standard_normal(3)
+        given = (true, FULL * command, push)
+        found = solve_ivp(rate, (0.0, TICK), state, args=given, t_eval=moments, rtol=1e-9, atol=1e-10)
         rows.append(found.y.T[:-1])
         state = found.y[:, -1]
     path = np.vstack([*rows, state])
@@ -97,13 +105,17 @@ def drive(seconds: float, seed: int) -> Any:
 
 
 def recorded(
-    boat: Any, truth: Truth, seconds: float, seed: int, thrust: Callable[[Any], Any] = lambda command: command
+    boat: Any,
+    truth: Truth | Sequence[Truth],
+    seconds: float,
+    seed: int,
+    thrust: Callable[[Any], Any] = lambda command: command,
 ) -> Any:
     """Evidence of one drive: poses every 0.1 s; `thrust` gives shares of the full force for commands."""
     from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 
     commands = drive(seconds, seed)
-    rows = course(truth, thrust(commands))[::2, :4]
+    rows = course(truth, thrust(commands), seed)[::2, :4]
     rng = np.random.default_rng([20261123, seed, 1])
     value = rows + np.array(NOISE) * rng.standard_normal(rows.shape)
     pose = Stream(2 * STEP * np.arange(len(value)), value, np.array(NOISE))

@@ -58,7 +58,7 @@ def test_drag_of_another_form_has_a_wide_interval(swim: Any) -> None:
     """
     from cocorosim_ros.diagnosis.fitting.fit import covariance
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-    from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
+    from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
     from cocorosim_ros.diagnosis.showing.estimates import fitted
     from cocorosim_ros.diagnosis.showing.form_width import _speed, variances_between_parts
     from cocorosim_ros.scenario.parts.platform import load_platform

@@ -1,11 +1,5 @@
 """Free runs through held-out parts of the recordings, by models fitted to the other parts alone, against readings.
 
-Every model starts from one state: what the recalibrated model's filter had made of the readings up to that moment,
-without later ones and without the named effects. (The errors of readings that count, `fixed_errors`, are taken off the
-readings first.) From there it takes no readings and no random force, and is measured against the readings that come. A
-smoothed course is no measure: it is bent by the model that made it. Where no reading shows a channel, the recalibrated
-model's smoothed course stands in, which no named effect has bent.
-
 The noise floor is the error, by the same measure, of a model that names nothing: the recalibrated one with a learnt
 force (`nameless_force`). It holds the error of the readings, that of the start and what random force does; an augmented
 model has no part in it.
@@ -13,84 +7,27 @@ model has no part in it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.showing import FREE_RUNS
 from cocorosim_ros.diagnosis.findings import Against, FreeRun, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.naming.residual import smoothed_tracks
-from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
-from cocorosim_ros.diagnosis.showing.fixed_errors import with_fixed_errors
-from cocorosim_ros.diagnosis.showing.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks
-from cocorosim_ros.diagnosis.showing.held_out_streams import HeldOutPart, held_out_streams
-from cocorosim_ros.diagnosis.showing.horizon import coasting_time, window_length
-from cocorosim_ros.diagnosis.showing.nameless_force import explained_forces
-from cocorosim_ros.diagnosis.showing.rulers import CHANNELS, Errors, against, errors_of_course, errors_of_readings
-from cocorosim_ros.diagnosis.tracks.passes import Smoothed
-from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.foretelling.bootstrap import drawn, interval_of_root
+from cocorosim_ros.diagnosis.foretelling.gains import Gain, gain
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, fitted_to_the_rest
+from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
+from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, Errors, against, errors_of_course, errors_of_readings
+from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, path_of, starts_of, with_errors_of
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.state import STATE_SIZE, YAW, X, Y, Z
+from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
 MODELS = ("nominal", "recalibrated", "augmented")
 FLOOR = "noise_floor"
 SHOWN = (X, Y, Z, YAW)  # columns of the state that a picture has
-
-
-@dataclass(frozen=True)
-class Unseen:
-    """Measure of all models, made from the recalibrated fit alone; sequences are by track.
-
-    rows (tracks, columns): the recalibrated model, fitted to what is not held out. courses: smoothed under these rows.
-    learnt: forces (points, 4) of the noise floor's model [N, N, N, N m; world].
-    """
-
-    base: Fit
-    splits: tuple[Split, ...]
-    seconds: float
-    rows: Floats
-    courses: tuple[Smoothed, ...]
-    learnt: Sequence[Floats]
-
-    @property
-    def tracks(self) -> tuple[Track, ...]:
-        """The tracks of the recalibrated fit."""
-        return self.base.tracks
-
-    def windows(self) -> Iterator[tuple[int, Span]]:
-        """Number of the track and grid points of each free run."""
-        for number, (track, split) in enumerate(zip(self.tracks, self.splits, strict=True)):
-            wanted = round(self.seconds / track.timeline.grid.step) + 1
-            for held in split.held:
-                length = min(wanted, held.points)
-                if length >= FREE_RUNS.fewest_points:
-                    for first in range(held.first, held.end - length + 1, length):
-                        yield number, Span(first, length)
-
-
-def unseen_parts(base: Fit) -> Unseen:
-    """Choose what is held out and how long free runs last, and fit the recalibrated model to the rest."""
-    tracks = base.tracks
-    coasting = [coasting_time(track.vehicle, row) for track, row in zip(tracks, base.filled, strict=True)]
-    seconds = window_length(float(np.median(coasting)), smoothed_tracks(base))
-    splits = split_tracks(tracks, seconds)
-    rows = fitted_to_the_rest(base, splits)
-    courses = tuple(of_each_track(lambda number: tracks[number].filter.smoothed(rows[number]), len(tracks)))
-    return Unseen(base, splits, seconds, rows, courses, explained_forces(tracks, courses, rows))
-
-
-class Model(NamedTuple):
-    """A model on its free runs; sequences are by track."""
-
-    rows: Floats  # (tracks, columns)
-    sensors: Floats  # (tracks, columns) by which it starts and foretells readings
-    starts: Sequence[Floats]  # (points, 8) state at each grid point, given the readings up to it
-    pushes: Sequence[Floats]  # (points, 4) force that acts beside it; (0, 4) for none
 
 
 @dataclass(frozen=True)
@@ -101,8 +38,19 @@ class Window:
     run: FreeRun
 
 
-def held_out_free_runs(unseen: Unseen, final: Fit) -> tuple[dict[str, HeldOut], tuple[FreeRun, ...]]:
-    """Errors of the three models on the held-out parts, by channel and by stream, and the windows as paths.
+class HeldOutFreeRuns(NamedTuple):
+    """Errors by channel and by stream, the windows as paths, and what the augmented model gains over the recalibrated.
+
+    gain: by the channels that readings show; None without windows.
+    """
+
+    table: dict[str, HeldOut]
+    runs: tuple[FreeRun, ...]
+    gain: Gain | None
+
+
+def held_out_free_runs(unseen: Unseen, final: Fit) -> HeldOutFreeRuns:
+    """Errors of the three models on the held-out parts, with the windows as paths.
 
     final: the fit with all named effects, to whole recordings; it is fitted anew to what is not held out.
     """
@@ -111,7 +59,7 @@ def held_out_free_runs(unseen: Unseen, final: Fit) -> tuple[dict[str, HeldOut], 
     models = _models(unseen, fitted_to_the_rest(final, unseen.splits) if final is not unseen.base else unseen.rows)
     windows = [_window(unseen, models, shown, number, span) for number, span in unseen.windows()]
     if not windows:
-        return {}, ()
+        return HeldOutFreeRuns({}, (), None)
     table = {channel: _row(channel, ruler, windows, unseen) for channel, ruler in shown.items()}
     rows = {name: models[name].rows for name in MODELS}
     held = [
@@ -120,30 +68,33 @@ def held_out_free_runs(unseen: Unseen, final: Fit) -> tuple[dict[str, HeldOut], 
     ]
     streams = held_out_streams(unseen.tracks, unseen.rows, rows, HeldOutPart(held, unseen.seconds))
     told = {channel: row for channel, row in table.items() if row is not None}
-    return {**told, **streams}, tuple(window.run for window in windows)
+    return HeldOutFreeRuns({**told, **streams}, tuple(window.run for window in windows), _gain(windows, told))
+
+
+def _gain(windows: Sequence[Window], told: Mapping[str, HeldOut]) -> Gain:
+    """Gain of the augmented model over the recalibrated one by the channels of a table that readings show."""
+    channels = [channel for channel, row in told.items() if row.against == "readings"]
+
+    def errors(name: str) -> Floats:
+        found = [[window.squared[channel][name] for channel in channels] for window in windows]
+        return np.array(found, dtype=np.float64).reshape(len(windows), len(channels))
+
+    floor = np.array([told[channel].noise_floor ** 2 for channel in channels])
+    return gain(errors("recalibrated"), errors("augmented"), floor)
 
 
 def _models(unseen: Unseen, augmented: Floats) -> dict[str, Model]:
     """Make the models that run; augmented: rows (tracks, columns) of the one with the effects."""
     tracks, none = unseen.tracks, [NO_PUSH] * len(unseen.tracks)
-    own = np.array(
-        [
-            with_fixed_errors(plain, row, track.timeline)
-            for track, plain, row in zip(tracks, unseen.rows, augmented, strict=True)
-        ]
-    )
-    starts = _starts(tracks, unseen.rows)
-    own_starts = starts if np.array_equal(own, unseen.rows) else _starts(tracks, own)
+    own = with_errors_of(unseen, augmented)
+    starts = unseen.starts
+    own_starts = starts if np.array_equal(own, unseen.rows) else starts_of(tracks, own)
     return {
         "nominal": Model(unseen.base.rows, unseen.rows, starts, none),
         "recalibrated": Model(unseen.rows, unseen.rows, starts, none),
         "augmented": Model(augmented, own, own_starts, none),
         FLOOR: Model(unseen.rows, unseen.rows, starts, unseen.learnt),
     }
-
-
-def _starts(tracks: Sequence[Track], rows: Floats) -> list[Floats]:
-    return of_each_track(lambda number: tracks[number].filter.filtered(rows[number]), len(tracks))
 
 
 def _window(
@@ -154,7 +105,7 @@ def _window(
     squared: dict[str, dict[str, float]] = {channel: {} for channel in shown}
     paths, measured = {}, np.full((span.points, len(SHOWN)), np.nan)
     for name, model in models.items():
-        path = _path(track, model, number, span)
+        path = path_of(track, model, number, span)
         paths[name] = path.mean[span.first : span.end][:, SHOWN]
         for channel, ruler in shown.items():
             errors = (
@@ -168,15 +119,6 @@ def _window(
     time = course.time[span.first : span.end]
     run = FreeRun(track.name, time, measured, *(paths[name] for name in MODELS))  # type: ignore[arg-type]
     return Window(squared, replace(run, clock=track.log.clock))
-
-
-def _path(track: Track, model: Model, number: int, span: Span) -> Smoothed:
-    """Free run of a model over a window; before and behind it, what its filter had made of the readings."""
-    states = model.starts[number].copy()
-    push = model.pushes[number][span.first : span.end]
-    row, start = model.rows[number], states[span.first, :STATE_SIZE]
-    states[span.first : span.end] = track.filter.free_run(row, start, span.first, span.points, push)
-    return Smoothed(track.timeline.grid.moments, states, np.zeros_like(states))
 
 
 def _draw(measured: Floats, channel: str, errors: Errors, path: Floats, time: Floats) -> None:

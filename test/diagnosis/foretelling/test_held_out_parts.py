@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.showing.held_out_parts import Span, split_tracks
-from cocorosim_ros.diagnosis.showing.horizon import coasting_time, window_length
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, split_tracks
+from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.scenario.parts.platform import load_platform

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.findings import HeldOut
-from cocorosim_ros.diagnosis.showing.bootstrap import drawn, interval_of_root
-from cocorosim_ros.diagnosis.showing.residual_reading import KIND_OF_TOPIC, deviation, unit_of_kind
+from cocorosim_ros.diagnosis.foretelling.bootstrap import drawn, interval_of_root
+from cocorosim_ros.diagnosis.foretelling.deviation import KIND_OF_TOPIC, deviation, unit_of_kind
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats

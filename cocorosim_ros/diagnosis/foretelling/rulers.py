@@ -10,8 +10,8 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.findings import Against
-from cocorosim_ros.diagnosis.showing.held_out_parts import Span
-from cocorosim_ros.diagnosis.showing.residual_reading import deviation
+from cocorosim_ros.diagnosis.foretelling.deviation import deviation
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.showing import FREE_RUNS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel

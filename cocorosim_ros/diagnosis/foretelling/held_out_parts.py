@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.showing import FREE_RUNS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values

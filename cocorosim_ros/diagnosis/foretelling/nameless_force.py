@@ -16,7 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.signal import lfilter
 
-from cocorosim_ros.diagnosis.criteria.showing import NAMELESS_FORCE
+from cocorosim_ros.diagnosis.criteria.foretelling import NAMELESS_FORCE
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats, Integers

@@ -9,9 +9,9 @@ import pytest
 
 from cocorosim_ros.diagnosis.catalogue.shown_by import own_state
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
-from cocorosim_ros.diagnosis.showing.fixed_errors import STATE_OF_FORCE, with_fixed_errors
-from cocorosim_ros.diagnosis.showing.held_out_parts import Span
-from cocorosim_ros.diagnosis.showing.rulers import against, errors_of_course, errors_of_readings
+from cocorosim_ros.diagnosis.foretelling.fixed_errors import STATE_OF_FORCE, with_fixed_errors
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
+from cocorosim_ros.diagnosis.foretelling.rulers import against, errors_of_course, errors_of_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.world.laws.readings import READING_CODE

@@ -11,8 +11,9 @@ import pytest
 
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-from cocorosim_ros.diagnosis.showing.free_runs import held_out_free_runs, unseen_parts
-from cocorosim_ros.diagnosis.showing.nameless_force import foretold, turn_back
+from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.nameless_force import foretold, turn_back
+from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.showing.regimes import QUANTITIES, regime_remarks
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -50,14 +51,14 @@ def test_a_law_that_explains_depth_away_gains_nothing(without_camera: Fit) -> No
     (track,) = bent.tracks
     plain, own = (track.filter.smoothed(fit.filled[0]).mean[:, Z] for fit in (without_camera, bent))
     assert np.ptp(own) < 0.25 * np.ptp(plain)
-    table, _ = held_out_free_runs(unseen_parts(without_camera), bent)
+    table, *_ = held_out_free_runs(unseen_parts(without_camera), bent)
     assert table["depth"].against == "readings" and "pressure" not in table
     assert table["depth"].augmented > 0.98 * table["depth"].recalibrated
 
 
 def test_what_is_not_seen_has_no_row_or_says_that_it_is_a_course(without_camera: Fit) -> None:
     """Without poses there is no position; the heading is the compass's, in the table and in the pictures."""
-    table, runs = held_out_free_runs(unseen_parts(without_camera), without_camera)
+    table, runs, _ = held_out_free_runs(unseen_parts(without_camera), without_camera)
     assert set(table) == {"heading", "depth", "imu"}
     assert table["heading"].against == "readings" and table["imu"].against == "course"
     for run in runs:
@@ -78,7 +79,7 @@ def test_a_right_and_a_wrong_model_have_the_same_floor(swim: Swim) -> None:
         base = base_fit(swim(truth, 300.0, seed=7, disturbance=0.01, base=platform))
         unseen = unseen_parts(base)
         assert unseen.seconds == 20.0
-        rows.append(held_out_free_runs(unseen, base)[0]["position"])
+        rows.append(held_out_free_runs(unseen, base).table["position"])
     right, wrong = rows
     assert right.recalibrated < 1.2 * right.noise_floor
     assert wrong.recalibrated > 2.0 * wrong.noise_floor
@@ -88,8 +89,8 @@ def test_a_right_and_a_wrong_model_have_the_same_floor(swim: Swim) -> None:
 def test_the_floor_knows_nothing_of_the_augmented_model(without_camera: Fit) -> None:
     """Whatever model is judged, the floors and the other models' errors are the same numbers."""
     unseen = unseen_parts(without_camera)
-    plain, _ = held_out_free_runs(unseen, without_camera)
-    bent, _ = held_out_free_runs(unseen, with_pressure_law(without_camera))
+    plain, *_ = held_out_free_runs(unseen, without_camera)
+    bent, *_ = held_out_free_runs(unseen, with_pressure_law(without_camera))
     for channel in ("heading", "depth"):
         assert plain[channel].noise_floor == bent[channel].noise_floor
         assert plain[channel].recalibrated == bent[channel].recalibrated

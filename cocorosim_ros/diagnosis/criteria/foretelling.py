@@ -1,0 +1,70 @@
+"""Thresholds of the free runs: what is held out, how long models run, and what the noise floor learns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class FreeRunCriteria:
+    """Parts of a recording through which models run freely (`foretelling.free_runs`)."""
+
+    held_out: float = 0.4
+    """[of each recording, or of the recordings] is held out; the rest is fitted. Chosen, not measured."""
+    most_blocks: int = 4
+    """[blocks] of a recording that are held out. Chosen, not measured."""
+    seen_windows: float = 3.0
+    """[windows] that are fitted between two blocks, so that a fit sees whole motions. Chosen, not measured."""
+    places: tuple[float, ...] = (0.6, 0.05, 0.3)
+    """[of the period of the blocks] begin of the held-out block: late in the first recording, early in the second, in
+    the middle of the third, and so on. Early is not at once, because a state has to be known. Chosen, not measured."""
+    many: int = 6
+    """[recordings] each too short for two blocks: from so many on whole ones are held out. Chosen, not measured."""
+    coasted: float = 6.0
+    """[coasting times of the vehicle] that a free run lasts. Chosen, not measured: the 20 s of a
+    Lily, which coasts for 3.3 s."""
+    lengths: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0)
+    """[s] of free runs: one length for vehicles that are nearly alike, so that their errors can be compared.
+    Chosen, not measured."""
+    most_turned: float = 30.0
+    """[rad] in a window at the usual turn rate: after five turns no model foretells a heading. Chosen, not measured."""
+    fewest_points: int = 10
+    """[grid points] of a window, and twice as many of a fitted piece. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class NamelessForceCriteria:
+    """A smooth force without a name, learnt for the noise floor (`foretelling.nameless_force`)."""
+
+    folds: int = 20
+    """[parts of all courses] each foretold by what the others teach. Chosen, not measured."""
+    most_terms: int = 12
+    """[terms] of the force along one axis. Chosen, not measured."""
+    memories: tuple[float, ...] = (2.0, 5.0, 15.0, 50.0)
+    """[steps of the grid] over which late forces may fade. Chosen, not measured: from a step's blur to a
+    pump."""
+    rounding: float = 1e-12
+    """[of the largest term] smaller terms are rounding. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class GainCriteria:
+    """Gains of free runs from one model to another, by which effects are chosen (`foretelling.gains`)."""
+
+    most: float = 3.0
+    """[logarithm of the error] by which one window counts at most: a model that has run away is no worse than one that
+    errs by e^3. Chosen, not measured."""
+    sure: float = 2.0
+    """[standard deviations] of a mean gain over the windows from which it is clear: one in forty is that by
+    chance. Known of the normal distribution."""
+    doubt: float = 1.0
+    """[standard deviations] of a mean loss from which an effect is not kept, and of a mean gain that a law outside the
+    catalogue needs: an effect that is right gains in the mean, and of the many laws some gain by chance. Chosen, not
+    measured."""
+    material: float = 0.02
+    """[logarithm of the error] a smaller change is none: 2 % of an error at the noise floor. Chosen, not measured."""
+
+
+FREE_RUNS = FreeRunCriteria()
+FREE_RUN_GAINS = GainCriteria()
+NAMELESS_FORCE = NamelessForceCriteria()

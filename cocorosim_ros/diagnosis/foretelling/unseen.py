@@ -1,0 +1,108 @@
+"""Parts of the recordings that no fit sees, the measure that is made there of the recalibrated model, and free runs.
+
+Every model starts from one state: what the recalibrated model's filter had made of the readings up to that moment,
+without later ones and without the named effects. (The errors of readings that count, `fixed_errors`, are taken off the
+readings first.) From there it takes no readings and no random force, and is measured against the readings that come. A
+smoothed course is no measure: it is bent by the model that made it. Where no reading shows a channel, the recalibrated
+model's smoothed course stands in, which no named effect has bent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks
+from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
+from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.state.state import STATE_SIZE
+
+
+@dataclass(frozen=True)
+class Unseen:
+    """Measure of all models, made from the recalibrated fit alone; sequences are by track.
+
+    rows (tracks, columns): the recalibrated model, fitted to what is not held out. courses: smoothed under these rows.
+    starts: states (points, 8) under these rows, at each grid point given the readings up to it. learnt: forces
+    (points, 4) of the noise floor's model [N, N, N, N m; world].
+    """
+
+    base: Fit
+    splits: tuple[Split, ...]
+    seconds: float
+    rows: Floats
+    courses: tuple[Smoothed, ...]
+    starts: Sequence[Floats]
+    learnt: Sequence[Floats]
+
+    @property
+    def tracks(self) -> tuple[Track, ...]:
+        """The tracks of the recalibrated fit."""
+        return self.base.tracks
+
+    def windows(self) -> Iterator[tuple[int, Span]]:
+        """Number of the track and grid points of each free run."""
+        for number, (track, split) in enumerate(zip(self.tracks, self.splits, strict=True)):
+            wanted = round(self.seconds / track.timeline.grid.step) + 1
+            for held in split.held:
+                length = min(wanted, held.points)
+                if length >= FREE_RUNS.fewest_points:
+                    for first in range(held.first, held.end - length + 1, length):
+                        yield number, Span(first, length)
+
+
+def unseen_parts(base: Fit) -> Unseen:
+    """Choose what is held out and how long free runs last, and fit the recalibrated model to the rest."""
+    tracks = base.tracks
+    coasting = [coasting_time(track.vehicle, row) for track, row in zip(tracks, base.filled, strict=True)]
+    seconds = window_length(float(np.median(coasting)), smoothed_tracks(base))
+    splits = split_tracks(tracks, seconds)
+    rows = fitted_to_the_rest(base, splits)
+    courses = tuple(of_each_track(lambda number: tracks[number].filter.smoothed(rows[number]), len(tracks)))
+    return Unseen(
+        base, splits, seconds, rows, courses, starts_of(tracks, rows), explained_forces(tracks, courses, rows)
+    )
+
+
+class Model(NamedTuple):
+    """A model on its free runs; sequences are by track."""
+
+    rows: Floats  # (tracks, columns)
+    sensors: Floats  # (tracks, columns) by which it starts and foretells readings
+    starts: Sequence[Floats]  # (points, 8) state at each grid point, given the readings up to it
+    pushes: Sequence[Floats]  # (points, 4) force that acts beside it; (0, 4) for none
+
+
+def with_errors_of(unseen: Unseen, rows: Floats) -> Floats:
+    """Rows (tracks, columns) of the recalibrated model, with those errors of readings in `rows` that count."""
+    return np.array(
+        [
+            with_fixed_errors(plain, row, track.timeline)
+            for track, plain, row in zip(unseen.tracks, unseen.rows, rows, strict=True)
+        ]
+    )
+
+
+def starts_of(tracks: Sequence[Track], rows: Floats) -> list[Floats]:
+    """States (points, 8) by track, at each grid point given the readings up to it, under rows (tracks, columns)."""
+    return of_each_track(lambda number: tracks[number].filter.filtered(rows[number]), len(tracks))
+
+
+def path_of(track: Track, model: Model, number: int, span: Span) -> Smoothed:
+    """Free run of a model over a window; before and behind it, what its filter had made of the readings."""
+    states = model.starts[number].copy()
+    push = model.pushes[number][span.first : span.end]
+    row, start = model.rows[number], states[span.first, :STATE_SIZE]
+    states[span.first : span.end] = track.filter.free_run(row, start, span.first, span.points, push)
+    return Smoothed(track.timeline.grid.moments, states, np.zeros_like(states))

@@ -1,0 +1,73 @@
+"""Free runs on what no fit saw choose the effects: what holds in the fitted parts alone is not named."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import boats
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
+
+WIDTH, SECONDS, BLOCKS, FITTED = 0.09, 240.0, 4, 0.6
+KNOWN = """
+drag_form: own_speed
+effects:
+  anisotropic_drag: {sway_ratio: {value: 3, unit: "1", source: made}}
+  linear_drag: {yaw: {value: 0.3, unit: N m s, source: made}}
+  thruster_lag: {time_constant: {value: 0.35, unit: s, source: made}}
+"""
+
+
+def beyond(command: Any) -> Any:
+    """Shares of the full force: what exceeds the dead band."""
+    return np.sign(command) * np.maximum(np.abs(command) - WIDTH, 0.0)
+
+
+@pytest.fixture(scope="module")
+def caught(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """Evidence of a boat with a dead band in rough water, which drags a weed in the parts alone that are fitted.
+
+    The weed turns it with 2 N m, a fifth of what its propellers can.
+    """
+    boat = boats.platform(tmp_path_factory.mktemp("boat"), KNOWN)
+    time = np.arange(round(SECONDS / boats.TICK)) * boats.TICK
+    fitted = time % (SECONDS / BLOCKS) < FITTED * SECONDS / BLOCKS
+    truths = [boats.Truth(weed=2.0 if each else 0.0, rough=1.0) for each in fitted]
+    return boats.recorded(boat, truths, SECONDS, 1, beyond)
+
+
+@pytest.fixture(scope="module")
+def first(caught: Any) -> Any:
+    """What a diagnosis finds."""
+    from cocorosim_ros.library.diagnosis_result import DiagnosisResult
+
+    return DiagnosisResult(diagnose(caught, lambda words, share: None), caught)
+
+
+def test_what_holds_in_the_fitted_parts_alone_is_not_named(caught: Any, first: Any) -> None:
+    """The evidence for the weed's moment is far above what is needed, and the likelihood alone would name it."""
+    (split,) = unseen_parts(base_fit(caught)).splits
+    assert len(split.held) == BLOCKS
+    evidence = {each.id: each.nats for each in first.diagnosis.screened}
+    assert evidence["torque_bias"] > 2.0 * NAMING.threshold
+    assert [effect.id for effect in first.effects] == ["thruster_deadband"]
+    assert first.effects[0].parameters["width"].value == pytest.approx(WIDTH, abs=0.02)
+
+
+def test_the_found_model_finds_nothing_though_little_else_could_be_seen(
+    caught: Any, first: Any, tmp_path: Path
+) -> None:
+    """Rough water hides much of the catalogue, but recordings that show what the model has do tell something."""
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    (tmp_path / "model.yaml").write_text(first.model_yaml, encoding="utf-8")
+    model = load_platform(str(tmp_path / "model.yaml"))
+    second = diagnose(replace(caught, platform=model), lambda words, share: None)
+    assert (second.verdict, second.effects) == ("consistent", ())
