@@ -21,10 +21,10 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.criteria.showing import FORM_WIDTH
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, information
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
@@ -43,9 +43,9 @@ def variances_between_parts(fit: Fit) -> Floats:
 
     It is the largest over four divisions: by time, by speed, by turn rate, by depth.
     """
-    if not fit.unknowns:
-        return np.zeros(0)
-    courses = of_each_track(lambda number: fit.tracks[number].filter.smoothed(fit.filled[number]), len(fit.tracks))
+    if not fit.unknowns or not fit.tracks:
+        return np.zeros(len(fit.unknowns))
+    courses = smoothed_tracks(fit)
     spread = covariance(fit)
     found = [_variances(fit, list(_parts(fit, labels)), spread) for labels in _divisions(fit.tracks, courses)]
     return np.asarray(np.max(found, axis=0))
