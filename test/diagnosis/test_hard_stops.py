@@ -114,7 +114,7 @@ def test_an_interval_that_holds_zero(sound: Case) -> None:
 def test_an_effect_that_foretells_nothing(sound: Case, mean: float | None, said: int) -> None:
     """Free runs that are no better with it are said; an error of readings, which they do not judge, is not."""
     case = named(sound, "torque_bias", torque=1.5)
-    told = None if mean is None else Gain(mean, 0.01)
+    told = None if mean is None else Gain(mean, 0.01, 8)
     case = replace(case, named=tuple(replace(each, foretold=told) for each in case.named))
     assert len(sentences(hard_stops.foretells_nothing, case)) == said
 
@@ -167,7 +167,7 @@ def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
         sizes = np.random.default_rng(1).standard_normal(len(at)) * np.sqrt(np.maximum(1.0 + growth * at, 0.05))
         passes = (replace(passed, innovation=sizes * np.sqrt(passed.variance)),)
         found = named(replace(sound, final=replace(sound.final, passes=passes)), "torque_bias", torque=1.5)
-        return replace(found, named=tuple(replace(each, foretold=Gain(gain, 0.1)) for each in found.named))
+        return replace(found, named=tuple(replace(each, foretold=Gain(gain, 0.1, 8)) for each in found.named))
 
     (said,) = sentences(hard_stops.uneven_pushes, case(0.6, 0.1))
     assert "grows with speed" in said

@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 def effect(name: str, nats: float, mean: float | None) -> NamedEffect:
     """An effect with this evidence, by which free runs gain so much on the average; None for an error of readings."""
     candidate: Any = SimpleNamespace(key=(name, None, ("a",)))
-    told = None if mean is None else Gain(mean, 0.1)
+    told = None if mean is None else Gain(mean, 0.1, 8)
     return NamedEffect(candidate, nats, (), HeldOutGain(np.zeros(1), 1.0), told)
 
 

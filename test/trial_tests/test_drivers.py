@@ -202,19 +202,25 @@ def test_a_hidden_stream_is_nothing_to_be_found() -> None:
 
 
 def test_an_earlier_page_is_kept_but_for_what_was_done_again(tmp_path: Path) -> None:
-    """Findings with what stands below them, rows of free runs, and what made them."""
+    """Findings with what stands below them, rows of free runs, and what made them.
+
+    A row that does not say its windows has errors of two models over different seconds, and loses these.
+    """
     from trial.real import kept_lines
 
     page = tmp_path / "real.md"
     page.write_text(
         "# Real\n\nMade by `one`.\n\n## What was found\n\n- ship (3 recordings): mismatch\n  - `lag` (9 nats)\n"
         "- boat: no diagnosis\n\n## Free runs on data that no fit of the numbers saw\n\n"
-        "| recordings | channel |\n|---|---|\n| boat | depth |\n| ship | depth |\n"
+        "| recordings | channel | unseen, nominal | unseen, found |\n|---|---|---|---|\n"
+        "| boat | depth | 2 | 1 (5 s) |\n| ship | depth | 2 | 1 (5 s) |\n"
+        "| ship | heading | 2 | 1 (5 s, 3 windows, 0 % worse) |\n"
     )
     made, kept = kept_lines(page, ["boat"])
     assert made == ["Made by `one`."]
     assert kept["found"] == ["- ship (3 recordings): mismatch", "  - `lag` (9 nats)"]
-    assert kept["runs"] == ["| ship | depth |"] and kept["again"] == []
+    assert kept["runs"] == ["| ship | depth | - | - |", "| ship | heading | 2 | 1 (5 s, 3 windows, 0 % worse) |"]
+    assert kept["again"] == []
     assert kept_lines(page, ["boat", "ship"])[0] == []
     assert kept_lines(tmp_path / "none.md", [])[0] == []
 

@@ -61,6 +61,9 @@ class GainCriteria:
     """[standard deviations] of a mean loss from which an effect is not kept, and of a mean gain that a law outside the
     catalogue needs: an effect that is right gains in the mean, and of the many laws some gain by chance. Chosen, not
     measured."""
+    fewest: int = 3
+    """[windows] fewer do not tell how far a gain is chance: of two, Student's interval is thirteen standard
+    deviations wide, and no law would be found in a short recording. Chosen, not measured."""
     material: float = 0.02
     """[logarithm of the error] a smaller change is none: 2 % of an error at the noise floor. Chosen, not measured."""
 

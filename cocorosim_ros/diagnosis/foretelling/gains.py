@@ -35,13 +35,14 @@ SURE = 0.975  # quantile at the upper end of a 95 % interval
 
 
 class Gain(NamedTuple):
-    """Mean gain over the windows [logarithm of the error] and the standard deviation of that mean.
+    """Mean gain over the windows [logarithm of the error], the standard deviation of that mean, and how many there are.
 
     The standard deviation is as wide for few windows as makes a normal 95 % interval of Student's.
     """
 
     mean: float
     spread: float
+    windows: int
 
     @property
     def is_clear(self) -> bool:
@@ -50,8 +51,9 @@ class Gain(NamedTuple):
 
     @property
     def is_likely(self) -> bool:
-        """Tell whether a gain is material, and rather no chance."""
-        return self.mean > max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.doubt * self.spread)
+        """Tell whether a gain is material and, where the windows are enough to tell, rather no chance; one never is."""
+        doubt = FREE_RUN_GAINS.doubt * self.spread if self.windows >= FREE_RUN_GAINS.fewest else 0.0
+        return self.windows > 1 and self.mean > max(FREE_RUN_GAINS.material, doubt)
 
     @property
     def is_loss(self) -> bool:
@@ -70,7 +72,7 @@ def gain(before: Floats, after: Floats, floor: Floats) -> Gain:
     found = np.clip(
         np.nan_to_num(each, nan=-FREE_RUN_GAINS.most).sum(axis=1), -FREE_RUN_GAINS.most, FREE_RUN_GAINS.most
     )
-    return Gain(float(found.mean()) if len(found) else 0.0, _spread_of_mean(found))
+    return Gain(float(found.mean()) if len(found) else 0.0, _spread_of_mean(found), len(found))
 
 
 def _spread_of_mean(found: Floats) -> float:

@@ -65,7 +65,7 @@ def test_how_sure_a_gain_is_follows_from_its_spread_over_windows() -> None:
     assert not mixed.is_clear and not mixed.is_loss
     alone = gain(squares((9.0,)), squares((1.0,)), floor)
     assert not alone.is_clear and not alone.is_likely and alone.mean > 2.0
-    assert Gain(-0.1, 0.05).is_loss and not Gain(-0.1, 0.2).is_loss and not Gain(-0.01, 0.001).is_loss
+    assert Gain(-0.1, 0.05, 8).is_loss and not Gain(-0.1, 0.2, 8).is_loss and not Gain(-0.01, 0.001, 8).is_loss
 
 
 def test_the_right_model_gains_over_a_wrong_one_and_not_over_itself(swum: Fit) -> None:
@@ -109,3 +109,12 @@ def test_one_step_forgets_what_is_held_out(swum: Fit) -> None:
 
 def _columns(fit: Fit) -> list[int]:
     return [COLUMN[each.column] for each in fit.unknowns]
+
+
+def test_two_windows_do_not_tell_how_far_a_gain_is_chance() -> None:
+    """Many windows that differ make a gain doubtful; two that do leave it likely, though never clear."""
+    from cocorosim_ros.diagnosis.foretelling.gains import Gain
+
+    assert not Gain(1.8, 6.7, 8).is_likely
+    assert Gain(1.8, 6.7, 2).is_likely and not Gain(1.8, 6.7, 2).is_clear
+    assert not Gain(-0.1, 6.7, 2).is_likely
