@@ -34,7 +34,7 @@ EXTRAS = {
     "netcdf": ["xarray", "h5netcdf", "h5py"],  # water currents from files
     "view": ["rerun-sdk>=0.41"],  # what `cocorosim view --3d` writes scenes with
     "foxglove": ["foxglove-sdk>=0.16"],  # `cocorosim run --foxglove` and `replay --foxglove`
-    "dask": ["dask", "distributed"],  # `cocorosim experiment --dask`
+    "dask": ["dask", "distributed"],  # `cocorosim experiment --dask`, `cocorosim diagnose --fleet --dask`
     "bench": ["mujoco>=3"],
 }
 
@@ -83,7 +83,7 @@ setup(
         PACKAGE: [
             "py.typed",
             *("study/results/*.jinja", "study/pictures/*.jinja", "study/pictures/*.js", "study/pictures/*.css"),
-            "diagnosis/report/*.jinja",
+            *("diagnosis/report/*.jinja", "diagnosis/fleet/*.jinja"),
         ]
     },
     data_files=shared_files(),

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from cocorosim_ros.library.diagnosis_result import DiagnosisResult
     from cocorosim_ros.library.explain import explain
     from cocorosim_ros.library.explaining.explanation import Explanation
+    from cocorosim_ros.library.fleet import diagnose_fleet
+    from cocorosim_ros.library.fleet_result import FleetResult
     from cocorosim_ros.library.measure import measure
     from cocorosim_ros.library.record import record
     from cocorosim_ros.library.recording import Recording, read_recording
@@ -64,6 +66,7 @@ _HOMES = {
     "DesignResults": "library.design",
     "DiagnosisResult": "library.diagnosis_result",
     "Explanation": "library.explaining.explanation",
+    "FleetResult": "library.fleet_result",
     "Platform": "scenario.parts.platform",
     "PoseTrack": "world.state.pose_track",
     "RecordedTrack": "wire.bags.tracks",
@@ -76,6 +79,7 @@ _HOMES = {
     "check": "library.check",
     "convert": "library.convert",
     "diagnose": "library.diagnose",
+    "diagnose_fleet": "library.fleet",
     "explain": "library.explain",
     "load_design": "study.experiments.design",
     "load_platform": "scenario.parts.platform",
@@ -96,6 +100,7 @@ __all__ = [
     "DesignResults",
     "DiagnosisResult",
     "Explanation",
+    "FleetResult",
     "Platform",
     "PoseTrack",
     "RecordedTrack",
@@ -108,6 +113,7 @@ __all__ = [
     "check",
     "convert",
     "diagnose",
+    "diagnose_fleet",
     "explain",
     "load_design",
     "load_platform",

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import get_args
+from typing import Any, TypeVar, get_args
 
 import click
 from rich.console import Console
@@ -14,6 +14,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from cocorosim_ros.commands.completion import config_or_file, several_of
 from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.fleet import FleetChoices, check_fleet_options, diagnose_all
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.diagnosis.findings import Verdict
@@ -58,9 +59,15 @@ class _WithSeveral(click.Command):
         return super().parse_args(ctx, spread)
 
 
-@with_examples("cocorosim diagnose runs/one --platform lily --out found")
+_Choices = TypeVar("_Choices", DiagnosisChoices, FleetChoices)
+
+
+@with_examples(
+    "cocorosim diagnose runs/one --platform lily --out found",
+    "cocorosim diagnose --fleet runs --platform lily --out found/all",
+)
 @click.command("diagnose", cls=_WithSeveral, short_help="where a recording and the model disagree, and why")
-@click.argument("bags", metavar="BAG...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.argument("bags", metavar="BAG...", nargs=-1, type=click.Path(path_type=Path))
 @click.option(
     "--platform",
     "platform_name",
@@ -82,6 +89,14 @@ class _WithSeveral(click.Command):
     help="recordings of the same vehicle when it was well: only what differs from these is named",
 )
 @click.option(
+    "--fleet",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="diagnose every recording below this folder by itself, resumable, and say which robots drift",
+)
+@click.option("--workers", type=int, help="with --fleet: processes [default: one per processor]")
+@click.option("--dask", metavar="SCHEDULER", help="with --fleet: diagnose on the workers of this Dask scheduler")
+@click.option(
     "--fail-on",
     metavar="VERDICT,...",
     callback=lambda ctx, option, given: _verdicts(given),
@@ -97,7 +112,7 @@ class _WithSeveral(click.Command):
 @click.option("--markdown", type=click.Path(path_type=Path), help="write the finding into this file as Markdown")
 @click.option("--force", is_flag=True, help="replace results that are there")
 @click.pass_context
-def command(ctx: click.Context, /, **options: object) -> None:
+def command(ctx: click.Context, /, **options: Any) -> None:
     """Compare recordings of robots of one platform, one BAG or several, with what the simulator makes of the commands.
 
     Writes report.html (to read), diagnosis.json (the same for programs) and model.yaml (a platform with what was
@@ -105,11 +120,17 @@ def command(ctx: click.Context, /, **options: object) -> None:
     next_manoeuvre.yaml: a scenario for `cocorosim run` that drives what would show it. overlay/ is a bag on the
     recording's own clock, to open beside it in Foxglove or Lichtblick, or with `cocorosim view --3d BAG --against
     OUT/overlay`: ghosts of both models through the parts that no fit saw, residual forces, evidence over time.
+
+    With --fleet DIR instead of BAG, every recording below DIR is diagnosed by itself. Writes fleet.parquet, a row for
+    each robot and recording, and fleet.html: which robots drift, which recordings look alike, what is common to all.
+    The same command goes on where it was interrupted or killed.
     """
-    from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
+    check_fleet_options(options)
+    if options["fleet"] is not None:
+        ctx.exit(diagnose_all(_chosen(FleetChoices, options)))
     from cocorosim_ros.library.diagnose import diagnose
 
-    choices = DiagnosisChoices(**options)  # type: ignore[arg-type]
+    choices = _chosen(DiagnosisChoices, options)
     console = console_beside(choices.json_file, force=choices.force)
     for file in (choices.junit, choices.markdown):
         check_file(file, force=choices.force)
@@ -123,6 +144,8 @@ def command(ctx: click.Context, /, **options: object) -> None:
             force=choices.force,
             progress=show,
         )
+    from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables  # loads the compiler
+
     say(console, result.sentence, "bold")
     show_table(console, terminal_tables(result.diagnosis))
     _show_remarks(console, result.remarks)
@@ -137,6 +160,11 @@ def command(ctx: click.Context, /, **options: object) -> None:
     if result.verdict in choices.fail_on:
         say(console, f"status {REFUSED}: --fail-on names the verdict {result.verdict}")
         ctx.exit(REFUSED)
+
+
+def _chosen(kind: type[_Choices], options: dict[str, Any]) -> _Choices:
+    """Those of the options that are of one kind of call."""
+    return kind(**{field.name: options[field.name] for field in fields(kind)})
 
 
 def _verdicts(given: str | None) -> frozenset[Verdict]:

@@ -4,36 +4,25 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
-from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TaskID,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
 
 from cocorosim_ros.commands.completion import config_or_file
 from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.interruption import INTERRUPTED
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
+from cocorosim_ros.commands.resumed_bar import ResumedBar
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 
 if TYPE_CHECKING:
     from cocorosim_ros.study.experiments.design import Cell, Design
 
-FAILED, INTERRUPTED = 1, 130
-_SPEED_OVER = 3600.0  # s; rich's own 30 s hold no two chunks of a long design, and without two it knows no time left
+FAILED = 1
 # Workers and OpenBLAS would fight for the same processors.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -109,7 +98,7 @@ def run_all(design: Design, kept: Kept, console: Console) -> tuple[int, dict[str
     """Run what is not there yet of a design; the exit status, and the results for programs."""
     from cocorosim_ros.library.design import Watch, run_design
 
-    with _Bar(console, design) as bar:
+    with ResumedBar(console, design.name, "runs") as bar:
         watch = Watch(bar.show, bar.going)
         results = run_design(design, kept.out, workers=kept.workers, force=kept.force, watch=watch)
     if results.missing:
@@ -121,68 +110,6 @@ def run_all(design: Design, kept: Kept, console: Console) -> tuple[int, dict[str
         say(console, sentence, "yellow")
     console.print(f"cocorosim report {kept.out}   shows them")
     return 0, results.tree()
-
-
-class _Bar(AbstractContextManager["_Bar"]):
-    """The bar of a design, from when it is known how many runs are there; an interruption is noted from then on."""
-
-    def __init__(self, console: Console, design: Design) -> None:
-        from cocorosim_ros.commands.interruption import Interruption
-
-        self.began = time.monotonic()
-        self._console, self._design = console, design
-        self._interruption, self._open = Interruption(), ExitStack()
-        self._shown: tuple[Progress, TaskID] | None = None
-        self._done = 0
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._open.close()
-
-    def going(self) -> bool:
-        """Whether nobody has interrupted it."""
-        return not self._interruption.happened
-
-    def show(self, done: int, runs: int) -> None:
-        """Show that so many of all runs are there."""
-        if self._shown is None:
-            self._shown = self._begin(done, runs)
-        else:
-            bar, task = self._shown
-            bar.advance(task, done - self._done)
-        self._done = done
-
-    def _begin(self, done: int, runs: int) -> tuple[Progress, TaskID]:
-        self.began = time.monotonic()
-        if done:
-            self._console.print(f"{done} of {runs} runs are there already")
-        bar, task = new_bar(self._console, self._design.name, runs, done)
-        self._open.enter_context(self._interruption)
-        self._open.enter_context(bar)
-        return bar, task
-
-
-def new_bar(
-    console: Console, name: str, runs: int, done: int, clock: Callable[[], float] | None = None
-) -> tuple[Progress, TaskID]:
-    """A bar with the time left, `done` of so many `runs` behind it, and its task; `clock` [s] is the system's own."""
-    bar = Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        TextColumn("left"),
-        TimeRemainingColumn(compact=True),
-        console=console,
-        transient=not console.is_terminal,
-        disable=not console.is_terminal,
-        speed_estimate_period=_SPEED_OVER,
-        get_time=clock,
-    )
-    task = bar.add_task(name, total=runs, completed=done)
-    bar.advance(task, 0)  # the speed counts from here, not from the first chunk that is finished
-    return bar, task
 
 
 def _record_row(design: Design, options: dict[str, Any], console: Console) -> tuple[int, dict[str, Any]]:

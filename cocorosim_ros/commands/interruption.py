@@ -7,6 +7,9 @@ from collections.abc import Callable
 from types import FrameType, TracebackType
 from typing import Any
 
+INTERRUPTED = 130
+"""Exit status of a command that Ctrl-C or SIGTERM has ended in order: 128 and the number of SIGINT."""
+
 
 class Interruption:
     """Within, SIGINT and SIGTERM are noted; `then` says what else to do."""

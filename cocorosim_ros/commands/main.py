@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from cocorosim_ros import __version__
+from cocorosim_ros.commands.interruption import INTERRUPTED
 from cocorosim_ros.commands.missing_package import missing_package
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
@@ -95,6 +96,6 @@ def main() -> None:
         click.echo(f"cocorosim: {error.format_message()}", err=True)
         sys.exit(UNUSABLE_INPUT)
     except click.Abort:
-        sys.exit(130)
+        sys.exit(INTERRUPTED)
     except BrokenPipeError:
         sys.exit(0)

@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn
 
 from cocorosim_ros.commands.examples import with_examples
-from cocorosim_ros.commands.interruption import Interruption
+from cocorosim_ros.commands.interruption import INTERRUPTED, Interruption
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from cocorosim_ros.graph.nodes.replay import Position, Replay
     from cocorosim_ros.wire.bags.playback import Span
 
-INTERRUPTED = 130
 SHOWN_EVERY = 0.1  # s
 
 

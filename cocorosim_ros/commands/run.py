@@ -12,6 +12,7 @@ from rich.console import Console
 
 from cocorosim_ros.commands.completion import config_or_file
 from cocorosim_ros.commands.examples import with_examples
+from cocorosim_ros.commands.interruption import INTERRUPTED
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from cocorosim_ros.commands.run_modes import Outcome, RunChoices
     from cocorosim_ros.scenario.scenario import Scenario
 
-FAILED, INTERRUPTED = 1, 130
+FAILED = 1
 # OpenBLAS would start threads that a fork does not take along.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 

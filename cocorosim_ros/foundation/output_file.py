@@ -7,6 +7,9 @@ from pathlib import Path
 
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
+NEW = ".new"
+"""What follows the name of a file that is not written in full yet."""
+
 
 def check_file(file: Path | None, *, force: bool) -> None:
     """Nothing, if the file can be written, or if there is none to write.
@@ -30,3 +33,16 @@ def write_text(file: Path, text: str) -> None:
         file.write_text(text, "utf-8")
     except OSError as error:
         raise CocorosimError(f"{file} cannot be written: {error.strerror}; give another file.") from error
+
+
+def replace_file(file: Path, content: bytes) -> None:
+    """Put content in the place of a file, which is there in full or as it was, even if the power fails.
+
+    Raises OSError if it cannot be written.
+    """
+    new = file.with_name(file.name + NEW)
+    with open(new, "wb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
+    os.replace(new, file)

@@ -122,6 +122,7 @@ COMPLETED = {
     ("run", "five_lilys", "--controller"): ("boids_bl", "boids_blt"),
     ("calibrate", "--platform"): ("li", "lily"),
     ("diagnose", "bag", "--platform"): ("je", "jeff"),
+    ("diagnose", "--fleet", "bags", "--platform"): ("li", "lily"),
     ("diagnose", "bag", "--fail-on"): ("mismatch,rec", "mismatch,recalibrate"),
     ("convert",): ("haizhe", "haizhe_auv"),
     ("experiment",): ("smo", "smoke"),

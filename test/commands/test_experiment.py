@@ -12,7 +12,7 @@ from rich.console import Console
 
 def test_the_time_left_is_known_between_long_chunks() -> None:
     """Chunks of a long design take more than half a minute each, those of two workers end almost together."""
-    from cocorosim_ros.commands.experiment import new_bar
+    from cocorosim_ros.commands.resumed_bar import new_bar
 
     now = 0.0
     bar, task = new_bar(Console(), "boids", 400, 0, lambda: now)
@@ -24,7 +24,7 @@ def test_the_time_left_is_known_between_long_chunks() -> None:
 
 def test_the_time_left_of_the_first_chunks_is_no_guess_from_two_that_end_together() -> None:
     """Half a second between the first two says nothing of the rest."""
-    from cocorosim_ros.commands.experiment import new_bar
+    from cocorosim_ros.commands.resumed_bar import new_bar
 
     now = 0.0
     bar, task = new_bar(Console(), "boids", 400, 100, lambda: now)

@@ -18,7 +18,15 @@ import cocorosim_ros
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "cocorosim_ros"
 FUNCTIONS = [name for name in cocorosim_ros.__all__ if name.islower()]
-RECORDS = ["Conversion", "DesignResults", "DiagnosisResult", "Recording", "ShoalStatistics", "SimulatedRun"]
+RECORDS = [
+    "Conversion",
+    "DesignResults",
+    "DiagnosisResult",
+    "FleetResult",
+    "Recording",
+    "ShoalStatistics",
+    "SimulatedRun",
+]
 WITHOUT_ROS = """
 import sys
 

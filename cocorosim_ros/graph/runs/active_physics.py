@@ -58,10 +58,15 @@ def _effects(robots: Iterable[RobotDescription]) -> _Acting:
     acting = _Acting(list(_EVERYWHERE))
     for name in EFFECTS:
         having = [robot for robot in every if name in effects_of(robot.platform)]
-        for reason in dict.fromkeys(_idle(name, robot, len(every)) for robot in having):
-            same = [robot.name for robot in having if _idle(name, robot, len(every)) == reason]
-            acting.add(f"{name}{_whose(same, every)}", reason)
+        _add_by_reason(acting, name, {robot.name: _idle(name, robot, len(every)) for robot in having}, every)
     return acting
+
+
+def _add_by_reason(acting: _Acting, name: str, reasons: dict[str, str], every: list[RobotDescription]) -> None:
+    """Take an effect once for all robots that have the same reason; reasons: by robot, empty where it acts."""
+    for reason in dict.fromkeys(reasons.values()):
+        same = [robot for robot, own in reasons.items() if own == reason]
+        acting.add(f"{name}{_whose(same, every)}", reason)
 
 
 def _idle(name: str, robot: RobotDescription, robots: int) -> str:
@@ -120,9 +125,8 @@ def _errors(scenario: Scenario) -> _Acting:
         only_recorded = {part.name for part in RECORDING_EFFECTS.get(name, ())}
         simulated = tuple(part for part in error.parameters if part.name not in only_recorded)
         having = [robot for robot in every if simulated and name in effects_of(robot.platform)]
-        for reason in dict.fromkeys(_zero(simulated, effects_of(robot.platform)[name]) for robot in having):
-            same = [each.name for each in having if _zero(simulated, effects_of(each.platform)[name]) == reason]
-            acting.add(f"{name}{_whose(same, every)}", reason)
+        reasons = {robot.name: _zero(simulated, effects_of(robot.platform)[name]) for robot in having}
+        _add_by_reason(acting, name, reasons, every)
     return acting
 
 

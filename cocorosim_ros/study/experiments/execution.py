@@ -10,6 +10,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from typing import Any
 
 import pyarrow as pa
 
@@ -36,7 +37,7 @@ def run_in_processes(chunks: Sequence[Chunk], workers: int, going: Going) -> Gen
     """
     waiting, deaths = deque(chunks), 0
     while waiting and going():
-        pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), _depend_on_parent)
+        pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), depend_on_parent)
         running: dict[Future[pa.Table], Chunk] = {}
         try:
             for rows in _feed(pool, waiting, running, workers, going):
@@ -52,7 +53,7 @@ def run_in_processes(chunks: Sequence[Chunk], workers: int, going: Going) -> Gen
                     "workers",
                 ) from error
         finally:
-            _end(pool)
+            end_pool(pool)
 
 
 def _feed(
@@ -73,7 +74,7 @@ def _feed(
             yield rows
 
 
-def _depend_on_parent() -> None:
+def depend_on_parent() -> None:
     """Ctrl-C reaches every process of the terminal: the parent decides what ends, and its death ends the worker."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
@@ -86,11 +87,15 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _end(pool: ProcessPoolExecutor) -> None:
-    """End the workers at once: what they have not handed over will be calculated again."""
+def end_pool(pool: ProcessPoolExecutor) -> list[int | None]:
+    """End the workers at once, and give their exit codes: what they have not handed over will be calculated again."""
     processes = list((pool._processes or {}).values())
+    manager: Any = pool._executor_manager_thread  # a thread, whatever the types of others say
     pool.shutdown(wait=False, cancel_futures=True)
     for process in processes:
         process.terminate()
+    if manager is not None:
+        manager.join()  # it waits for the workers too, and of two that wait one may miss how they ended
     for process in processes:
         process.join()
+    return [process.exitcode for process in processes]

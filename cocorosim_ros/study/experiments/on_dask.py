@@ -7,10 +7,10 @@ folder of the results. A controller of the user's own has to lie at the same pat
 from __future__ import annotations
 
 import logging
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
-from typing import Any
+from typing import Any, TypeVar
 
 import pyarrow as pa
 from dask.distributed import Client, KilledWorker
@@ -21,6 +21,8 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.experiments.execution import ASKED_EVERY, LOST_WORKERS, Going
 from cocorosim_ros.study.experiments.rows import Chunk, run_chunk
 
+A = TypeVar("A")
+B = TypeVar("B")
 _CONNECTING = 20  # s
 _OTHER_SET_UP = "Error during deserialization"  # how Dask's scheduler begins when it cannot load what it is given
 
@@ -46,11 +48,23 @@ def run_on_dask(chunks: Sequence[Chunk], client: Any, going: Going) -> Generator
     Chunks of a worker that dies are calculated again by others. Raises CocorosimError if that goes on, if the
     scheduler is lost or if the package cannot be loaded there.
     """
-    futures: list[Any] = []
+    for _, rows in work_on_dask(run_chunk, chunks, client, going):
+        yield rows
+
+
+def work_on_dask(
+    work: Callable[[A], B], jobs: Sequence[A], client: Any, going: Going, instead: Callable[[A], B] | None = None
+) -> Generator[tuple[A, B], None, None]:
+    """Each job with what `work` makes of it on a cluster, as it is finished.
+
+    instead: what a job gives over which Dask has lost worker after worker; None if that ends all. Raises
+    CocorosimError as `run_on_dask` does.
+    """
+    futures: dict[Any, A] = {}
     address = client.scheduler.address
     try:
-        futures = [client.submit(run_chunk, chunk, pure=False, retries=LOST_WORKERS) for chunk in chunks]
-        yield from _as_finished(futures, going)
+        futures = {client.submit(work, job, pure=False, retries=LOST_WORKERS): job for job in jobs}
+        yield from _as_finished(futures, going, instead)
     except (CancelledError, ClosedClientError, KilledWorker, ImportError, RuntimeError) as error:
         what = _what_happened(error)
         if not what:
@@ -58,7 +72,7 @@ def run_on_dask(chunks: Sequence[Chunk], client: Any, going: Going) -> Generator
         raise CocorosimError(f"The Dask scheduler at '{address}' {what}. What is finished is kept.") from error
     finally:
         with suppress(ClosedClientError):  # a client that has noticed the loss first has closed itself
-            client.cancel(futures)
+            client.cancel(list(futures))
 
 
 def _what_happened(error: Exception) -> str:
@@ -76,7 +90,9 @@ def _what_happened(error: Exception) -> str:
     return ""
 
 
-def _as_finished(futures: list[Any], going: Going) -> Generator[pa.Table, None, None]:
+def _as_finished(
+    futures: Mapping[Any, A], going: Going, instead: Callable[[A], B] | None
+) -> Generator[tuple[A, B], None, None]:
     left = list(futures)
     while left and going():
         try:
@@ -85,5 +101,15 @@ def _as_finished(futures: list[Any], going: Going) -> Generator[pa.Table, None, 
             continue
         for future in [future for future in left if future.done()]:
             left.remove(future)
-            yield future.result()
+            yield futures[future], _result(future, futures[future], instead)
             future.release()
+
+
+def _result(future: Any, job: A, instead: Callable[[A], B] | None) -> B:
+    try:
+        result: B = future.result()
+    except KilledWorker:
+        if instead is None:
+            raise
+        return instead(job)
+    return result

@@ -7,7 +7,6 @@ finished, and nothing else.
 from __future__ import annotations
 
 import json
-import os
 import shutil
 from pathlib import Path
 from typing import Any
@@ -16,13 +15,13 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
+from cocorosim_ros.foundation.output_file import replace_file
+from cocorosim_ros.foundation.resumed_folder import opening, refuse_foreign, remove_unfinished
 from cocorosim_ros.study.experiments.code_version import version
 from cocorosim_ros.study.experiments.design import CONTROLLER_FILES, Design
 from cocorosim_ros.study.experiments.folder_layout import DESIGN, PARTS, RESULTS
 from cocorosim_ros.study.experiments.results_folder import KEYS, part_files, read_folder, read_note, row_keys
 from cocorosim_ros.study.experiments.rows import RowKey
-
-_NEW = ".new"
 
 
 class Store:
@@ -32,14 +31,8 @@ class Store:
         """Raises CocorosimError if the folder holds something else, or rows of another design or of other code."""
         self._folder, self._design = folder, design
         self._parts = folder / PARTS
-        try:
+        with opening(folder):
             self._open(force)
-        except (FileExistsError, NotADirectoryError) as error:
-            told = f"{folder} is a file, or lies below one; give another folder with 'out'."
-            raise ArgumentError(told, "out") from error
-        except OSError as error:
-            told = f"The folder {folder} cannot be written: {error.strerror}; give another one with 'out'."
-            raise ArgumentError(told, "out") from error
 
     @property
     def results(self) -> Path:
@@ -79,7 +72,8 @@ class Store:
         return ordered
 
     def _open(self, force: bool) -> None:
-        self._refuse_foreign()
+        ours = (DESIGN, PARTS, RESULTS)
+        refuse_foreign(self._folder, DESIGN, lambda name: name in ours or name.endswith(".html"), "an experiment")
         if force:
             self._empty()
         mine = {**self._design.summary(), "version": version()}
@@ -87,20 +81,8 @@ class Store:
         if note.is_file():
             self._compare(read_note(self._folder), mine)
         self._parts.mkdir(parents=True, exist_ok=True)
-        for unfinished in self._folder.rglob(f"*{_NEW}"):
-            unfinished.unlink()
-        _replace(note, (json.dumps(mine, indent=2) + "\n").encode())
-
-    def _refuse_foreign(self) -> None:
-        there = sorted(part.name for part in self._folder.iterdir()) if self._folder.is_dir() else []
-        known = (DESIGN, PARTS, RESULTS)
-        foreign = [name for name in there if name not in known and not name.endswith((_NEW, ".html"))]
-        if foreign or (there and DESIGN not in there and not all(name.endswith(_NEW) for name in there)):
-            raise ArgumentError(
-                f"The folder {self._folder} holds '{(foreign or there)[0]}', which is no part of an experiment, so it "
-                "is not touched; give another folder with 'out'.",
-                "out",
-            )
+        remove_unfinished(self._folder)
+        replace_file(note, (json.dumps(mine, indent=2) + "\n").encode())
 
     def _empty(self) -> None:
         shutil.rmtree(self._parts, ignore_errors=True)
@@ -140,14 +122,4 @@ class Store:
 def _write(table: pa.Table, path: Path) -> None:
     buffer = pa.BufferOutputStream()
     pq.write_table(table, buffer, compression="zstd")
-    _replace(path, buffer.getvalue().to_pybytes())
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """The file is there in full or as it was, even if the power fails."""
-    new = path.with_name(path.name + _NEW)
-    with open(new, "wb") as stream:
-        stream.write(content)
-        stream.flush()
-        os.fsync(stream.fileno())
-    os.replace(new, path)
+    replace_file(path, buffer.getvalue().to_pybytes())

@@ -17,6 +17,7 @@ class FakePool:
 
     made = 0
     _processes: dict[int, Any] | None = None
+    _executor_manager_thread = None
 
     def __init__(self, *_: Any) -> None:
         FakePool.made += 1
