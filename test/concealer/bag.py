@@ -62,19 +62,19 @@ def blank(topic: str, frame: str) -> Any:
     return kind(header, 0.0, 0.0)
 
 
-def encoded(stream: Stream, robot: str) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
-    """Log times (n,) [ns] and messages (n, bytes) of a stream, in CDR."""
+def encoded(stream: Stream, robot: str, epoch_ns: int) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
+    """Log times (n,) [ns] and messages (n, bytes) of a stream whose time counts from epoch_ns, in CDR."""
     frame = "world" if stream.topic == "pose" else f"{robot}/base_link"
     template = np.frombuffer(
         bytes(typestore().serialize_cdr(blank(stream.topic, frame), TYPES[stream.topic])), np.uint8
     )
     count, numbers = stream.values.shape
     data = np.tile(template, (count, 1))
-    stamps = EPOCH_NS + np.rint(stream.stamp * 1e9).astype(np.int64)
+    stamps = epoch_ns + np.rint(stream.stamp * 1e9).astype(np.int64)
     data[:, 4:8] = (stamps // 10**9).astype("<i4")[:, None].view(np.uint8)
     data[:, 8:12] = (stamps % 10**9).astype("<u4")[:, None].view(np.uint8)
     data[:, template.size - 8 * numbers :] = np.ascontiguousarray(stream.values, "<f8").view(np.uint8)
-    return EPOCH_NS + np.rint(stream.logged * 1e9).astype(np.int64), data
+    return epoch_ns + np.rint(stream.logged * 1e9).astype(np.int64), data
 
 
 def new_writer(path: Path) -> Writer:
@@ -84,8 +84,8 @@ def new_writer(path: Path) -> Writer:
     return writer
 
 
-def write(path: Path, robots: dict[str, list[Stream]]) -> None:
-    """Writes a new recording; robots by namespace. Raises WriterError if the folder exists."""
+def write(path: Path, robots: dict[str, list[Stream]], epoch_ns: int = EPOCH_NS) -> None:
+    """Writes a new recording that begins at epoch_ns; robots by namespace. Raises WriterError if the folder exists."""
     with new_writer(path) as writer:
         times: list[NDArray[np.int64]] = []
         order: list[tuple[Connection, int, int]] = []
@@ -93,7 +93,7 @@ def write(path: Path, robots: dict[str, list[Stream]]) -> None:
         for robot, streams in robots.items():
             for stream in streams:
                 link = writer.add_connection(f"/{robot}/{stream.topic}", TYPES[stream.topic], typestore=typestore())
-                logged, data = encoded(stream, robot)
+                logged, data = encoded(stream, robot, epoch_ns)
                 order += [(link, len(bodies), k) for k in range(len(data))]
                 times.append(logged)
                 bodies.append(data)

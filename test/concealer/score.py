@@ -8,6 +8,7 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
+from concealer.calibration import calibration
 from concealer.cases import Case, load
 from concealer.estimates import of_effects, of_platform
 from concealer.figures import power_curve, rate, spread
@@ -136,6 +137,7 @@ def score(cases: list[Case], window: float = 20.0) -> Scores:
         },
         "intervals": intervals(cases),
         "held_out": held_out(cases, window),
+        "probabilities": calibration(cases),
         "confusion": confusion(cases),
         "failures": failures(cases),
     }

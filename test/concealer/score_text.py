@@ -29,6 +29,47 @@ def _spreads(title: str, spreads: dict[str, Any]) -> list[str]:
     return [f"## {title}", "", "| | median | quartiles | of |", "|---|---|---|---|", *rows, ""]
 
 
+def _reliability(title: str, rows: list[dict[str, Any]]) -> list[str]:
+    lines = [
+        f"| {_percent(row['from'])} to {_percent(row['to'])} | {_percent(row['mean'])} | {_percent(row['rate'])} "
+        f"| {row['hits']}/{row['of']} | {_percent(row['low'])} to {_percent(row['high'])} |"
+        for row in rows
+    ]
+    head = ["| told | in the mean | came true | | 95 % interval |", "|---|---|---|---|---|"]
+    return [f"### {title}", "", *head, *lines, ""]
+
+
+def probabilities_text(found: dict[str, Any]) -> list[str]:
+    """Lines about how often what was told as probable came true; none where no probability was told."""
+    if not found:
+        return []
+    best, score, certain = found["most_probable"], found["brier"], found["brier_of_certainty"]
+    kinds = [
+        f"| {name} | {_percent(row['mean'])} | {_percent(row['rate'])} | {row['hits']}/{row['of']} "
+        f"| {_percent(row['low'])} to {_percent(row['high'])} |"
+        for name, row in found["by_answer"].items()
+    ]
+    return [
+        "## Probabilities", "",
+        f"Brier's score over all answers (0 best, 2 worst): {_interval(score)}; of the same answers without a doubt, "
+        f"the most probable one told as certain: {_interval(certain)}.",
+        "",
+        f"Of the most probable answer alone: score {best['score']:.4f} = reliability {best['reliability']:.4f} - "
+        f"resolution {best['resolution']:.4f} + uncertainty {best['uncertainty']:.4f}, as far as forecasts within a "
+        "class are equal; the last is also the score of always telling how often it is right.",
+        "",
+        *_reliability("The most probable answer", found["by_most_probable"]),
+        *_reliability("All answers", found["by_any"]),
+        *_reliability("Each named effect by itself, whatever is hidden beside it", found["by_effect"]),
+        "| answer | told in the mean | came true | | 95 % interval |", "|---|---|---|---|---|", *kinds, "",
+    ]  # fmt: skip
+
+
+def _interval(score: dict[str, Any]) -> str:
+    ends = "" if score["low"] is None else f" ({score['low']:.3f} to {score['high']:.3f})"
+    return f"{score['mean']:.3f}{ends}"
+
+
 def as_text(figures: dict[str, Any]) -> str:
     """The whole report."""
     table, intervals = figures["table"], figures["intervals"]
@@ -55,6 +96,7 @@ def as_text(figures: dict[str, Any]) -> str:
     relative = {"all": intervals["relative_error"]} | intervals["relative_error_by_parameter"]
     lines += _spreads("Relative error of parameters", relative)
     lines += _spreads("Held-out free runs", figures["held_out"])
+    lines += probabilities_text(figures.get("probabilities") or {})
     lines += ["## First named effect by what was hidden", "", "| hidden | first named effect: how often |", "|---|---|"]
     for truth, counts in figures["confusion"].items():
         lines.append(f"| `{truth}` | " + ", ".join(f"`{name}`: {n}" for name, n in counts.items()) + " |")

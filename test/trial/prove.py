@@ -1,4 +1,7 @@
-"""`python test/trial/prove.py sealed | tampered | real | against`: proof that `cocorosim diagnose` keeps its word."""
+"""Proof that `cocorosim diagnose` keeps its word: `prove.py sealed | tampered | real | against | fleet`.
+
+`prove.py weights` fits the weights of its probabilities.
+"""
 
 from __future__ import annotations
 
@@ -63,10 +66,20 @@ def _sealed(options: argparse.Namespace) -> int:
     text = page(score, source, outcomes)
     options.pages.mkdir(parents=True, exist_ok=True)
     (options.pages / "trial.md").write_text(text, encoding="utf-8")
+    if score["figures"]["probabilities"]:
+        from trial.reliability_picture import draw
+
+        draw(score["figures"]["probabilities"], options.pages / "reliability.svg")
     facts = {"source": source, "outcomes": [asdict(o) for o in sorted(outcomes, key=lambda o: o.name)]}
     (options.pages / "trial.json").write_text(json.dumps(facts | score["figures"], indent=1) + "\n", encoding="utf-8")
     print(text)
     return 0
+
+
+def _weights(options: argparse.Namespace) -> int:
+    from trial.weights import prove
+
+    return prove(options.out, options.pages)
 
 
 def _tampered(options: argparse.Namespace) -> int:
@@ -95,6 +108,19 @@ def _against(options: argparse.Namespace) -> int:
     return prove(options.data, options.out, options.pages, terms_of(options), source)
 
 
+def _fleet(options: argparse.Namespace) -> int:
+    from concealer.fleet import FleetPlan
+    from trial.fleet import prove
+    from trial.provenance import note, noted, seed_of
+
+    source = noted(options.out, _command(options))
+    word = source.setdefault("seed_word", options.seed_word or source["commit"])
+    source |= {"seed": seed_of(word)}
+    note(options.out, source)
+    plan = FleetPlan(source["seed"], options.robots, options.weeks, options.loser, options.loss)
+    return prove(plan, options.out, options.pages, options.jobs, source)
+
+
 def parser() -> argparse.ArgumentParser:
     """The parser of the command line."""
     whole = argparse.ArgumentParser(prog="prove.py", description=__doc__)
@@ -120,12 +146,23 @@ def parser() -> argparse.ArgumentParser:
         other.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")
         other.add_argument("--sets", default="", help="real: folders of the data sets, by commas; all if left out")
         other.set_defaults(run=run)
+    three = commands.add_parser("weights", help="fit the weights of probabilities to what `sealed` left in a folder")
+    three.add_argument("--out", type=Path, required=True, help="folder of `sealed`")
+    three.add_argument("--pages", type=Path, help="folder for the reliability diagram and the figures of the weights")
+    three.set_defaults(run=_weights)
     four = commands.add_parser("against", parents=[common], help="altered logs against unaltered ones")
     four.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")
     four.add_argument("--count", type=int, default=200, help="altered logs, beside a control for each group")
     four.add_argument("--sets", default="", help="folders of the data sets, by commas; all if left out")
     four.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
     four.set_defaults(run=_against)
+    five = commands.add_parser("fleet", parents=[common], help="a fleet over weeks, one robot of which loses thrust")
+    five.add_argument("--robots", type=int, default=50)
+    five.add_argument("--weeks", type=int, default=10, help="recordings of each robot, one a week")
+    five.add_argument("--loser", type=int, default=6, help="number of the robot that loses thrust, from 0 on")
+    five.add_argument("--loss", type=float, default=0.01, help="share of the thrust lost a week")
+    five.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
+    five.set_defaults(run=_fleet)
     return whole
 
 

@@ -21,6 +21,8 @@ ASKED: tuple[tuple[str, str, float, float], ...] = (
     ("recordings that cannot tell: abstains", "cannot tell: abstains", 0.90, 0.98),
 )
 
+_PROBABILITIES, _PICTURE = "### Probabilities\n", "![How often what was told came true](reliability.svg)"
+
 
 def _row(name: str, measured: str, asked: tuple[str, str], held: bool | None) -> str:
     verdict = "-" if held is None else "yes" if held else "no"
@@ -95,4 +97,5 @@ def page(score: dict[str, Any], source: dict[str, Any], outcomes: Sequence[Outco
     lines += ["sealed by salted hashes before the tool ran. [How it works](../test/trial/README.md).", ""]
     lines += ["| | |", "|---|---|", *(f"| {key.replace('_', ' ')} | `{value}` |" for key, value in source.items()), ""]
     lines += [*endings(outcomes), "## What is asked for", "", *asked_table(figures)]
-    return "\n".join(lines) + "\n" + score["text"].replace("\n## ", "\n### ").replace("# ", "## ", 1)
+    text = score["text"].replace("\n### ", "\n#### ").replace("\n## ", "\n### ").replace("# ", "## ", 1)
+    return "\n".join(lines) + "\n" + text.replace(_PROBABILITIES, f"{_PROBABILITIES}\n{_PICTURE}\n", 1)

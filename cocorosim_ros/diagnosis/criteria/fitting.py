@@ -52,6 +52,10 @@ class RecalibrationCriteria:
     """[doublings] of the noise of readings beyond the gate: to 4000 times. Chosen, not measured."""
     most_rounds: int = 10
     """[turns of noise and unknowns] at most; a good start needs two or three. Chosen, not measured."""
+    most_regriddings: int = 2
+    """[fits] anew with steps of the filter that the found numbers ask for. Chosen, not measured."""
+    alike_steps: float = 1.3
+    """[1] quotient of two steps of the filter below which they are taken as equal. Chosen, not measured."""
     most_leaps: int = 4
     """[leaps] at most, each followed by a climb. Chosen, not measured."""
 
@@ -177,8 +181,28 @@ class StepCriteria:
     no_information: float = 1e-10
     """[of the mean eigenvalue] of a scaled information matrix: a direction with less is rounding. Chosen, not
     measured."""
+    at_bound: float = 1e-3
+    """[of q] nearer to its bound a number stands at it: steps are cut there exactly. Chosen, not measured."""
     least_push: float = 1e-9
     """[of an unknown's unit] by which a bound is tried: far below any step. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class PolishingCriteria:
+    """Last steps by exact slopes (`fitting.polishing`)."""
+
+    worth: float = 0.3
+    """[nats] that a step has to promise, and to gain. Chosen; measured: with 1 nat a Lily's fit ended 8 nats below its
+    summit."""
+    most_steps: int = 30
+    """[steps] at most, each of one pass for every number. Chosen, not measured: a glider's fit took 10, a tanker's
+    45."""
+    difference: float = 0.02
+    """[standard deviations] of a number for its slope. Chosen, not measured."""
+    least_curvature: float = 1e-6
+    """[1] of a number of which the recordings tell nothing. Chosen, not measured."""
+    largest_step: float = 1.0
+    """[of q] in one step: farther away the curvature says little. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -199,4 +223,5 @@ START = StartCriteria()
 FULL_FORCES = FullForceCriteria()
 FIRST_NOISE = FirstNoiseCriteria()
 STEPS = StepCriteria()
+POLISHING = PolishingCriteria()
 HELD_OUT = HeldOutCriteria()

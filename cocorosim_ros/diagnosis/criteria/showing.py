@@ -50,8 +50,6 @@ class FormWidthCriteria:
 class HardStopCriteria:
     """Signs of a fit that has gone wrong, under which nothing is more than suspected (`showing.hard_stops`)."""
 
-    at_bound: float = 1e-3
-    """[of q] nearer to its bound a number stands at it: steps are cut there exactly. Chosen, not measured."""
     worse: float = 1.1
     """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, not measured,
     as VERDICT.worse is."""

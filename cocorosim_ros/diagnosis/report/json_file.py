@@ -14,8 +14,10 @@ from cocorosim_ros.diagnosis.findings import (
     HeldOut,
     Located,
     Recalibrated,
+    ScreenedEffect,
 )
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
+from cocorosim_ros.diagnosis.showing.probability import probabilities_of
 
 
 def diagnosis_json(diagnosis: Diagnosis) -> str:
@@ -26,17 +28,20 @@ def diagnosis_json(diagnosis: Diagnosis) -> str:
 def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
     """The content of the file as nested plain values."""
     form = {"drag_form": diagnosis.drag_form} if diagnosis.drag_form else {}
+    believed = probabilities_of(diagnosis)
     return {
         "verdict": diagnosis.verdict,
         **form,
         "recalibrated": [_recalibrated(each) for each in diagnosis.recalibrated],
         "mismatch": [_located(each) for each in diagnosis.mismatch],
-        "effects": [_effect(each) for each in diagnosis.effects],
+        "effects": [_effect(*each) for each in zip(diagnosis.effects, believed.of_effects, strict=True)],
+        "probabilities": dict(believed.told),
         "not_shown_by_this_recording": list(diagnosis.not_shown),
         "next_manoeuvre": manoeuvre_words(diagnosis.manoeuvres),
         "warnings": list(diagnosis.warnings),
         "cannot_be_told": list(diagnosis.untold),
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
+        "screened": {each.id: _screened(each) for each in diagnosis.screened},
         **_against(diagnosis.against),
     }
 
@@ -82,7 +87,11 @@ def _located(found: Located) -> dict[str, Any]:
     }
 
 
-def _effect(found: FoundEffect) -> dict[str, Any]:
+def _screened(each: ScreenedEffect) -> dict[str, Any]:
+    return {"nats": _finite(each.nats), "seen_from": _finite(each.seen_from)}
+
+
+def _effect(found: FoundEffect, probability: float) -> dict[str, Any]:
     tree: dict[str, Any] = {"id": found.id, "name": found.name, "equation": found.equation}
     if found.topic is not None:
         tree["topic"] = found.topic
@@ -97,6 +106,7 @@ def _effect(found: FoundEffect) -> dict[str, Any]:
         "because": list(found.because),
         "parameters": parameters,
         "nats": _finite(found.nats),
+        "probability": probability,
         "ambiguous_with": rivals,
     }
 

@@ -25,6 +25,7 @@ from cocorosim_ros.diagnosis.report.number_text import (
 )
 from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_unit
 from cocorosim_ros.diagnosis.report.place_figure import over_place
+from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY, residual_of, said_law
 from cocorosim_ros.diagnosis.report.residual_figures import (
@@ -66,6 +67,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         verdict=verdict_words(diagnosis),
         details=detail_lines(diagnosis),
         control=control_words(diagnosis.against),
+        probability=told_probabilities(diagnosis),
         manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),
         **_what(diagnosis),

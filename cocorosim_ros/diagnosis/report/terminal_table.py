@@ -18,12 +18,15 @@ from cocorosim_ros.diagnosis.report.number_text import (
     plain_number,
     with_unit,
 )
+from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
-    """Tables of effects, moved parameters and held-out errors, those that would be empty left out, and warnings."""
+    """Tables of effects, moved parameters and held-out errors, empty ones left out; probabilities, and warnings."""
     tables = [_effects(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
+    if diagnosis.effects or (diagnosis.screened and diagnosis.verdict != "insufficient"):  # else those of before
+        shown.append(Text(f"probability: {told_probabilities(diagnosis)}"))
     shown += [Text(f"take care: {warning}") for warning in diagnosis.warnings]
     if diagnosis.manoeuvres:
         shown.append(Text(f"next: {manoeuvre_words(diagnosis.manoeuvres)}"))

@@ -34,9 +34,11 @@ FORM: Any = {
         {
             "id": TEXT, "name": TEXT, "equation": TEXT, "robots": [TEXT], "tier": TEXT,
             "parameters": {"*": {"value": (*NUMBER, str), "ci95": [NUMBER], "unit": (str, type(None))}},
-            "nats": NUMBER, "ambiguous_with": [{"id": TEXT, "nats_behind": NUMBER}], "because": [TEXT],
+            "nats": NUMBER, "probability": (float,), "ambiguous_with": [{"id": TEXT, "nats_behind": NUMBER}],
+            "because": [TEXT],
         }
     ],
+    "probabilities": {"*": (float,)},
     "not_shown_by_this_recording": [TEXT],
     "next_manoeuvre": (str, type(None)),
     "warnings": [TEXT],
@@ -46,6 +48,7 @@ FORM: Any = {
             "*": {"nominal": NUMBER, "recalibrated": NUMBER, "augmented": NUMBER, "noise_floor": NUMBER, "unit": TEXT}
         }
     },
+    "screened": {"*": {"nats": NUMBER, "seen_from": NUMBER}},
 }  # fmt: skip
 OPTIONAL = {"topic", "against"}
 

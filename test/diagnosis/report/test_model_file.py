@@ -50,9 +50,21 @@ def test_parameters_and_effects_come_back(example: Example, tmp_path: Path) -> N
     assert (model.drag, model.yaw_inertia) == (1.853, 4.11e-4)
     assert model.effects == {"added_mass": {"sway_minus_surge": 0.0443, "yaw": 6.1e-5}}
     same = replace(
-        model, drag=lily.drag, yaw_inertia=lily.yaw_inertia, effect_quantities={}, description=lily.description
-    )
+        model, drag=lily.drag, yaw_inertia=lily.yaw_inertia, effect_quantities={}, intervals={},
+        description=lily.description,
+    )  # fmt: skip
     assert same == lily
+
+
+def test_a_fitted_number_keeps_its_interval(example: Example, tmp_path: Path) -> None:
+    """So the next diagnosis knows how sure the number is; one that was not told by any reading has none."""
+    found = example("recalibrate")
+    numbers = {each.parameter: each.estimate for each in found.all_recalibrated}
+    model = written(tmp_path, found, origin())
+    assert (model.intervals["drag"].low, model.intervals["drag"].high) == (numbers["drag"].low, numbers["drag"].high)
+    blind = [replace(each, estimate=replace(each.estimate, low=-math.inf, high=math.inf)) for each in
+             found.all_recalibrated]  # fmt: skip
+    assert written(tmp_path, replace(found, all_recalibrated=tuple(blind), recalibrated=()), origin()).intervals == {}
 
 
 def test_a_fitted_number_keeps_its_range(example: Example, tmp_path: Path) -> None:
@@ -102,7 +114,8 @@ def _around(value: float, unit: str) -> Estimate:
 def test_every_found_number_says_where_it_is_from(example: Example, tmp_path: Path) -> None:
     """Unit, source with the bag's name, confidence and interval stand beside the number."""
     entry = parse_yaml(model_yaml(example("mismatch"), origin()), "model")
-    drag = entry.mapping()["drag"].mapping()
+    drag = dict(entry.mapping()["drag"].mapping())
+    assert [part.value for part in drag.pop("ci95").items()] == [1.831, 1.875]
     assert {name: part.value for name, part in drag.items()} == {
         "value": 1.853,
         "unit": "kg/m",

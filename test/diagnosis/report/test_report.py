@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Located, ResidualReading
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Located, ResidualReading
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
 from cocorosim_ros.diagnosis.tracks.columns import NOISE_UNITS
@@ -301,3 +301,20 @@ def test_a_browser_shows_the_page(pages: Pages, tmp_path: Path, browse: Callable
     picture = imread(tmp_path / "report.png")
     assert picture.shape[:2] == (2000, 1280)
     assert len(np.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 10
+
+
+def test_probabilities_stand_once_and_in_words(example: Example) -> None:
+    """Whole percents that add up to 100, without underscores, and what is meant by nothing and by something else."""
+    for verdict in ("mismatch", "recalibrate", "consistent", "insufficient"):
+        text = page(example(verdict))[1].text
+        told = re.findall(r"How probable: (.*?)\. Nothing: the physics of the model is complete, but for numbers", text)
+        assert len(told) == 1 and "_" not in told[0]
+        assert sum(map(int, re.findall(r"(\d+) %", told[0]))) == 100
+        assert "something else" in told[0] and text.count("How probable") == 1
+        assert ("what is believed without it" in text) == (verdict == "insufficient")
+
+
+def test_probabilities_of_a_comparison_are_of_the_difference(example: Example) -> None:
+    """Nothing then means that the vehicles are alike."""
+    text = page(replace(example("consistent"), against=Comparison(("good",), (), ())))[1].text
+    assert "Nothing: the vehicles are alike, but for numbers" in text

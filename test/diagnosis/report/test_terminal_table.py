@@ -32,6 +32,15 @@ def test_a_mismatch_shows_effects_numbers_and_errors(example: Example) -> None:
     assert "11.1 mm" in text and "readings" in text
 
 
+def test_probabilities_are_one_line(example: Example) -> None:
+    """Whole percents of the sets of suspects; silence is mostly nothing."""
+    lines = [line for line in shown(example("mismatch")).splitlines() if line.startswith("probability: ")]
+    assert len(lines) == 1 and "% added mass" in lines[0] and "% anisotropic drag" in lines[0]
+    silent = next(line for line in shown(example("consistent")).splitlines() if line.startswith("probability: "))
+    assert silent.split(", ")[0].endswith("% nothing")
+    assert "probability: " not in shown(example("insufficient"))
+
+
 def test_empty_tables_are_left_out(example: Example) -> None:
     """A recording that cannot tell shows what to record, and no table."""
     text = shown(example("insufficient"))
