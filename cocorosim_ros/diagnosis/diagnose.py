@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import numpy as np
 from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
@@ -17,18 +18,19 @@ from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
-from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, finite
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
-from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, unseen_parts
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
-from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
+from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
@@ -61,8 +63,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     if evidence.platform.drag_form is None:
         base, form = with_best_form(base, RECALIBRATION.most_rounds)
     progress("choosing what no fit sees", 0.2)
-    unseen = unseen_parts(base)
-    naming = name_effects(base, lambda words, share: progress(words, 0.25 + 0.45 * share), unseen)
+    unseen, naming = _named(base, progress)
     progress("locating what was missing", 0.7)
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
@@ -70,8 +71,9 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     naming, free = _that_helps(naming, unseen)
     table = free.table
     progress("writing down", 0.95)
-    effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named))
-    every, moved = recalibrated(naming.fit)
+    numbers = fitted(naming.fit)
+    effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named, numbers))
+    every, moved = recalibrated(numbers)
     moved = moved or (_strongest(every) if _shifted(base) else ())
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
@@ -105,6 +107,21 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         warnings=tuple(each.sentence for each in against if each.effect is None),
         untold=untold_errors(base.tracks),
     )
+
+
+def _named(base: Fit, progress: Progress) -> tuple[Unseen, Naming]:
+    """Name effects, with free runs that are as long as the found vehicle coasts.
+
+    A recalibrated model that lacks an effect may coast for a third of the time, as a blimp does whose drag has to stand
+    for that sideways. So where the found model coasts for another time, the search begins again with free runs of
+    its length: one that began with the found model would take these too.
+    """
+    unseen = unseen_parts(base)
+    naming = name_effects(base, lambda words, share: progress(words, 0.25 + 0.3 * share), unseen)
+    if naming.named and (seconds := seconds_of_free_runs(naming.fit)) != unseen.seconds:
+        unseen = unseen_parts(base, seconds)
+        naming = name_effects(base, lambda words, share: progress(words, 0.55 + 0.15 * share), unseen)
+    return unseen, naming
 
 
 def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:
@@ -180,9 +197,16 @@ def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], *, b
 
 
 def _shifted(base: Fit) -> bool:
-    """Tell whether the platform's own numbers, taken together, do not fit."""
-    gain = base.objective - nominal_fit(base).objective
-    return 2.0 * gain > float(chi2.ppf(1.0 - VERDICT.sure, len(base.unknowns)))
+    """Tell whether the platform's own numbers, taken together, do not fit.
+
+    By the likelihood ratio; and where the platform's file gives 95 % intervals, also by the distance from its numbers
+    in standard deviations of both (Wald's test).
+    """
+    surely = float(chi2.ppf(1.0 - VERDICT.sure, len(base.unknowns)))
+    if 2.0 * (base.objective - nominal_fit(base).objective) <= surely:
+        return False
+    stated = np.array([unknown.stated for unknown in base.unknowns])
+    return not stated.any() or float(base.q @ solve(covariance(base) + np.diag(stated**2), base.q)) > surely
 
 
 def _strongest(every: Sequence[Recalibrated]) -> tuple[Recalibrated, ...]:

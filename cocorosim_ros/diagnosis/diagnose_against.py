@@ -30,7 +30,7 @@ from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_eff
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
 from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
-from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
@@ -104,7 +104,7 @@ def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[st
 
 def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
     spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
-    every, _ = recalibrated(learned)
+    every, _ = recalibrated(fitted(learned))
     origins = tuple(recording.origin for recording in good.recordings)
     return Comparison(origins, learned_effects(learned), control, spreads, every)
 
@@ -115,8 +115,9 @@ def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
 
 def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -> Diagnosis:
     """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
-    moved = differing_numbers(naming)
-    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, judged.thrusters))
+    numbers = fitted(naming.fit)
+    moved = differing_numbers(naming, numbers)
+    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, numbers, judged.thrusters))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))

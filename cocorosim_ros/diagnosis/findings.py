@@ -134,6 +134,7 @@ class ScreenedEffect:
     id: str
     nats: float  # gained by it alone over the recalibrated model
     detectable: Mapping[str, float]  # per parameter the smallest value that these recordings would show
+    seen_from: float = 0.0  # [of a bad case] size of all its amplitudes from which it would show
 
 
 @dataclass(frozen=True)

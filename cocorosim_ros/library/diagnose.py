@@ -51,8 +51,7 @@ def diagnose(
     function(progress, "progress")
     if out is not None:
         check_folder(Path(place_text(out, "out")), force=force)
-    model = _platform(platform, "platform")
-    model = model if known is None else knowing(model, _platform(known, "known"))
+    model = model_of(platform, known)
     judged, well = _paths(bags, "bags"), [] if against is None else _paths(against, "against")
     # Loaded here: a path that is wrong is said before the weight comes.
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
@@ -75,6 +74,12 @@ def diagnose(
         progress("writing", 1.0)
         result.save(out, force=force)
     return result
+
+
+def model_of(platform: Place | Platform, known: Place | Platform | None) -> Platform:
+    """The platform that recordings are compared with, with what is taken as known. Raises CocorosimError."""
+    model = _platform(platform, "platform")
+    return model if known is None else knowing(model, _platform(known, "known"))
 
 
 def _platform(platform: Place | Platform, name: str) -> Platform:

@@ -46,6 +46,13 @@ class DiagnosisResult(Shown):
         """What the model lacked: identifier, equation, robots, numbers with 95 % intervals, nats, rivals."""
         return self.diagnosis.effects
 
+    @cached_property
+    def probabilities(self) -> Mapping[str, float]:
+        """How probable each set of suspects is, with 'something else' and 'nothing', in all 1."""
+        from cocorosim_ros.diagnosis.showing.probability import probabilities_of
+
+        return probabilities_of(self.diagnosis).told
+
     @property
     def recalibrated(self) -> tuple[Recalibrated, ...]:
         """The platform's numbers that have moved, with 95 % intervals."""

@@ -45,7 +45,7 @@ MADE: dict[str, Callable[[], Any]] = {
     "SimulatedRun": lambda: cocorosim.simulate("five_lilys", duration=2.0),
     "TopicReadings": lambda: cocorosim.read_recording(SHIPPED).readings["lily_01"]["imu"],
 }
-ELSEWHERE = {"DesignResults", "DiagnosisResult"}  # which take runs and fits: test/library has them shown
+ELSEWHERE = {"DesignResults", "DiagnosisResult", "FleetResult"}  # which take runs and fits: test/library has them shown
 ROWS = {
     # what a table has as many rows of as there are
     "CheckedRecording": lambda made: len(made.findings),

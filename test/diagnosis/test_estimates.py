@@ -10,12 +10,32 @@ def test_no_interval_is_narrower_than_the_steps_of_the_filter(swim: Any) -> None
     from dataclasses import replace
 
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-    from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+    from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     plain = load_platform("lily")
     true = replace(plain, yaw_drag=1.01 * plain.yaw_drag)
-    every, _ = recalibrated(base_fit(swim(true, 600.0, seed=7, base=plain, disturbance=0.0)))
+    every, _ = recalibrated(fitted(base_fit(swim(true, 600.0, seed=7, base=plain, disturbance=0.0))))
     (found,) = [part.estimate for part in every if part.parameter == "yaw_drag"]
     assert found.low <= true.yaw_drag <= found.high
     assert found.high - found.low > 6e-4 * true.yaw_drag
+
+
+def test_a_number_that_was_measured_has_to_leave_both_intervals(swim: Any) -> None:
+    """Drag of 1.2 times what the file says: moved, if the file is sure of it; not moved, if it says 0.8 to 1.3 times.
+
+    By hand: the file's standard deviation is log(1.3 / 0.8) / 3.92 = 0.124, and log 1.2 = 0.18.
+    """
+    from dataclasses import replace
+
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.ranges import Range
+
+    plain = load_platform("lily")
+    vague = replace(plain, intervals={"drag": Range(0.8 * plain.drag, 1.3 * plain.drag, "kg/m")})
+    for base, names in ((plain, ["drag"]), (vague, [])):
+        fit = base_fit(swim(replace(plain, drag=1.2 * plain.drag), 200.0, seed=8, base=base))
+        _, moved = recalibrated(fitted(fit))
+        assert [each.parameter for each in moved] == names

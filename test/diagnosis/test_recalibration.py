@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.fitting import recalibration
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+from cocorosim_ros.scenario.reading.ranges import Range
 
 Swim = Callable[..., Any]
 
@@ -40,7 +41,7 @@ def rough(swim: Swim) -> Any:
     return doubted(swim(load_platform("lily"), 60.0, disturbance=0.3), 0.1)
 
 
-def test_the_best_of_three_ways_is_taken(rough: Any) -> None:
+def test_the_best_of_the_ways_is_taken(rough: Any) -> None:
     """Readings that the first guess shuts out are heeded at the second start, and the base is no worse than by any."""
     first = recalibration.first_fit(rough)
     second = recalibration._at_random(first)
@@ -50,7 +51,7 @@ def test_the_best_of_three_ways_is_taken(rough: Any) -> None:
         settled(recalibration._opened(start), RECALIBRATION.most_rounds).objective
         for start in (first, second, recalibration._without_inertial(first))
     ]
-    assert recalibration.base_fit(rough).objective == pytest.approx(max(ways))
+    assert recalibration.base_fit(rough).objective >= max(ways) - 1e-6
 
 
 def test_a_tracker_that_was_at_a_loss_once_is_good_elsewhere(swim: Swim) -> None:
@@ -130,3 +131,18 @@ def test_a_platform_that_is_far_off_does_not_drown_its_readings(swim: Swim) -> N
     blind = replace(log, streams={name: each for name, each in log.streams.items() if name != "pose"})
     fit = recalibration.base_fit(replace(evidence, recordings=(replace(recording, robots=(blind,)),)))
     assert noise_of(fit)["reading.pressure"] == [pytest.approx(8.0, rel=0.1)]
+
+
+def test_steps_of_the_filter_follow_the_found_numbers(swim: Swim) -> None:
+    """A file with a hundredth of a Lily's drags asks for long steps; the fit is made again with those of a Lily."""
+    lily = load_platform("lily")
+    wide = {"drag": Range(0.01, 5.0, "kg/m"), "yaw_drag": Range(1e-7, 1e-3, "N m s^2")}
+    slow = replace(lily, drag=0.01 * lily.drag, yaw_drag=0.01 * lily.yaw_drag, ranges=wide)
+    evidence = swim(lily, 100.0, seed=3, base=slow)
+    before, after = recalibration.first_fit(evidence), recalibration.base_fit(evidence)
+    of_lily = recalibration.first_fit(swim(lily, 100.0, seed=3)).tracks[0].timeline.grid.step
+    steps = [fit.tracks[0].timeline.grid.step for fit in (before, after)]
+    assert steps[0] > RECALIBRATION.alike_steps * of_lily
+    assert 1.0 / RECALIBRATION.alike_steps < steps[1] / of_lily < RECALIBRATION.alike_steps
+    (drag,) = [each.value(float(q)) for each, q in zip(after.unknowns, after.q, strict=True) if each.column == "drag"]
+    assert drag == pytest.approx(lily.drag, rel=0.1)

@@ -56,6 +56,8 @@ def test_the_files_are_those_of_the_command(
     assert (result.model_yaml, result.report_html) == (result.files["model.yaml"], result.files["report.html"])
     assert result.next_manoeuvre_yaml is None
     assert json.loads(result.files["diagnosis.json"]) == result.tree
+    assert result.tree["probabilities"] == result.probabilities
+    assert sum(result.probabilities.values()) == pytest.approx(1.0)
     assert library.load_platform(tmp_path / "mine" / "model.yaml").drag == 1.9
 
 

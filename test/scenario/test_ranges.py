@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import load_platform, platform_tree, read_platform
 from cocorosim_ros.scenario.reading.entry import entry_of
-from cocorosim_ros.scenario.reading.ranges import Range, collect_ranges
+from cocorosim_ros.scenario.reading.ranges import INTERVAL, Range, collect_ranges
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 
 
@@ -57,3 +59,28 @@ def test_vehicles_without_pump_and_yaw_control() -> None:
     haizhe, hovercraft = load_platform("haizhe_auv"), load_platform("hovercraft_epfl")
     assert haizhe.actuator_wrenches().tolist() == [[0.0, 0.0, -1.0, 0.0]] * 4
     assert hovercraft.actuator_limits()[:, 1].tolist() == [0.0, 0.0]
+
+
+def test_an_interval_stands_beside_a_range(tmp_path: Path) -> None:
+    """What was measured has a 95 % interval, what may be has a range; a robot of its own has its own interval."""
+    (tmp_path / "model.yaml").write_text(
+        """based_on: lily
+drag: {value: 1.9, unit: kg/m, range: [1, 4], ci95: [1.8, 2.1], source: hand}
+robots:
+  lily_02: {drag: {value: 2.0, unit: kg/m, ci95: [1.7, 2.2], source: hand}}
+""",
+        "utf-8",
+    )
+    model = load_platform(tmp_path / "model.yaml")
+    assert model.ranges == {"drag": Range(1.0, 4.0, "kg/m")}
+    assert model.intervals == {"drag": Range(1.8, 2.1, "kg/m")}
+    assert model.of_robot("lily_02").intervals == {"drag": Range(1.7, 2.2, "kg/m")}
+    again = read_platform(entry_of(platform_tree(model), "again"))
+    assert again == model
+    assert again.of_robot("lily_02").intervals == model.of_robot("lily_02").intervals
+
+
+def test_a_wrong_interval() -> None:
+    """It has to hold its value, and the sentence says which key."""
+    with pytest.raises(CocorosimError, match=r"'mass.ci95' has .*leaves out the value '1'; widen it"):
+        collect_ranges(parse_yaml("mass: {value: 1, unit: kg, ci95: [2, 3], source: hand}\n", "p.yaml"), INTERVAL)

@@ -21,6 +21,16 @@ def averaged(time: Floats, value: Floats) -> Floats:
     return np.asarray((steps[lag:] - steps[:-lag]) / np.maximum(time[lag:] - time[:-lag], CHECKING.shortest_step))
 
 
+def rates_of(time: Floats, vectors: Floats) -> Floats:
+    """(n - lag, axes) mean rates of change, as `rate_of`, of vectors (n, axes)."""
+    return np.column_stack([rate_of(time, column) for column in vectors.T])
+
+
+def averages_of(time: Floats, vectors: Floats) -> Floats:
+    """(n - lag, axes) means over the same times, as `averaged`, of vectors (n, axes)."""
+    return np.column_stack([averaged(time, column) for column in vectors.T])
+
+
 def turned(vector: Floats, angle: Floats) -> Floats:
     """(n, 2) vectors turned counter-clockwise by angles (n,) [rad]."""
     cosine, sine = np.cos(angle), np.sin(angle)

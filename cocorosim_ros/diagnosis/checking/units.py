@@ -10,7 +10,14 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.checking.covariances import first_variances
 from cocorosim_ros.diagnosis.checking.finding import Oddity
-from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned
+from cocorosim_ros.diagnosis.checking.motion import (
+    averaged,
+    averages_of,
+    rate_of,
+    rates_of,
+    slope_and_correlation,
+    turned,
+)
 from cocorosim_ros.diagnosis.checking.topic_log import TopicLog
 from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING
 from cocorosim_ros.foundation.arrays import Floats
@@ -113,13 +120,12 @@ def _attitude_beside(path: str) -> str:
 
 
 def _velocity(topic: TopicLog) -> str:
-    place, turn = topic.vector("pose.pose.position"), topic.vector("pose.pose.orientation", "xyzw")
-    told = topic.vector("twist.twist.linear")
+    place, turn = topic.vector("pose.pose.position", "xy"), topic.vector("pose.pose.orientation", "xyzw")
+    told = topic.vector("twist.twist.linear", "xy")
     if place is None or turn is None or told is None or len(place) < CHECKING.fewest:
         return ""
     time = topic.time()
-    over_ground = np.column_stack([rate_of(time, place[:, axis]) for axis in range(2)])
-    mean = np.column_stack([averaged(time, told[:, axis]) for axis in range(2)])
+    over_ground, mean = rates_of(time, place), averages_of(time, told)
     heading = np.unwrap(yaw_of_quaternions(turn))
     in_body = turned(over_ground, -averaged(time, heading))
     _, by_body = slope_and_correlation(in_body.ravel(), mean.ravel())

@@ -14,7 +14,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.fitting import FIRST_NOISE, FULL_FORCES, RANDOMNESS, RECALIBRATION
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.fitting.declared_numbers import is_steered_alone
-from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, RANDOM_FORCE, READING, Owner, Unknown, log_deviation
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import (
     COLUMN,
@@ -112,7 +112,10 @@ def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
                 prior = _prior(column, ranges)
                 owner = Owner(PLATFORM, (robot,), name, unit)
                 bounds = _bounds(column, base, ranges)
-                found.append(Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=bounds))
+                stated = _stated(column, vehicle.intervals)
+                found.append(
+                    Unknown(owner, column, numbers, base, logarithmic=True, prior=prior, bounds=bounds, stated=stated)
+                )
     return found
 
 
@@ -137,6 +140,12 @@ def _prior(column: str, ranges: Ranges) -> float:
     found = [each for key, each in ranges.items() if key.endswith(wanted) and each.low > 0.0]
     widths = [math.log(each.high / each.low) / RECALIBRATION.range_widths for each in found]
     return max([RECALIBRATION.prior, *widths])
+
+
+def _stated(column: str, intervals: Ranges) -> float:
+    """Standard deviation of the logarithm of a number by the 95 % interval that the platform's file gives, else 0."""
+    given = intervals.get(column)
+    return log_deviation(given.low, given.high) if given is not None and given.low > 0.0 else 0.0
 
 
 def noise_unknowns(tracks: Sequence[Track], rows: Floats) -> list[Unknown]:

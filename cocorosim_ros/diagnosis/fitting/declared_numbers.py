@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
-from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown, deviation
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, OWN_GAINS
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -45,11 +45,12 @@ def is_steered_alone(vehicle: VehicleModel) -> bool:
 
 
 class _Ranged(NamedTuple):
-    """A number with a range: its column, how a diagnosis calls it, and the range."""
+    """A number with a range: its column, how a diagnosis calls it, the range, and the 95 % interval if there is one."""
 
     column: str
     name: str
     limits: Range
+    interval: Range | None
 
 
 def _declared(vehicle: VehicleModel) -> Iterator[_Ranged]:
@@ -57,9 +58,9 @@ def _declared(vehicle: VehicleModel) -> Iterator[_Ranged]:
     for key, limits in vehicle.ranges.items():
         column = key.removeprefix(SECTION)
         if key.startswith(SECTION) and column in COLUMN:
-            yield _Ranged(column, column, limits)
+            yield _Ranged(column, column, limits, vehicle.intervals.get(key))
         elif key in vehicle.own:
-            yield _Ranged(vehicle.own[key].column, key, limits)
+            yield _Ranged(vehicle.own[key].column, key, limits, vehicle.intervals.get(key))
 
 
 def _unknown(robot: str, numbers: tuple[int, ...], declared: _Ranged, base: float) -> Unknown:
@@ -67,4 +68,6 @@ def _unknown(robot: str, numbers: tuple[int, ...], declared: _Ranged, base: floa
     width = (limits.high - limits.low) / RECALIBRATION.range_widths
     bounds = ((limits.low - base) / width, (limits.high - base) / width)
     owner = Owner(PLATFORM, (robot,), declared.name, limits.unit)
-    return Unknown(owner, declared.column, numbers, base, scale=width, prior=1.0, bounds=bounds)
+    given = declared.interval
+    stated = deviation(given.low, given.high) / width if given is not None else 0.0
+    return Unknown(owner, declared.column, numbers, base, scale=width, prior=1.0, bounds=bounds, stated=stated)

@@ -17,7 +17,15 @@ from numpy.typing import NDArray
 
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.solving import solve
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_centre, prior_precision, write_values
+from cocorosim_ros.diagnosis.fitting.unknowns import (
+    Unknown,
+    log_prior,
+    nudged,
+    prior_centre,
+    prior_slope,
+    prior_weights,
+    write_values,
+)
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
@@ -44,7 +52,7 @@ class Fit:
     @property
     def objective(self) -> float:
         """Log-likelihood plus log prior [nats], up to a constant; minus infinity where the model ran away."""
-        whole = self.log_likelihood + _log_prior(self.unknowns, self.q) + _log_prior(self.noise, self.q_noise)
+        whole = self.log_likelihood + log_prior(self.unknowns, self.q) + log_prior(self.noise, self.q_noise)
         return whole if math.isfinite(whole) else -math.inf
 
     @property
@@ -56,11 +64,6 @@ class Fit:
     def information(self) -> Information:
         """Slopes, Fisher information and score of the unknowns at the fit, computed when first asked for."""
         return _information(self)
-
-
-def _log_prior(unknowns: Sequence[Unknown], q: Floats) -> float:
-    """Log density of the normal priors at q (n,), up to a constant."""
-    return -0.5 * float(np.sum(prior_precision(unknowns) * (q - prior_centre(unknowns)) ** 2))
 
 
 def make_fit(tracks: Sequence[Track], rows: Floats, unknowns: Sequence[Unknown], noise: Sequence[Unknown]) -> Fit:
@@ -130,8 +133,7 @@ def information(fit: Fit) -> Information:
 
 def _information(fit: Fit) -> Information:
     by_track = slopes(fit, fit.unknowns, fit.q)
-    precision = prior_precision(fit.unknowns)
-    matrix, score = np.diag(precision), -precision * (fit.q - prior_centre(fit.unknowns))
+    matrix, score = np.diag(prior_weights(fit.unknowns, fit.q)), prior_slope(fit.unknowns, fit.q)
     own = tuple(_felt(fit, number, slope) for number, slope in enumerate(by_track))
     for passed, felt in zip(fit.passes, own, strict=True):
         matrix[felt.block] += weighted_products(felt.slopes, felt.slopes, passed.variance)

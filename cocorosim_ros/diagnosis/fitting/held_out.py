@@ -52,11 +52,7 @@ def _foretold(fit: Fit, kept: Collection[str]) -> Floats:
     matrix, known_score = known.matrix[np.ix_(loose, loose)], known.score[loose]
     found = []
     for track, passed, slope in zip(fit.tracks, fit.passes, known.slopes, strict=True):
-        grid = track.timeline.grid
-        block = np.minimum(
-            ((track.timeline.stamp - grid.begin) / (grid.step * grid.points) * HELD_OUT.blocks).astype(np.int64),
-            HELD_OUT.blocks - 1,
-        )
+        block = track.timeline.parts(HELD_OUT.blocks)
         for number in range(HELD_OUT.blocks):
             chosen = block == number
             innovation, variance = passed.innovation[chosen], passed.variance[chosen]

@@ -10,7 +10,7 @@ from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.solving import solve
-from cocorosim_ros.diagnosis.fitting.unknowns import nudged, prior_centre, prior_precision
+from cocorosim_ros.diagnosis.fitting.unknowns import nudged, prior_precision, prior_slope
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
@@ -25,9 +25,7 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
     noise i.
     """
     unknowns = [fit.noise[index] for index in chosen]
-    precision = prior_precision(unknowns)
-    score = -precision * (fit.q_noise[chosen] - prior_centre(unknowns))
-    matrix = np.diag(precision)
+    score, matrix = prior_slope(unknowns, fit.q_noise[chosen]), np.diag(prior_precision(unknowns))
     filled = fit.filled
 
     def of_track(number: int) -> tuple[Floats, Floats]:

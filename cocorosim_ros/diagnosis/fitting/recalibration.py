@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -14,9 +15,11 @@ from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
+from cocorosim_ros.diagnosis.fitting.polishing import polished
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_COLUMNS, WATER_NOISE
-from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
+from cocorosim_ros.diagnosis.tracks.make_tracks import NONE_FOUND, make_tracks
+from cocorosim_ros.diagnosis.tracks.track import Track, wanted_step
 from cocorosim_ros.foundation.arrays import Floats
 
 INERTIAL = ("reading.gyro_z", "reading.accel")
@@ -29,17 +32,37 @@ AT_RANDOM = {
 }
 
 
-def first_fit(evidence: Evidence) -> Fit:
-    """Make tracks of the evidence, and the model with the numbers of the platform's file and a first guess of noise."""
-    tracks = make_tracks(evidence)
+def first_fit(evidence: Evidence, found: Mapping[str, Floats] = NONE_FOUND) -> Fit:
+    """Make tracks of the evidence, and the model with the numbers of the platform's file and a first guess of noise.
+
+    found: as in `make_tracks`.
+    """
+    tracks = make_tracks(evidence, found)
     rows = base_rows(tracks)
     unknowns = [*base_unknowns(tracks), *declared_unknowns(tracks)]
     return make_fit(tracks, rows, unknowns, noise_unknowns(tracks, rows))
 
 
 def base_fit(evidence: Evidence) -> Fit:
-    """Fit the recalibrated model: the platform's numbers and the noise at their most likely values."""
-    return climbed(first_fit(evidence))
+    """Fit the recalibrated model: the platform's numbers and the noise at their most likely values.
+
+    The steps of the filter are those that the platform's file asks for. If the numbers that are found ask for others,
+    as for a ship that brakes in a tenth of the time, the fit is made once more with these: a diagnosis with the found
+    model would take them too, and has to find the same.
+    """
+    base = climbed(first_fit(evidence))
+    for _ in range(RECALIBRATION.most_regriddings):
+        if all(_has_its_step(track, row) for track, row in zip(base.tracks, base.filled, strict=True)):
+            break
+        found = {track.name: row for track, row in zip(base.tracks, base.filled, strict=True)}
+        base = climbed(evaluated(replace(first_fit(evidence, found), q=base.q)))
+    return base
+
+
+def _has_its_step(track: Track, row: Floats) -> bool:
+    """Tell whether the step of a track is about the one that the numbers of a row (columns,) ask for."""
+    ratio = track.timeline.grid.step / wanted_step(track.vehicle, row)
+    return 1.0 / RECALIBRATION.alike_steps < ratio < RECALIBRATION.alike_steps
 
 
 def climbed(first: Fit) -> Fit:
@@ -50,8 +73,12 @@ def climbed(first: Fit) -> Fit:
     motion, and a third from inertial sensors that hardly count, because the model leans on them at every step and they
     may be the ones in error. The best of the three goes on by leaps (`leaps`).
 
+    A climb may also begin with the numbers as they are, and fit the noise to them first: of numbers that are right
+    already, as those that another diagnosis has found, this is the shortest way.
+
     If a model is so far off that readings counted for next to nothing until its numbers were found, their noise may not
     come down any more. Then one more climb starts from these numbers, with the first guess of that noise.
+    The best of all goes on by leaps (`leaps`), and by exact slopes in the end (`polishing`).
     """
     if not any(_is_shut(first, unknown) for unknown in first.noise):
         return settled(first, RECALIBRATION.most_rounds)
@@ -59,11 +86,12 @@ def climbed(first: Fit) -> Fit:
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
     ways = [settled(_opened(start), RECALIBRATION.most_rounds) for start in starts]
+    ways.append(settled(with_noise(_opened(first), RECALIBRATION.most_rounds), RECALIBRATION.most_rounds))
     best = max(ways, key=lambda fit: fit.objective)
     if any(q >= unknown.bounds[1] for unknown, q in zip(best.noise, best.q_noise, strict=True)):
         again = _at_random(evaluated(replace(best, q_noise=first.q_noise)))
         best = max(best, settled(again, RECALIBRATION.most_rounds), key=lambda fit: fit.objective)
-    return leapt(best, RECALIBRATION.most_rounds)
+    return polished(leapt(best, RECALIBRATION.most_rounds))
 
 
 def _at_random(fit: Fit) -> Fit:

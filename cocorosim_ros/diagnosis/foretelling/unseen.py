@@ -17,7 +17,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
 from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks
 from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
@@ -62,14 +62,22 @@ class Unseen:
                         yield number, Span(first, length)
 
 
-def unseen_parts(base: Fit) -> Unseen:
-    """Choose what is held out and how long free runs last, and fit the recalibrated model to the rest."""
+def seconds_of_free_runs(fit: Fit) -> float:
+    """Length [s] of the free runs of a vehicle that moves as a fit says."""
+    coasting = [coasting_time(track.vehicle, row) for track, row in zip(fit.tracks, fit.filled, strict=True)]
+    return window_length(float(np.median(coasting)), smoothed_tracks(fit))
+
+
+def unseen_parts(base: Fit, seconds: float | None = None) -> Unseen:
+    """Choose what is held out and how long free runs last, and fit the recalibrated model to the rest.
+
+    seconds: length of the free runs [s]; None: that of a vehicle that moves as the recalibrated model does.
+    """
     tracks = base.tracks
-    coasting = [coasting_time(track.vehicle, row) for track, row in zip(tracks, base.filled, strict=True)]
-    seconds = window_length(float(np.median(coasting)), smoothed_tracks(base))
+    seconds = seconds_of_free_runs(base) if seconds is None else seconds
     splits = split_tracks(tracks, seconds)
     rows = fitted_to_the_rest(base, splits)
-    courses = tuple(of_each_track(lambda number: tracks[number].filter.smoothed(rows[number]), len(tracks)))
+    courses = smoothed_under(tracks, rows)
     return Unseen(
         base, splits, seconds, rows, courses, starts_of(tracks, rows), explained_forces(tracks, courses, rows)
     )

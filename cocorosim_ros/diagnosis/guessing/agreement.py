@@ -9,7 +9,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.checking.motion import averaged, rate_of, slope_and_correlation, turned
+from cocorosim_ros.diagnosis.checking.motion import (
+    averaged,
+    averages_of,
+    rate_of,
+    rates_of,
+    slope_and_correlation,
+    turned,
+)
 from cocorosim_ros.diagnosis.criteria.checking import CHECKING
 from cocorosim_ros.diagnosis.criteria.guessing import GUESSING
 from cocorosim_ros.diagnosis.guessing.log_table import Guess
@@ -92,7 +99,7 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     if yaw is None or not {"x", "y", "yaw"} <= pose.numbers.keys():
         return pose
     time, place = pose.table.time, _place(pose)
-    steps = np.column_stack([rate_of(time, place[:, axis]) for axis in range(2)])
+    steps = rates_of(time, place)
     speed = np.hypot(*steps.T)
     moves = speed > max(CHECKING.moving, GUESSING.under_way * float(np.nanmax(speed, initial=0.0)))
     course, heading = np.arctan2(*steps.T[::-1])[moves], averaged(time, yaw)[moves]
@@ -124,8 +131,7 @@ def _by_motion(velocity: Guess, pose: Guess) -> Guess:
     told = np.column_stack(
         [np.interp(time, velocity.table.time, velocity.numbers[name].in_si()) for name in ("x", "y")]
     )
-    over_ground = np.column_stack([rate_of(time, place[:, axis]) for axis in range(2)])
-    mean = np.column_stack([averaged(time, told[:, axis]) for axis in range(2)])
+    over_ground, mean = rates_of(time, place), averages_of(time, told)
     in_body = turned(over_ground, -averaged(time, yaw))
     slope, by_body = slope_and_correlation(in_body.ravel(), mean.ravel())
     _, by_world = slope_and_correlation(over_ground.ravel(), mean.ravel())

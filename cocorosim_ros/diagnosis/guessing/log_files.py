@@ -14,13 +14,11 @@ from cocorosim_ros.diagnosis.guessing.log_table import LogTable
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.wire.bags.poses_of_others import is_fixed
+from cocorosim_ros.wire.bags.poses_of_others import TRANSFORMS, is_fixed
 from cocorosim_ros.wire.conversion.bag_rows import BagRows
 from cocorosim_ros.wire.conversion.formats.bag import open_messages
 from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
 from cocorosim_ros.wire.conversion.formats.ulog import ULogLog
-
-_TF = "tf2_msgs/msg/TFMessage"
 
 
 def tables_of_bag(path: Path) -> Iterator[LogTable]:
@@ -28,7 +26,7 @@ def tables_of_bag(path: Path) -> Iterator[LogTable]:
     log = open_messages(path)
     for topic in read_topics(log):
         columns = {name: topic.number(name) for name in topic.columns}
-        if topic.type_name == _TF:
+        if topic.type_name == TRANSFORMS:
             yield from _moving_transforms(topic)
         else:
             listed = dict(_listed(log, topic))
@@ -93,7 +91,7 @@ def _moving_transforms(topic: TopicLog) -> Iterator[LogTable]:
         if len(transforms) < 2 or not np.ptp(numbers, axis=0).any():
             continue
         at = f"transforms[{child}]"
-        yield LogTable(topic.name, f"{_TF} of {child}", _seconds(transforms), _of_transform(at, numbers), {
+        yield LogTable(topic.name, f"{TRANSFORMS} of {child}", _seconds(transforms), _of_transform(at, numbers), {
             "topic": topic.name, "time": {"stamp": f"{at}.header.stamp"},
         })  # fmt: skip
 

@@ -11,8 +11,8 @@ from cocorosim_ros.diagnosis.guessing.column_names import Meaning, meaning_of
 from cocorosim_ros.diagnosis.guessing.known_types import PX4_TOPICS, ROS_TYPES, Fields, dimension_of_number
 from cocorosim_ros.diagnosis.guessing.log_table import Guess, LogTable, Number
 from cocorosim_ros.scenario.reading.quantity import UNITS, si_unit
+from cocorosim_ros.wire.bags.poses_of_others import TRANSFORMS
 
-_TF = "tf2_msgs/msg/TFMessage"
 _QUATERNION = ("qx", "qy", "qz", "qw")
 _TURNS = ("roll", "pitch", "yaw")
 _DATA = "data"  # of std_msgs/Float64 and its like
@@ -42,7 +42,7 @@ def meanings(table: LogTable) -> dict[str, Meaning]:
 
 def _known(table: LogTable) -> tuple[Mapping[str, Fields] | None, bool]:
     """The known streams of a table's messages, and whether their axes are north-east-down."""
-    if table.kind.startswith(_TF):
+    if table.kind.startswith(TRANSFORMS):
         names = list(table.columns)
         return {"pose": dict(zip(("x", "y", "z", *_QUATERNION), names, strict=True))}, False
     if table.kind == "px4":

@@ -25,7 +25,7 @@ def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]
         if known is None or each.nats > known.nats:
             best[each.candidate.entry.id] = each
     return tuple(
-        ScreenedEffect(name, each.nats, _smallest(each))
+        ScreenedEffect(name, each.nats, _smallest(each), _seen_from(each))
         for name, each in sorted(best.items(), key=lambda entry: -entry[1].nats)
     )
 
@@ -40,6 +40,12 @@ def _smallest(screened: Screened) -> dict[str, float]:
         value = unknown.scale * math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
         found.setdefault(unknown.owner.parameter, value)
     return found
+
+
+def _seen_from(screened: Screened) -> float:
+    """Size, as a share of `large`, of all amplitudes together from which an entry would yield the threshold."""
+    at_large = expected_nats(screened, 1.0)
+    return math.sqrt(NAMING.threshold / at_large) if at_large > 0.0 else math.inf
 
 
 def expected_nats(screened: Screened, size: float) -> float:

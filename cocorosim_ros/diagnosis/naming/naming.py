@@ -19,7 +19,8 @@ from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_columns
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.held_out import held_out_gain
+from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain, held_out_gain
+from cocorosim_ros.diagnosis.fitting.polishing import polished
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
@@ -29,6 +30,7 @@ from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_ev
 from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Stage, onsets_of
+from cocorosim_ros.diagnosis.naming.natural_limits import is_at_its_limit
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.residual import scene_of
@@ -76,7 +78,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
         if len(named) >= SEARCH.pruned_from:
             fit, named = pruned(Stage(fit, named), base, known, unseen)
     fit, named = pruned(Stage(fit, named), base, known, unseen)
-    return Naming(base, fit, named, first, first_laws, known=known)
+    return Naming(base, polished(fit) if named else fit, named, first, first_laws, known=known)
 
 
 def _undeclared(base: Fit) -> list[Entry]:
@@ -173,41 +175,48 @@ def _first_believed(
     for place, leader in enumerate(refined):
         if standing(leader) < needed_nats(stage.named, leader.candidate, leader.fit):
             return None
-        if not _may_be_named(leader, stage, passed_over):
+        own = _held_out_if_nameable(leader, stage, passed_over)
+        if own is None:
             continue
         if choice is None or not moves(leader.candidate):
-            return _addition(leader, _rivals(leader, refined, choice), stage, None)
-        better = choice.better(leader, refined[place + 1 :])
-        best = next((each for each in better if _may_be_named(each, stage, passed_over)), leader)
+            return _addition(leader, _rivals(leader, refined, choice), own)
+        others = (
+            (each, _held_out_if_nameable(each, stage, passed_over))
+            for each in choice.better(leader, refined[place + 1 :])
+        )
+        best, held_out = next(((each, found) for each, found in others if found is not None), (leader, own))
         gain = choice.gain(best)
         if not harms(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
-            return _addition(best, _rivals(best, refined, choice), stage, gain)
+            return _addition(best, _rivals(best, refined, choice), held_out, gain)
         passed_over.harmful.append(best.candidate)
     return None
 
 
-def _may_be_named(refined: Refined, stage: Stage, passed_over: PassedOver) -> bool:
-    """Tell whether a candidate may be named.
+def _held_out_if_nameable(refined: Refined, stage: Stage, passed_over: PassedOver) -> HeldOutGain | None:
+    """Held-out gain of a candidate that may be named; None for one that may not.
 
     It may if its evidence suffices, also over a model without it that was fitted anew where evidence is weak, if it is
-    large enough to be believed and no larger than an instrument can err, and if it foretells held-out blocks. One that
+    large enough to be believed and no larger than such an effect or an instrument's error can be, and if it foretells
+    held-out blocks. One that
     is too small is noted; candidates that may stand for what was passed over are passed over too.
     """
     needed = needed_nats(stage.named, refined.candidate, refined.fit)
     if standing(refined) < needed or (refined.nats < NAMING.checked and _regained(refined, stage.fit) < needed):
-        return False
+        return None
     if is_tiny(refined):
         passed_over.negligible.append(refined.candidate)
-        return False
-    if is_beyond_instrument(refined.candidate, refined.fit):
-        return False
+        return None
+    if is_beyond_instrument(refined.candidate, refined.fit) or is_at_its_limit(refined.candidate, refined.fit):
+        return None
     if any(is_like(refined.candidate, other) for other in (*passed_over.negligible, *passed_over.harmful)):
-        return False
-    return held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns).total > 0.0
+        return None
+    held_out = held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns)
+    return held_out if held_out.total > 0.0 else None
 
 
-def _addition(best: Refined, rivals: Sequence[NearRival], stage: Stage, gain: Gain | None) -> tuple[Fit, NamedEffect]:
-    held_out = held_out_gain(stage.fit, best.fit, best.candidate.onset_columns)
+def _addition(
+    best: Refined, rivals: Sequence[NearRival], held_out: HeldOutGain, gain: Gain | None = None
+) -> tuple[Fit, NamedEffect]:
     return best.fit, NamedEffect(best.candidate, best.nats, tuple(rivals), held_out, gain)
 
 
@@ -225,6 +234,7 @@ def _rivals(best: Refined, refined: Sequence[Refined], choice: Choice | None) ->
         NearRival(other.candidate, max(0.0, best.nats - other.nats))
         for other in near
         if not is_beyond_instrument(other.candidate, other.fit)
+        and not is_at_its_limit(other.candidate, other.fit)
         and not (choice is not None and choice.excludes(best, other))
     ]
 

@@ -48,8 +48,9 @@ def pruned(stage: Stage, base: Fit, known: tuple[NamedEffect, ...] = (), unseen:
         named = tuple(_measured(effect, whole, smaller[effect.candidate.key], fit) for effect in named)
         named = _run_freely(named, fit, smaller, unseen) if unseen is not None else named
         needed = {effect.candidate.key: needed_nats((*known, *named), effect.candidate, fit) for effect in named}
-        weakest = _harmful(named) or min(named, key=lambda effect: effect.nats / needed[effect.candidate.key])
-        if weakest.nats >= needed[weakest.candidate.key] and _harmful(named) is None:
+        harmful = _harmful(named)
+        weakest = harmful or min(named, key=lambda effect: effect.nats / needed[effect.candidate.key])
+        if harmful is None and weakest.nats >= needed[weakest.candidate.key]:
             break
         fit, named = smaller[weakest.candidate.key], _others(named, weakest)
     return Stage(fit, named)

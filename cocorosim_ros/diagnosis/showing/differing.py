@@ -9,16 +9,18 @@ from cocorosim_ros.diagnosis.against.numbers import ONE_THRUSTER, THRUST
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
-from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
+from cocorosim_ros.diagnosis.showing.estimates import Fitted, found_effects
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 _COLUMN_OF = {name: (column, unit) for column, (name, unit) in RECALIBRATED.items()}
 SIDES = 2  # thrusters, of which a weak one is an asymmetry
 
 
-def differing_numbers(naming: Naming) -> tuple[Recalibrated, ...]:
-    """Numbers of the platform that differ: the value before as nominal one, and the value now."""
-    numbers = fitted(naming.fit)
+def differing_numbers(naming: Naming, numbers: Sequence[Fitted]) -> tuple[Recalibrated, ...]:
+    """Numbers of the platform that differ: the value before as nominal one, and the value now.
+
+    numbers: those of the fit.
+    """
     rows = naming.fit.filled
     found = []
     for effect in naming.named:
@@ -42,13 +44,14 @@ def differing_numbers(naming: Naming) -> tuple[Recalibrated, ...]:
     return tuple(found)
 
 
-def differing_effects(naming: Naming, thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
+def differing_effects(naming: Naming, numbers: Sequence[Fitted], thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
     """All other differences, the one with most evidence first.
 
-    One weak thruster of two is an asymmetry: its own gain is given beside the `difference` of the contract.
+    One weak thruster of two is an asymmetry: its own gain is given beside the `difference` of the contract. numbers:
+    those of the fit.
     """
     named = [effect for effect in naming.named if not _is_number(effect)]
-    return tuple(_as_asymmetry(effect, thrusters) for effect in found_effects(naming.fit, named))
+    return tuple(_as_asymmetry(effect, thrusters) for effect in found_effects(naming.fit, named, numbers))
 
 
 def _is_number(effect: NamedEffect) -> bool:

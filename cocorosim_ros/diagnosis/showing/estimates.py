@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,12 +14,11 @@ from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
-from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_between_parts
+from cocorosim_ros.diagnosis.showing.several_tests import holm
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-
-Z95 = float(norm.ppf(0.975))
 
 
 @dataclass(frozen=True)
@@ -36,8 +36,11 @@ class Fitted:
 
     @property
     def chance(self) -> float:
-        """Probability of a q at least as far from 0 if the true q is 0: the p of a two-sided test."""
-        return 2.0 * float(norm.sf(abs(self.q) / max(self.spread, 1e-300)))
+        """Probability of a q at least as far from 0 by chance: the p of a two-sided test.
+
+        Both may err: the fit, and the number in the platform's file where that gives a 95 % interval.
+        """
+        return 2.0 * float(norm.sf(abs(self.q) / max(math.hypot(self.spread, self.unknown.stated), 1e-300)))
 
 
 def fitted(fit: Fit) -> tuple[Fitted, ...]:
@@ -60,31 +63,27 @@ def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
     return Estimate(unknown.value(q), ends[0], ends[1], unit)
 
 
-def recalibrated(fit: Fit) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:
-    """All recalibrated numbers of the platforms, and those of them that have clearly moved.
+def recalibrated(numbers: Sequence[Fitted]) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:
+    """All recalibrated numbers of the platforms among those of a fit, and those of them that have clearly moved.
 
-    Clearly: by Holm's procedure over all of them (Holm, Scand. J. Statistics 6 (1979) 65).
+    Clearly: by Holm's procedure over all of them.
     """
-    own = [number for number in fitted(fit) if number.unknown.owner.effect == PLATFORM]
+    own = [number for number in numbers if number.unknown.owner.effect == PLATFORM]
     every = tuple(
         Recalibrated(
             number.unknown.owner.parameter, number.unknown.value(0.0), number.estimate, number.unknown.owner.robots
         )
         for number in own
     )
-    chances = [number.chance for number in own]
-    order = np.argsort(chances)
-    moved = set()
-    for rank, index in enumerate(order):
-        if chances[index] > ESTIMATES.sure / (len(order) - rank):
-            break
-        moved.add(int(index))
-    return every, tuple(each for index, each in enumerate(every) if index in moved)
+    clear = holm([number.chance for number in own]) <= ESTIMATES.sure
+    return every, tuple(each for each, moved in zip(every, clear, strict=True) if moved)
 
 
-def found_effects(fit: Fit, named: Sequence[NamedEffect]) -> tuple[FoundEffect, ...]:
-    """All named effects, the one with most evidence first; one for each robot where the numbers are the robot's own."""
-    numbers = fitted(fit)
+def found_effects(fit: Fit, named: Sequence[NamedEffect], numbers: Sequence[Fitted]) -> tuple[FoundEffect, ...]:
+    """All named effects, the one with most evidence first; one for each robot where the numbers are the robot's own.
+
+    numbers: those of the fit.
+    """
     found = [
         _found(fit, effect, robots.names, [each for each in numbers if effect.candidate.owns(each.unknown)])
         for effect in named

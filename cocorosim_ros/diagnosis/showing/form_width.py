@@ -65,16 +65,11 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
 
 def _divisions(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Iterator[list[Integers]]:
     """Number of the part of each reading (m,) of each track, in four divisions."""
-    times, first = [], 0
-    for track in tracks:
-        grid = track.timeline.grid
-        share = (track.timeline.stamp - grid.begin) / (grid.step * grid.points)
-        times.append(first + np.clip((share * FORM_WIDTH.parts).astype(np.int64), 0, FORM_WIDTH.parts - 1))
-        first += FORM_WIDTH.parts
-    yield times
+    count = FORM_WIDTH.parts
+    yield [number * count + track.timeline.parts(count) for number, track in enumerate(tracks)]
     for quantity in (_speed, _turn_rate, _height):
         values = [quantity(course.mean)[_points(track)] for track, course in zip(tracks, courses, strict=True)]
-        edges = np.quantile(np.concatenate(values), np.arange(1, FORM_WIDTH.parts) / FORM_WIDTH.parts)
+        edges = np.quantile(np.concatenate(values), np.arange(1, count) / count)
         yield [np.searchsorted(edges, value) for value in values]
 
 

@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
 from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
@@ -67,7 +67,7 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
     """Object to numbers of the platform that stand at the end of their range, but for effects that are absent there."""
     for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
         absent = "." in unknown.column and unknown.value(q) == NEUTRAL[COLUMN[unknown.column]]
-        if unknown.owner.effect == PLATFORM and _is_at_bound(unknown, q) and not absent:
+        if unknown.owner.effect == PLATFORM and any(unknown.at_ends(q)) and not absent:
             name = unknown.owner.parameter.replace("_", " ")
             yield Objection(
                 f"The fit of {name} of {_listed(unknown.owner.robots)} stands at the end of its range, "
@@ -83,7 +83,7 @@ def effect_at_a_bound(case: Case) -> Iterator[Objection]:
         for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
             if named.candidate.owns(unknown) and set(found.robots) <= set(unknown.owner.robots):
                 neutral = {each.column: each.neutral for each in named.candidate.entry.amplitudes}
-                if _is_at_bound(unknown, q) and not np.isclose(
+                if any(unknown.at_ends(q)) and not np.isclose(
                     unknown.value(q), neutral.get(unknown.column, np.nan), atol=1e-9 * abs(unknown.scale)
                 ):
                     yield Objection(
@@ -244,11 +244,6 @@ def _named(case: Case) -> Iterator[tuple[FoundEffect, NamedEffect]]:
             entry = named.candidate.entry
             if (entry.id, entry.topic) == (found.id, found.topic) and set(found.robots) <= set(named.candidate.robots):
                 yield found, named
-
-
-def _is_at_bound(unknown: Unknown, q: float) -> bool:
-    low, high = unknown.bounds
-    return q - low < HARD_STOPS.at_bound or high - q < HARD_STOPS.at_bound
 
 
 def _noise(track: Track, kind: int) -> float:

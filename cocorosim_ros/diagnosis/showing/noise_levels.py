@@ -7,7 +7,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.noise_information import noise_covariance
-from cocorosim_ros.diagnosis.showing.estimates import Z95
+from cocorosim_ros.diagnosis.fitting.unknowns import Z95
 
 
 def noise_levels(fit: Fit) -> dict[str, Estimate]:

@@ -59,6 +59,11 @@ def _quantities(track: Track, course: Smoothed, stamp: Floats) -> Floats:
 
 
 def _sums(squares: Floats, along: Floats) -> Floats:
-    """Score, its variance and its size for a growth of one, by quantity: (quantities, 3)."""
+    """Score, its variance and its size for a growth of one, by quantity: (quantities, 3).
+
+    Innovations that are exactly zero, as of a depth that never changes, tell nothing.
+    """
+    if not squares.any():
+        return np.zeros((along.shape[1], 3))
     off = squares / squares.mean() - 1.0
     return np.column_stack([off @ along, (off**2) @ along**2, (along**2).sum(axis=0)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from cocorosim_ros.diagnosis.tracks.surroundings import FAR, OPEN_WATER
 from cocorosim_ros.diagnosis.tracks.track import Track, make_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_FORCE, NEIGHBOUR_SIZE
+
+NONE_FOUND: Mapping[str, Floats] = {}
 
 
 def introduced(tracks: Sequence[Track], parts: Sequence[Sequence[Track]] | None = None) -> list[Track]:
@@ -82,21 +84,24 @@ def _thrust(track: Track, moments: Floats) -> tuple[Floats, Floats]:
     return surge, sway
 
 
-def make_tracks(evidence: Evidence) -> tuple[Track, ...]:
-    """Make a track of every robot in every recording that has readings of it, one for each part between holes."""
+def make_tracks(evidence: Evidence, found: Mapping[str, Floats] = NONE_FOUND) -> tuple[Track, ...]:
+    """Make a track of every robot in every recording that has readings of it, one for each part between holes.
+
+    found: by robot, numbers (columns,) that a fit has found, for the steps of the grids.
+    """
     tracks: list[Track] = []
     for recording in evidence.recordings:
         logs = [log for log in recording.robots if _times(log)]
-        alone = [make_track(evidence.platform, log, *_span(log)) for log in logs]
-        tracks += introduced(alone, [_parts(evidence, whole) for whole in alone])
+        alone = [make_track(evidence.platform, log, *_span(log), found.get(log.name)) for log in logs]
+        tracks += introduced(alone, [_parts(evidence, whole, found.get(whole.name)) for whole in alone])
     return tuple(tracks)
 
 
-def _parts(evidence: Evidence, whole: Track) -> list[Track]:
+def _parts(evidence: Evidence, whole: Track, found: Floats | None) -> list[Track]:
     """Make the tracks of the parts of a log between its holes; the whole track alone where it has none."""
     if not holes_of(whole.log):
         return [whole]
-    return [make_track(evidence.platform, whole.log, begin, end) for begin, end in parts_of(whole.log)]
+    return [make_track(evidence.platform, whole.log, begin, end, found) for begin, end in parts_of(whole.log)]
 
 
 def _times(log: RobotLog) -> list[Floats]:

@@ -15,7 +15,7 @@ from cocorosim_ros.diagnosis.tracks.averaging import Taken, around_point, averag
 from cocorosim_ros.diagnosis.tracks.columns import TIMING
 from cocorosim_ros.diagnosis.tracks.grid import grid_until
 from cocorosim_ros.diagnosis.tracks.lately import Lately
-from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 
 @dataclass(frozen=True)
@@ -65,6 +65,11 @@ class Timeline:
     def is_angle(self) -> Flags:
         """Flags (m,) of the readings that are angles."""
         return np.isin(self.kind, ANGLES)
+
+    def parts(self, count: int) -> Integers:
+        """Number of the part of each reading (m,), of `count` parts of equal length by stamp."""
+        share = (self.stamp - self.grid.begin) / (self.grid.step * self.grid.points)
+        return np.minimum((share * count).astype(np.int64), count - 1)
 
     def sees(self, *names: str) -> bool:
         """Tell whether there are readings of any of these kinds, given by name."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.grid import grid_begin, grid_step
 from cocorosim_ros.diagnosis.tracks.start import start_of
 from cocorosim_ros.diagnosis.tracks.surroundings import RecordedSurroundings
@@ -15,7 +16,15 @@ from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.diagnosis.tracks.track_filter import TrackFilter
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel, vehicle_model
 from cocorosim_ros.diagnosis.tracks.vehicle_size import shortest_coasting
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
+
+
+def wanted_step(vehicle: VehicleModel, row: Floats) -> float:
+    """Step [s] of the filter for a vehicle with the numbers of a row (columns,)."""
+    force, inertia = vehicle.force_scale, float(row[COLUMN["yaw_inertia"]])
+    pushed = float(np.linalg.norm(force[:3])) / vehicle.mass
+    return grid_step(pushed, force[3] / inertia, shortest_coasting(vehicle, row))
 
 
 @dataclass(frozen=True)
@@ -59,13 +68,13 @@ class Track:
         return replace(self, timeline=timeline, filter=self.filter.over(timeline, self.actuation))
 
 
-def make_track(platform: Platform, log: RobotLog, begin: float, end: float) -> Track:
-    """Make the track of a robot as if alone in open water; begin, end: first and last reading [s]."""
+def make_track(platform: Platform, log: RobotLog, begin: float, end: float, found: Floats | None = None) -> Track:
+    """Make the track of a robot as if alone in open water; begin, end: first and last reading [s].
+
+    found (columns,): numbers of the robot that a fit has found, for the step of the grid; None: those of the platform.
+    """
     vehicle = replace(vehicle_model(platform.of_robot(log.name)), tilts=log.attitude is not None)
-    force = vehicle.force_scale
-    step = grid_step(
-        float(np.linalg.norm(force[:3])) / vehicle.mass, force[3] / vehicle.yaw_inertia, shortest_coasting(vehicle)
-    )
+    step = wanted_step(vehicle, vehicle.row if found is None else found)
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)
     return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, start_of(vehicle, log, begin)))

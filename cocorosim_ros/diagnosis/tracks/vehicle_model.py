@@ -52,6 +52,7 @@ class VehicleModel:
     own: Mapping[str, Declared]  # by key of the platform's file, numbers of single actuators that a model has
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
+    intervals: Ranges  # 95 % intervals of numbers that were measured
     hull: float  # length of the hull [m]
     arm: float  # mean distance of the thrusters before the centre [m]
     surroundings: RecordedSurroundings = OPEN_WATER
@@ -159,6 +160,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         own,
         _known_of_sensors(platform),
         {**gain_ranges(platform), **platform.ranges},
+        platform.intervals,
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
     )

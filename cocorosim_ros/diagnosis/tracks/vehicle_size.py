@@ -9,6 +9,7 @@ from typing import NamedTuple
 from cocorosim_ros.diagnosis.criteria.fitting import FULL_FORCES
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 # The Lily for which the catalogue gives sizes: N, N m, kg, kg m^2, m/s, rad/s.
@@ -68,19 +69,23 @@ def full_forces(vehicle: VehicleModel) -> FullForces:
     return FullForces(across, heave, yaw or FULL_FORCES.arm * across)
 
 
-def shortest_coasting(vehicle: VehicleModel) -> float:
-    """Time [s] in which the vehicle as given loses half of its full speed or turn, along the axis where it is shortest.
+def shortest_coasting(vehicle: VehicleModel, row: Floats | None = None) -> float:
+    """Time [s] in which the vehicle loses half of its full speed or turn, along the axis where it is shortest.
+
+    row (columns,): the numbers of a model; None: those of the platform's file.
 
     Quadratic drag k v^2 takes m / sqrt(k F) for it after a full force F, and linear drag d speeds it up by d / m. Only
     axes along which actuators push count; 0 without any.
     """
-    row = vehicle.row
+    row = vehicle.row if row is None else row
     drags = [row[COLUMN["drag"]]] * 3 + [row[COLUMN["yaw_drag"]]]
     linear = [row[COLUMN[f"linear_drag.{axis}"]] for axis in ("surge", "sway", "heave", "yaw")]
-    inertias = [vehicle.mass] * 3 + [vehicle.yaw_inertia]
+    inertias = [vehicle.mass] * 3 + [row[COLUMN["yaw_inertia"]]]
+    gains = [row[COLUMN[name]] for name in ("thrust_gain", "thrust_gain", "buoyancy_gain", "yaw_torque_gain")]
+    forces = [gain * full for gain, full in zip(gains, vehicle.force_scale.tolist(), strict=True)]
     rates = [
         (math.sqrt(drag * full) + slow) / inertia
-        for drag, slow, full, inertia in zip(drags, linear, vehicle.force_scale.tolist(), inertias, strict=True)
+        for drag, slow, full, inertia in zip(drags, linear, forces, inertias, strict=True)
         if full > 0.0
     ]
     fastest = max(rates, default=0.0)

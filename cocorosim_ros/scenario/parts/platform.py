@@ -23,7 +23,7 @@ from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
 from cocorosim_ros.scenario.reading.law_text import LawText, law_text
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of, read_any_quantity
-from cocorosim_ros.scenario.reading.ranges import Ranges, collect_ranges, ranges_tree, read_ranges
+from cocorosim_ros.scenario.reading.ranges import INTERVAL, Ranges, collect_ranges, ranges_tree, read_ranges
 from cocorosim_ros.scenario.reading.records import (
     TEXT,
     choice,
@@ -72,7 +72,8 @@ class Platform(Shown):
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
     file does not say, and then a simulation takes the total speed. `ranges`: between what the numbers lie that are
-    not known exactly, by dotted key (mass, actuators.left.maximum). `frame_corrections`: how axes, signs or units
+    not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
+    measured. `frame_corrections`: how axes, signs or units
     of a recorded stream are mixed up, by topic, in the words of a diagnosis. `robots`: those of this kind that
     differ, by name. `origin` is the file it came from.
     """
@@ -102,6 +103,11 @@ class Platform(Shown):
         default_factory=dict,
         hash=False,
         metadata=stored(read_ranges, ranges_tree, form="mapping of keys to the lowest and the highest value"),
+    )
+    intervals: Ranges = field(
+        default_factory=dict,
+        hash=False,
+        metadata=stored(read_ranges, ranges_tree, form="mapping of keys to the ends of their 95 % intervals"),
     )
     frame_corrections: Mapping[str, str] = field(
         default_factory=dict,
@@ -244,15 +250,18 @@ def _read_one(entry: Entry) -> Platform:
     for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
     check_actuators(section["actuators"], platform.actuators)
-    return replace(platform, ranges={**platform.ranges, **collect_ranges(entry)}, origin=entry.file)
+    ranges = {**platform.ranges, **collect_ranges(entry)}
+    intervals = {**platform.intervals, **collect_ranges(entry, INTERVAL)}
+    return replace(platform, ranges=ranges, intervals=intervals, origin=entry.file)
 
 
 def platform_tree(platform: Platform) -> dict[str, Any]:
     """The platform as nested plain values that `read_platform` reads back."""
     tree = record_tree(platform)
-    own = {name: {"effects": {}, "ranges": {}} | record_tree(robot) for name, robot in platform.robots.items()}
+    may_lack: dict[str, Any] = {"effects": {}, "ranges": {}, "intervals": {}}
+    own = {name: may_lack | record_tree(robot) for name, robot in platform.robots.items()}
     if own:
-        full = {"effects": {}, "ranges": {}} | tree
+        full = may_lack | tree
         tree["robots"] = {
             name: {key: part for key, part in robot.items() if part != full.get(key)} for name, robot in own.items()
         }

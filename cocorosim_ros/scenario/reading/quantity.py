@@ -136,7 +136,7 @@ def _value_and_unit(entry: Entry) -> tuple[Any, str]:
 
 
 def _sourced_section(entry: Entry) -> dict[str, Entry]:
-    section = entry.section(("value", "unit", "source"), ("note", "confidence", "range"))
+    section = entry.section(("value", "unit", "source"), ("note", "confidence", "range", "ci95"))
     section["source"].text()
     if "confidence" in section:
         section["confidence"].choice(CONFIDENCES)

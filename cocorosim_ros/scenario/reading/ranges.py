@@ -1,7 +1,9 @@
-"""Ranges beside the numbers of a platform: what is not known exactly, and between what it lies.
+"""Ranges and intervals beside the numbers of a platform: what is not known exactly, and between what it lies.
 
-`mass: {value: 2, unit: kg, range: [1, 4], source: ..., confidence: estimate}` says that whoever estimates the
-mass starts from 2 kg and looks between 1 and 4 kg. A simulation uses the value alone.
+`mass: {value: 2, unit: kg, range: [1, 4], source: ..., confidence: estimate}` says that a fit of the mass starts from
+2 kg and stays between 1 and 4 kg. `ci95: [1.9, 2.1]` says that 2 kg was measured, and is as sure as a 95 % interval
+from 1.9 to 2.1 kg: it limits nothing, but another measurement within its doubt is no change. A simulation uses the
+value alone.
 """
 
 from __future__ import annotations
@@ -26,12 +28,16 @@ class Range:
 Ranges = Mapping[str, Range]
 
 
-def collect_ranges(entry: Entry) -> dict[str, Range]:
+RANGE, INTERVAL = "range", "ci95"
+
+
+def collect_ranges(entry: Entry, kind: str = RANGE) -> dict[str, Range]:
     """The ranges of all numbers below, by dotted key; parts of a list go by name: actuators.left.maximum.
 
+    kind: RANGE or INTERVAL, the key of the two numbers.
     Raises CocorosimError: not two numbers in growing order, the value outside them, a range beside a list.
     """
-    return {key: _read(place) for key, place in _ranged(entry, "")}
+    return {key: _read(place, kind) for key, place in _ranged(entry, kind, "")}
 
 
 def read_ranges(entry: Entry) -> dict[str, Range]:
@@ -45,17 +51,17 @@ def ranges_tree(ranges: Ranges) -> dict[str, Any]:
     return {key: [f"{part.low!r} {part.unit}", f"{part.high!r} {part.unit}"] for key, part in ranges.items()}
 
 
-def _ranged(entry: Entry, key: str) -> Iterator[tuple[str, Entry]]:
-    """Key and entry of every number that has a range."""
+def _ranged(entry: Entry, kind: str, key: str) -> Iterator[tuple[str, Entry]]:
+    """Key and entry of every number that has a range of that kind."""
     if isinstance(entry.value, dict):
-        if "range" in entry.value and "value" in entry.value:
+        if kind in entry.value and "value" in entry.value:
             yield key, entry
             return
         for name, part in entry.value.items():
-            yield from _ranged(part, f"{key}.{name}" if key else name)
+            yield from _ranged(part, kind, f"{key}.{name}" if key else name)
     elif isinstance(entry.value, list):
         for index, part in enumerate(entry.value):
-            yield from _ranged(part, f"{key}.{_name(part, index)}")
+            yield from _ranged(part, kind, f"{key}.{_name(part, index)}")
 
 
 def _name(entry: Entry, index: int) -> str:
@@ -63,11 +69,11 @@ def _name(entry: Entry, index: int) -> str:
     return str(named.value) if named is not None else str(index)
 
 
-def _read(entry: Entry) -> Range:
+def _read(entry: Entry, kind: str) -> Range:
     section = entry.mapping()
-    limits = section["range"]
+    limits = section[kind]
     if isinstance(section["value"].value, list):
-        raise limits.problem("stands beside a list; give a range to single numbers only.")
+        raise limits.problem(f"stands beside a list; give a {kind} to single numbers only.")
     numbers = [_quantity(section, part) for part in limits.items()]
     between = _between(limits, *numbers)
     value = _quantity(section, section["value"]).value

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -38,13 +39,15 @@ def fitted_number(value: float, unit: str, interval: tuple[float, float], source
     """A number as a platform file holds it: with what it was fitted to and its 95 % interval."""
     low, high = interval
     shown = "" if unit == "1" else f" {unit}"
-    return {
+    number: dict[str, Any] = {
         "value": value,
         "unit": unit,
         "source": source,
         "confidence": "fitted",
         "note": f"95 % interval {low:.6g} to {high:.6g}{shown}",
     }
+    is_known = math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high
+    return number | {"ci95": [low, high]} if is_known else number
 
 
 def _ships(path: Path) -> bool:

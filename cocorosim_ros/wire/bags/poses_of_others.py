@@ -17,7 +17,7 @@ from cocorosim_ros.wire.cdr.type_store import deserialize
 FIXED_FRAMES = frozenset({"map", "world", "odom", "earth", "tank", "pool", "ned", "enu", "local_origin"})
 """Frames that stand still in the world, by their usual names."""
 _ODOMETRY, _POSE = "nav_msgs/msg/Odometry", "geometry_msgs/msg/PoseStamped"
-_COVARIANT, _TRANSFORMS = "geometry_msgs/msg/PoseWithCovarianceStamped", "tf2_msgs/msg/TFMessage"
+_COVARIANT, TRANSFORMS = "geometry_msgs/msg/PoseWithCovarianceStamped", "tf2_msgs/msg/TFMessage"
 _TYPES = (_ODOMETRY, _COVARIANT, _POSE)  # the better one first
 _UNNAMED = "robot"
 
@@ -42,7 +42,7 @@ def poses_of_others(bag: Bag) -> list[PosesOfOthers]:
         chosen = _most_frequent(bag, [topic for topic, type_name in topics.items() if type_name == kind])
         if chosen:
             return [_read(bag, robot, topic, kind) for robot, topic in sorted(chosen.items())]
-    transforms = [topic for topic, kind in topics.items() if kind == _TRANSFORMS and not topic.endswith("tf_static")]
+    transforms = [topic for topic, kind in topics.items() if kind == TRANSFORMS and not topic.endswith("tf_static")]
     return sorted(_moving_frames(bag, transforms), key=lambda each: each.robot)
 
 

@@ -36,6 +36,13 @@ def added_inertia(parameters: Floats, inertia: Floats) -> None:
     inertia[3] += yaw
 
 
+LEAST = -5.0
+"""Least difference of added mass that a diagnosis looks for, in `large` amounts of a tenth of the mass: half of it.
+
+The mass of a platform holds the added mass forwards. A difference of more than that would make the robot lighter than
+it is in air; of a sphere, which is blunter than most hulls, it is a third of the mass (Fossen 2021, section 6.3).
+"""
+
 ADDED_MASS = Effect(
     summary="added mass",
     equation="N = -(A_v - A_u) u v, and inertia against sway and yaw",
@@ -48,7 +55,7 @@ ADDED_MASS = Effect(
             "added mass sideways less that forwards",
             multiplies="m^2/s^2",
             gives="N m",
-            search=Strength(large=0.044),
+            search=Strength(large=0.044, least=LEAST),
             example=Example(0.04, "zig-zag"),
         ),
         Number(
@@ -66,7 +73,7 @@ ADDED_MASS = Effect(
             "added mass upwards less that forwards",
             multiplies="m/s^2",
             gives="N",
-            search=Strength(large=0.044),
+            search=Strength(large=0.044, least=LEAST),
             example=Example(0.04, "zig-zag"),
         ),
     ),

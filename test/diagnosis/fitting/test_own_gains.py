@@ -12,6 +12,7 @@ import pytest
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_tree
+from cocorosim_ros.diagnosis.showing.estimates import fitted as numbers_of
 from cocorosim_ros.diagnosis.showing.estimates import recalibrated
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
@@ -53,7 +54,7 @@ def fitted(tmp_path_factory: pytest.TempPathFactory) -> Any:
 
 def test_own_gains_are_found(fitted: Any) -> None:
     """0.8 and 1.1 within their intervals; no gain of all thrusters is left beside them."""
-    every, _ = recalibrated(fitted[1])
+    every, _ = recalibrated(numbers_of(fitted[1]))
     found = {each.parameter: each.estimate for each in every}
     assert not {"thrust_gain", "yaw_torque_gain"} & set(found)
     for name, true in zip(("left", "right"), GAINS, strict=True):
@@ -68,7 +69,7 @@ def test_the_model_has_the_gains(fitted: Any, tmp_path: Path) -> None:
     from cocorosim_ros.diagnosis.findings import Diagnosis
 
     boat, fit = fitted
-    every, _ = recalibrated(fit)
+    every, _ = recalibrated(numbers_of(fit))
     told = Diagnosis("recalibrate", "", every, (), (), (), (), {}, every)
     path = tmp_path / "model.yaml"
     path.write_text(yaml_text(model_tree(told, Origin(boat, ("made",), ("boat",), 120.0))))

@@ -100,7 +100,7 @@ def fit_of(unknowns: list[Unknown], q: list[float]) -> Any:
 
 def test_estimates_find_their_numbers_wherever_they_stand() -> None:
     """Two effects and a platform's number, interleaved: every parameter has the value that was put in."""
-    from cocorosim_ros.diagnosis.showing.estimates import found_effects, recalibrated
+    from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 
     lag = Candidate(entry_of("thruster_lag"), ROBOTS, TRACKS)
     tide = Candidate(entry_of("tidal_current"), ROBOTS, TRACKS)
@@ -108,14 +108,14 @@ def test_estimates_find_their_numbers_wherever_they_stand() -> None:
     scattered = [tides[0], lags[1], platform("a"), *tides[1:], lags[0]]
     fit = fit_of(scattered, [0.1 * (index + 1) for index in range(len(scattered))])
     value = {id(unknown): unknown.value(float(q)) for unknown, q in zip(scattered, fit.q, strict=True)}
-    first, *others = found_effects(fit, [named(lag, 20.0), named(tide, 90.0)])
+    first, *others = found_effects(fit, [named(lag, 20.0), named(tide, 90.0)], fitted(fit))
     assert (first.id, first.robots) == ("tidal_current", ROBOTS)
     assert {name: each.value for name, each in first.parameters.items()} == pytest.approx(
         {unknown.owner.parameter: value[id(unknown)] for unknown in tides}
     )
     assert [(each.id, each.robots) for each in others] == [("thruster_lag", ("a",)), ("thruster_lag", ("b",))]
     assert [next(iter(each.parameters.values())).value for each in others] == [value[id(lag)] for lag in lags]
-    (drag,), _ = recalibrated(fit)
+    (drag,), _ = recalibrated(fitted(fit))
     assert (drag.parameter, drag.robots, drag.estimate.unit) == ("drag", ("a",), "kg/m")
     assert drag.estimate.value == value[id(scattered[2])]
 

@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.residual import scene_of
-from cocorosim_ros.diagnosis.showing.estimates import recalibrated
+from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 
 NOISE = np.array([0.005, 0.005, 0.005, 0.001])  # m, m, m, rad
 RANGED = "range: [0.3, 2], "
@@ -71,7 +71,7 @@ def test_a_rudder_is_recalibrated(tmp_path: Path) -> None:
     (tmp_path / "true").mkdir()
     truth = ships.ship(tmp_path / "true", behind(0.8, 0.25, ranges=False), HULL)
     given = ships.ship(tmp_path, behind(1.0, 0.4, ranges=True), HULL)
-    every, _ = recalibrated(settled(first_fit(recorded(given, truth)), 6))
+    every, _ = recalibrated(fitted(settled(first_fit(recorded(given, truth)), 6)))
     found = {each.parameter: each.estimate for each in every}
     assert found["actuators.rudder.gain"].value == pytest.approx(0.8, rel=0.1)
     assert found["actuators.rudder.gain"].holds(0.8)
