@@ -122,6 +122,11 @@ def record_ticks(node: Node, record: RunRecord, life: _Life, external: Sequence[
     while external and not life.quiet_for(LAST_ANSWERS):
         life.note(heard=recorder.drain())
         time.sleep(POLL)
+    for robot, count in recorder.unheard_commands().items():
+        node.get_logger().warning(
+            f"{robot}: {count} of the commands that it obeyed are not in the recording, because its controller joined "
+            "after the start and the recorder found it later than the physics node; start it before the run"
+        )
     recorder.write_rest()
 
 

@@ -7,11 +7,12 @@ from collections.abc import Iterable
 
 from rclpy.node import Node
 
+from cocorosim_ros.graph.nodes.answers import COMMAND
 from cocorosim_ros.graph.nodes.recorder_link import RecorderMouth, speakers_of_recorder
 from cocorosim_ros.graph.nodes.wiring import Listener
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, RunRecord
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
-from cocorosim_ros.wire.cdr.status import RUN, read_status
+from cocorosim_ros.wire.cdr.status import RUN, WARN, read_status, status_bytes
 from cocorosim_ros.wire.topics.topics import TOPICS, robot_topic, split_topic
 
 MISSING = "missing"  # key of the status that names the robots without an answer
@@ -40,6 +41,8 @@ class TickRecorder:
         }
         self.clock = self._listeners["/clock"]
         self._owed = record.owed - {robot_topic(robot, answer) for robot in external for answer in ANSWERS}
+        commands = {robot_topic(robot, COMMAND.name) for robot in external} & self._listeners.keys()
+        self._unheard: dict[str, set[int]] = {topic: set() for topic in sorted(commands)}  # stamps of ticks [ns]
         self._pending: dict[int, dict[str, bytes]] = {}
         self._excused: dict[int, set[str]] = {}
         self._newest_tick = -1
@@ -78,8 +81,19 @@ class TickRecorder:
         """Whether the run has ended and all its ticks are written."""
         return self.announced is not None and self.ticks >= self.announced
 
+    def unheard_commands(self) -> dict[str, int]:
+        """How many answers of each external robot counted for the physics node and have not come here.
+
+        DDS brings a publisher that joins late to one listener before the other.
+        """
+        return {split_topic(topic)[0]: len(stamps) for topic, stamps in self._unheard.items() if stamps}
+
     def write_rest(self) -> None:
         """Write what belongs to no whole tick, without statistics, and last how the run has ended."""
+        for robot, count in self.unheard_commands().items():
+            words = f"{count} of the commands that it obeyed are not in the recording"
+            status = status_bytes(self._last_written, WARN, robot, words, {})
+            self.record.write(STATUS_TOPIC, self._last_written, status)
         for stamp in sorted(self._pending):
             for topic, data in self._pending[stamp].items():
                 self.record.write(topic, stamp, data)
@@ -94,6 +108,7 @@ class TickRecorder:
             self._read_status(stamp, data)
         elif stamp <= self._last_written or topic in self._pending.get(stamp, ()):
             self.record.write(topic, stamp, data)  # its tick is written, or has a message of this topic already
+            self._unheard.get(topic, set()).discard(stamp)
         else:
             self._pending.setdefault(stamp, {})[topic] = data
             if topic == "/clock":
@@ -107,6 +122,7 @@ class TickRecorder:
             return
         for name in values.get(MISSING, "").split():
             self._excused.setdefault(stamp, set()).update(robot_topic(name, answer) for answer in ANSWERS)
+            self._unheard.get(robot_topic(name, COMMAND.name), set()).discard(stamp)
         self.record.write(STATUS_TOPIC, stamp, data)
 
     def _write_whole_ticks(self) -> None:
@@ -119,9 +135,11 @@ class TickRecorder:
                 continue
             if self._owed - messages.keys() - self._excused.get(stamp, set()):
                 break
+            excused = self._excused.pop(stamp, set())
+            for topic in self._unheard.keys() - messages.keys() - excused:
+                self._unheard[topic].add(stamp)
             for topic, data in self.record.write_tick(stamp, self._pending.pop(stamp)).items():
                 self._speakers[topic].publish(data)
-            self._excused.pop(stamp, None)
             self._last_written = stamp
             self.ticks += 1
         if self.ticks != before:

@@ -130,8 +130,11 @@ def test_one_that_joins_late_is_obeyed_from_then_on(
     assert run.finish() == 0, run.output
     first = int(float(re.search(r"answered good ([\d.]+)", joiner.output)[1]) * 2)  # type: ignore[index]
     found = counts(bag)
-    assert found["/lily_02/thruster_command"] == 400 - first
     missing = [stamp for stamp, name, _ in statuses(bag) if name == "cocorosim: answers"]
+    # DDS may bring the joiner to the physics node before the recorder; what is not recorded is then said.
+    recorded = found["/lily_02/thruster_command"]
+    said = re.search(r"lily_02: (\d+) of the commands that it obeyed are not in the recording", run.output)
+    assert 400 - len(missing) <= recorded + (0 if said is None else int(said[1])) <= 400 - first, run.output
     assert missing == [tick / 2 for tick in range(len(missing))]
     assert first <= len(missing) <= stand + 1
     assert f"lily_02: {len(missing)} of 400 answers came late or not at all" in run.output
