@@ -32,8 +32,10 @@ MEASURED_AGAINST = (
     "readings stands in. Which effects a model has was decided on everything, free runs through these blocks among it.",
     "The noise floor is the error of a model that names nothing and has learnt a smooth force. Unseen recordings had",
     "no part in the found model: it and the platform's file run from the same starts, over the same seconds, through",
-    "the same windows; in brackets how long, how many, and in what share of them the found model errs more. Earlier",
-    "versions measured each model against its own smoothed course; their figures do not compare with these.",
+    "the same windows, which fill these recordings but for their first tenth; in brackets how long, how many, and in",
+    "what share of them the found model errs more. Earlier versions measured in a fifth of them (three windows",
+    "of the hovercraft), and still earlier ones each model against its own smoothed course; their figures do",
+    "not compare with these.",
 )
 
 

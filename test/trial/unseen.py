@@ -9,6 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+SETTLING = 0.1  # share of a recording in which the filter finds the state
+
 
 class OnUnseen(NamedTuple):
     """Root mean square errors of a channel, over windows of so many seconds, by the platform's file and a found model.
@@ -27,19 +29,22 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
     """Errors by channel that readings show; empty where the recordings cannot be used.
 
     Starts, and how long models run, are those of the platform's file, recalibrated on these very recordings: the only
-    thing that is fitted here, and no part of either model.
+    thing that is fitted here, and no part of either model. As neither model has seen anything of these recordings, free
+    runs go through all of each, but for the share at its beginning in which the filter finds the state.
     """
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.diagnosis.evidence.intake import take_in
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
     from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns
-    from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
+    from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, starts_of
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     intake = take_in(gather_evidence(bags, load_platform(nominal)))
     if intake.reasons:
         return {}
-    unseen = unseen_parts(base_fit(intake.evidence))
+    base = base_fit(intake.evidence)
+    starts = starts_of(base.tracks, base.filled)
+    unseen = Unseen(base, _whole(base.tracks), seconds_of_free_runs(base), base.filled, (), starts, ())
     runs = FreeRuns(unseen, unseen.rows)
     by_file = runs.errors(unseen.base.rows)
     tracks = tuple(_tracks(unseen.tracks, load_platform(found)))
@@ -50,6 +55,14 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
         for channel, one, other in zip(runs.channels, by_file.T, by_model.T, strict=True)
         if (seen := np.isfinite(one)).any()
     }
+
+
+def _whole(tracks: Sequence[Any]) -> tuple[Any, ...]:
+    """Hold out all of each track but its beginning."""
+    from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split
+
+    points = [track.timeline.grid.points for track in tracks]
+    return tuple(Split((Span(round(SETTLING * count), count - round(SETTLING * count)),), ()) for count in points)
 
 
 def _roots(*squares: Any) -> Iterator[float]:
