@@ -104,6 +104,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
+        step=min(track.timeline.grid.step for track in base.tracks),
         warnings=tuple(each.sentence for each in against if each.effect is None),
         untold=untold_errors(base.tracks),
     )

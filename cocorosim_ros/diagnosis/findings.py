@@ -253,6 +253,7 @@ class Diagnosis:
     needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
     drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best
+    step: float | None = None  # of the filter by which the numbers were found [s]; None where nothing was fitted
     warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
     untold: tuple[str, ...] = ()  # sentences: errors of readings that no other reading tells
     against: Comparison | None = None  # what was compared with, if it was not the platform's file

@@ -146,3 +146,12 @@ def test_steps_of_the_filter_follow_the_found_numbers(swim: Swim) -> None:
     assert 1.0 / RECALIBRATION.alike_steps < steps[1] / of_lily < RECALIBRATION.alike_steps
     (drag,) = [each.value(float(q)) for each, q in zip(after.unknowns, after.q, strict=True) if each.column == "drag"]
     assert drag == pytest.approx(lily.drag, rel=0.1)
+
+
+def test_a_found_model_keeps_the_steps_by_which_it_was_found(swim: Swim) -> None:
+    """However slow its numbers say the vehicle is: another step would average other readings."""
+    lily = load_platform("lily")
+    found = replace(lily, drag=0.01 * lily.drag, yaw_drag=0.01 * lily.yaw_drag, fitted_step=0.05)
+    evidence = swim(lily, 100.0, seed=3, base=found)
+    steps = [fit(evidence).tracks[0].timeline.grid.step for fit in (recalibration.first_fit, recalibration.base_fit)]
+    assert steps == [0.05, 0.05]

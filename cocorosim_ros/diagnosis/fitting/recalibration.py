@@ -47,11 +47,11 @@ def base_fit(evidence: Evidence) -> Fit:
     """Fit the recalibrated model: the platform's numbers and the noise at their most likely values.
 
     The steps of the filter are those that the platform's file asks for. If the numbers that are found ask for others,
-    as for a ship that brakes in a tenth of the time, the fit is made once more with these: a diagnosis with the found
-    model would take them too, and has to find the same.
+    as for a ship that brakes in a tenth of the time, the fit is made once more with these. A found model says by which
+    steps it was found, since other steps average other readings: with them another diagnosis may find other numbers.
     """
     base = climbed(first_fit(evidence))
-    for _ in range(RECALIBRATION.most_regriddings):
+    for _ in range(0 if evidence.platform.fitted_step else RECALIBRATION.most_regriddings):
         if all(_has_its_step(track, row) for track, row in zip(base.tracks, base.filled, strict=True)):
             break
         found = {track.name: row for track, row in zip(base.tracks, base.filled, strict=True)}

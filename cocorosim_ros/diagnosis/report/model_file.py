@@ -74,8 +74,7 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     tree["effects"] = _known_effects(platform.effect_quantities, tree.get("effects", {}))
     if platform.frame_corrections:
         tree["frame_corrections"] = dict(platform.frame_corrections)
-    if diagnosis.drag_form:
-        tree["drag_form"] = diagnosis.drag_form
+    tree |= _chosen(diagnosis, origin)
     numbers = diagnosis.all_recalibrated or diagnosis.recalibrated
     _put_parameters([each for each in numbers if "." not in each.parameter], origin, tree, robots)
     _put_declared([each for each in numbers if "." in each.parameter], origin, tree, robots)
@@ -84,6 +83,18 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
         if "effects" in part:
             part["effects"] = laws_in_words(part["effects"])
     return tree | {"robots": robots} if robots else tree
+
+
+def _chosen(diagnosis: Diagnosis, origin: Origin) -> Tree:
+    """Keys for what the diagnosis has chosen: the form of the drag, and the step by which numbers were found."""
+    form = {"drag_form": diagnosis.drag_form} if diagnosis.drag_form else {}
+    if diagnosis.step is None:
+        return form
+    return form | {"fitted_step": _derived(diagnosis.step, "s", origin)}
+
+
+def _derived(value: float, unit: str, origin: Origin) -> Tree:
+    return {"value": value, "unit": unit, "source": origin.source, "confidence": "derived"}
 
 
 def _put_parameters(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:
@@ -168,8 +179,7 @@ def _with_effect(known: Tree, found: FoundEffect, origin: Origin) -> Tree:
     name = platform_effect(found, known)
     numbers = {key: _number(estimate, origin.source) for key, estimate in platform_parameters(found).items()}
     for key, value in fixed_numbers(found, origin.duration).items():
-        unit = unit_in_file(parameter_unit(name, key))
-        numbers[key] = {"value": value, "unit": unit, "source": origin.source, "confidence": "derived"}
+        numbers[key] = _derived(value, unit_in_file(parameter_unit(name, key)), origin)
     found_beside = {
         effect: known.get(effect, {}) | {key: _number(each, origin.source) for key, each in parameters.items()}
         for effect, parameters in parameters_beside(found).items()

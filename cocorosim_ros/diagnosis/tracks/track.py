@@ -72,9 +72,11 @@ def make_track(platform: Platform, log: RobotLog, begin: float, end: float, foun
     """Make the track of a robot as if alone in open water; begin, end: first and last reading [s].
 
     found (columns,): numbers of the robot that a fit has found, for the step of the grid; None: those of the platform.
+    A platform whose numbers were found by a filter has the step of this filter.
     """
-    vehicle = replace(vehicle_model(platform.of_robot(log.name)), tilts=log.attitude is not None)
-    step = wanted_step(vehicle, vehicle.row if found is None else found)
+    own = platform.of_robot(log.name)
+    vehicle = replace(vehicle_model(own), tilts=log.attitude is not None)
+    step = own.fitted_step or wanted_step(vehicle, vehicle.row if found is None else found)
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)
     return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, start_of(vehicle, log, begin)))

@@ -71,7 +71,8 @@ class Platform(Shown):
     water_density [kg/m^3], gravity [m/s^2]. `thrust_gain`, `yaw_torque_gain`, `buoyancy_gain`: what the thrusters push
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
-    file does not say, and then a simulation takes the total speed. `ranges`: between what the numbers lie that are
+    file does not say, and then a simulation takes the total speed. `fitted_step`: step [s] of the filter by which the
+    numbers were found, where a diagnosis has found them. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units
     of a recorded stream are mixed up, by topic, in the words of a diagnosis. `robots`: those of this kind that
@@ -99,6 +100,7 @@ class Platform(Shown):
     yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     drag_form: DragForm | None = field(default=None, metadata=choice(*DRAG_FORMS))
+    fitted_step: float | None = field(default=None, metadata=quantity("time", "positive"))
     ranges: Ranges = field(
         default_factory=dict,
         hash=False,

@@ -56,6 +56,13 @@ def test_parameters_and_effects_come_back(example: Example, tmp_path: Path) -> N
     assert same == lily
 
 
+def test_the_step_of_the_filter_comes_back(example: Example, tmp_path: Path) -> None:
+    """Another step averages other readings, so the next diagnosis takes the same one; without a fit there is none."""
+    found = replace(example("mismatch"), step=0.04)
+    assert written(tmp_path, found, origin()).fitted_step == 0.04
+    assert written(tmp_path, replace(found, step=None), origin()).fitted_step is None
+
+
 def test_a_fitted_number_keeps_its_interval(example: Example, tmp_path: Path) -> None:
     """So the next diagnosis knows how sure the number is; one that was not told by any reading has none."""
     found = example("recalibrate")
