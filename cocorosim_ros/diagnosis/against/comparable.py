@@ -43,7 +43,8 @@ def comparable(bad: Evidence, good: Evidence) -> tuple[Evidence, Evidence]:
 def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
     """Bring both sides into frames and units of the contract, the judged one first by the corrections of the other.
 
-    So the mix-ups of the judged side are those that the other does not have.
+    So the mix-ups of the judged side are those that the other does not have. Which of two streams is mirrored may show
+    only beside the other side.
     """
     well = take_in(good, bad.recordings)
     recordings = tuple(
@@ -56,7 +57,7 @@ def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
         )
         for recording in bad.recordings
     )
-    return take_in(replace(bad, recordings=recordings), good.recordings), well
+    return take_in(replace(bad, recordings=recordings), good.recordings, well.evidence.recordings), well
 
 
 def in_parts(good: Evidence) -> Evidence:

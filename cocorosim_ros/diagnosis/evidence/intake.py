@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 from cocorosim_ros.diagnosis.evidence.abstention import reasons_to_abstain, without_unusable
 from cocorosim_ros.diagnosis.evidence.consistency import speed_sentence
@@ -38,13 +39,14 @@ class Intake:
     reasons: tuple[str, ...]
 
 
-def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = ()) -> Intake:
+def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = (), right: Sequence[RecordingLog] = ()) -> Intake:
     """Leave out robots with too little information, and bring streams into the frames and units of the contract.
 
-    Streams are compared in every recording of a robot alone, then in all its recordings together, for mix-ups that one
-    recording is too short to show. A stream that cannot be corrected, or then still contradicts another one, is left
-    out. Remarks report every change.
+    Streams are compared in all recordings of a robot together, for mix-ups that one recording is too short to show or
+    to tell from others, then in every recording alone. A stream that cannot be corrected, or then still contradicts
+    another one, is left out. Remarks report every change.
     beside: further recordings of the same robots that the evidence is fitted together with; they are not changed.
+    right: recordings of the same robots that are in axes and units of the contract.
     """
     reasons = reasons_to_abstain(evidence, beside)
     if reasons:
@@ -54,10 +56,12 @@ def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = ()) -> Intake:
     found: list[Mixup] = []
     for name in sorted({robot.name for recording in recordings for robot in recording.robots}):
         places = [number for number, recording in enumerate(recordings) if _robot(recording, name)]
-        for number in places:
-            found += _put_right(recordings, [number], name, needed_corrections, evidence.platform)
+        known = [robot for recording in right if (robot := _robot(recording, name))]
+        sought = partial(needed_corrections, beside=known)
         if len(places) > 1:
-            found += _put_right(recordings, places, name, needed_corrections, evidence.platform)
+            found += _put_right(recordings, places, name, sought, evidence.platform)
+        for number in places:
+            found += _put_right(recordings, [number], name, sought, evidence.platform)
         for number in places:
             found += _put_right(recordings, [number], name, _contradictory, evidence.platform)
     recordings = [_with_speeds(recording, evidence.platform) for recording in recordings]

@@ -246,18 +246,35 @@ def test_an_imu_on_its_side_is_said(swum: Swum, swim: Any, lily_platform: Platfo
     assert corrected(log, [found]) == log
 
 
+def spiral(number: int) -> RobotLog:
+    """A blimp that turns left under one command throughout, the faster the greater `number`."""
+    rate, speed = 0.6 + 0.1 * number, 0.5 + 0.05 * number
+    time = np.arange(0.0, 60.0, 0.05)
+    yaw = rate * time
+    place = [speed / rate * np.sin(yaw), -speed / rate * np.cos(yaw)]
+    pose = np.column_stack([*place, -0.01 * time, yaw])
+    pose += 0.001 * np.random.default_rng(number).standard_normal(pose.shape)
+    command = np.tile([0.2, 0.6 + 0.05 * number], (len(time), 1))
+    return RobotLog("blimp", time, command, {"pose": Stream(time, pose, np.full(4, 0.001))})
+
+
 def test_a_hull_that_is_led_through_a_spiral_is_no_mixup() -> None:
     """Wings let a blimp fly where it points, while drag by the total speed alone would let it slip a quarter turn."""
-    logs = []
-    for number, rate in enumerate((0.6, 0.7, 0.8)):
-        time = np.arange(0.0, 60.0, 0.05)
-        yaw, speed = rate * time, 0.5 + 0.05 * number
-        place = [speed / rate * np.sin(yaw), -speed / rate * np.cos(yaw)]
-        pose = np.column_stack([*place, -0.01 * time, yaw])
-        pose += 0.001 * np.random.default_rng(number).standard_normal(pose.shape)
-        command = np.tile([0.2, 0.6 + 0.05 * number], (len(time), 1))
-        logs.append(RobotLog("blimp", time, command, {"pose": Stream(time, pose, np.full(4, 0.001))}))
+    logs = [spiral(number) for number in range(3)]
     assert needed_corrections(logs, load_platform("rgblimp")) == ()
     quarter = [mixed(log, "pose", lambda v: [v[0], v[1], v[2], v[3] - np.pi / 2]) for log in logs]
     (correction,) = needed_corrections(quarter, load_platform("rgblimp"))
     assert "90 degrees have to be added" in correction.wrong
+
+
+def test_right_recordings_tell_which_of_two_streams_is_mirrored() -> None:
+    """Under one command throughout, a mirrored place and a mirrored yaw differ in the side alone that it turns to."""
+    blimp, right = load_platform("rgblimp"), [spiral(number) for number in range(3)]
+    place = mixed(right[1], "pose", lambda v: [v[0], -v[1], v[2], v[3]])
+    yaw = mixed(right[1], "pose", lambda v: [v[0], v[1], v[2], -v[3]])
+    alone = [needed_corrections(log, blimp) for log in (place, yaw)]
+    assert [found.wrong for found in alone[0]] == [found.wrong for found in alone[1]]
+    (of_place,), (of_yaw,) = (needed_corrections(log, blimp, right) for log in (place, yaw))
+    assert of_place.wrong == "the sign of y is flipped"
+    assert of_yaw.wrong == "as to the yaw, its sign is flipped (clockwise positive)"
+    assert needed_corrections(right[1], blimp, right) == ()

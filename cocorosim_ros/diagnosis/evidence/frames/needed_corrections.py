@@ -38,11 +38,13 @@ Found = list[FrameCorrection]
 Logs = Sequence[RobotLog]
 
 
-def needed_corrections(logs: RobotLog | Sequence[RobotLog], platform: Platform) -> tuple[FrameCorrection, ...]:
+def needed_corrections(
+    logs: RobotLog | Sequence[RobotLog], platform: Platform, beside: Sequence[RobotLog] = ()
+) -> tuple[FrameCorrection, ...]:
     """Every correction that the data support by a clear margin, in the order in which `corrected` applies them.
 
     Several logs must have been recorded in the same way: a correction that each of them is too short to show may show
-    in all together.
+    in all together. beside: logs of the same robot that are right.
 
     Units come first, by magnitudes that no physics explains; then axes and directions of turning, by the fewest
     changes that make all streams agree with each other and with the commands. A world that is turned as a whole, poses
@@ -50,21 +52,21 @@ def needed_corrections(logs: RobotLog | Sequence[RobotLog], platform: Platform) 
     the stream that is wrong more often is corrected.
     """
     together = [logs] if isinstance(logs, RobotLog) else list(logs)
-    found = _corrections(together, platform)
+    found = _corrections(together, platform, beside)
     if len([correction for correction in found if correction.nats < np.inf]) < 2:
         return tuple(found)
     # Several streams that contradict the commands in the same way are right, and the commands are not.
     for turned in (Turned(1, 0), Turned(0, 2), Turned(1, 2)):
         commands = _commands(Orientation(command=turned, nats=min(correction.nats for correction in found)), platform)
-        rest = _corrections(_all_corrected(together, commands), platform)
+        rest = _corrections(_all_corrected(together, commands), platform, beside)
         if commands[0].matrix is not None and len(rest) + 1 < len(found):
             found = [*commands, *rest]
     return tuple(found)
 
 
-def _corrections(logs: Logs, platform: Platform) -> Found:
+def _corrections(logs: Logs, platform: Platform, beside: Logs) -> Found:
     found = _units(logs, platform)
-    found += _axes(_all_corrected(logs, found), platform)
+    found += _axes(_all_corrected(logs, found), platform, beside)
     return found + _own_axes(_all_corrected(logs, found), platform)
 
 
@@ -88,11 +90,12 @@ def _units(logs: Logs, platform: Platform) -> Found:
     return [correction for correction in found if correction]
 
 
-def _axes(logs: Logs, platform: Platform) -> Found:
+def _axes(logs: Logs, platform: Platform, beside: Logs) -> Found:
     """Corrections of the axes of poses, compass and commands, and, after these, of the IMU."""
     motion = motion_together(logs, platform)
     down = height_upside_down(motion)
-    turned = best_orientation(motion, upside_down=down > AXES.margin)
+    known = motion_together(beside, platform) if beside else None
+    turned = best_orientation(motion, known, upside_down=down > AXES.margin)
     found = [*_pose(turned, down), *_compass(turned), *_commands(turned, platform)]
     motion = motion_together(_all_corrected(logs, found), platform)
     imu = inertial_axes(motion, gravity_of(logs, platform), _gyro_nats(turned))

@@ -11,11 +11,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.frames import ORIENTATION
-from cocorosim_ros.diagnosis.evidence.frames.agreement import alignment, correlation, independent, nats_behind
+from cocorosim_ros.diagnosis.criteria.frames import AGREEMENT, ORIENTATION
+from cocorosim_ros.diagnosis.evidence.frames.agreement import (
+    alignment,
+    both_given,
+    correlation,
+    independent,
+    nats_behind,
+)
 from cocorosim_ros.diagnosis.evidence.frames.motion import Courses, ShownMotion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, SWAPPED, Turned
 from cocorosim_ros.foundation.arrays import Floats
@@ -41,12 +48,13 @@ class Orientation:
     nats: float = 0.0
 
 
-def best_orientation(motion: ShownMotion, *, upside_down: bool) -> Orientation:
+def best_orientation(motion: ShownMotion, beside: ShownMotion | None = None, *, upside_down: bool) -> Orientation:
     """The changes that make the streams agree; none if the data do not clearly ask for a change.
 
-    upside_down: z was found to point down, which makes north-east-down poses likelier.
+    beside: motion of the same robot in recordings that are right. upside_down: z was found to point down, which makes
+    north-east-down poses likelier.
     """
-    relations = _Relations(motion)
+    relations = _Relations(motion, beside)
     nothing = relations.nats(Orientation())
     if nothing < ORIENTATION.price + ORIENTATION.margin:
         return Orientation()
@@ -96,11 +104,11 @@ def _rarity(turned: Turned, usual: tuple[Turned, ...]) -> float:
 class _Relations:
     """Tables of the nats by which the relations between the streams fail, for every combination of changes."""
 
-    def __init__(self, motion: ShownMotion) -> None:
+    def __init__(self, motion: ShownMotion, beside: ShownMotion | None) -> None:
         self.has_yaw, self.has_compass = _given(motion.yaw), _given(motion.heading)
         self.has_course, self.has_gyro = _given(motion.course.real), _given(motion.gyro)
         self.has_command = _given(motion.spin)
-        rates = {"yaw": motion.turn, "compass": motion.swing, "gyro": motion.gyro, "command": motion.spin}
+        rates = _rates(motion)
         self._course = {
             "yaw": _course_table(motion, motion.by_yaw),
             "compass": _course_table(motion, motion.by_compass),
@@ -108,6 +116,11 @@ class _Relations:
         self._headings = _heading_table(motion)
         pairs = [(a, b) for a in rates for b in rates if a < b and {a, b} != {"yaw", "compass"}]
         self._rates = {(a, b): _rate_table(rates[a], rates[b], motion.weight) for a, b in pairs}
+        if beside is not None:
+            for name, known in _rates(beside).items():
+                if name != "command":
+                    elsewhere = _Turning(beside.spin, known)
+                    self._rates["command", name] += elsewhere.table(motion.spin, rates[name], motion.weight)
 
     def nats(self, turned: Orientation) -> float:
         """Nats by which the relations fail under these changes, each against its own best combination."""
@@ -160,6 +173,36 @@ def _heading_table(motion: ShownMotion) -> Floats:
         found = alignment(-motion.yaw if yaw else motion.yaw, -motion.heading if compass else motion.heading)
         scores[yaw, compass] = [(found * 1j**quarter).real for quarter in range(4)]
     return nats_behind(scores, float(scores.max()), independent(motion.yaw, motion.heading, motion.weight))
+
+
+def _rates(motion: ShownMotion) -> dict[str, Floats]:
+    """Rates (n,) at which each source says that the robot turns."""
+    return {"yaw": motion.turn, "compass": motion.swing, "gyro": motion.gyro, "command": motion.spin}
+
+
+class _Turning(NamedTuple):
+    """How a stream turned under commands in recordings that are right: expected spins (n,) and its rates (n,).
+
+    Where a robot is commanded the same throughout each recording, the correlation of two rates, without their means,
+    shows no sign; how it turned elsewhere does.
+    """
+
+    spin: Floats
+    rate: Floats
+
+    def table(self, spin: Floats, rate: Floats, weight: float) -> Floats:
+        """Nats (2,) by which rates as they are, and of the other sign, fail to turn as elsewhere."""
+        given = both_given(self.spin, self.rate)
+        seen = both_given(spin, rate)
+        count = independent(spin, rate, weight)
+        if min(float(given.sum()), count) < AGREEMENT.fewest:
+            return np.zeros(2)
+        known = np.column_stack([np.ones(int(given.sum())), self.spin[given]])
+        rest, per_spin = np.linalg.lstsq(known, self.rate[given], rcond=None)[0]
+        expected = rest + per_spin * spin[seen]
+        left: Floats = np.array([np.mean((sign * rate[seen] - expected) ** 2) for sign in (1.0, -1.0)])
+        least = max(float(left.min()), AGREEMENT.finest * float(left.max()))
+        return np.asarray(0.5 * count * np.log(np.maximum(left, least) / least)) if least > 0.0 else np.zeros(2)
 
 
 def _rate_table(left: Floats, right: Floats, weight: float) -> Floats:
