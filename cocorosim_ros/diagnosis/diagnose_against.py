@@ -29,7 +29,7 @@ from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
-from cocorosim_ros.diagnosis.showing.differing import differing_effects, differing_numbers
+from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
@@ -67,7 +67,7 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     alike = Alike(learned)
     progress("comparing the recordings of --against with each other", 0.5)
     control = _control(learned, alike, thrusters)
-    judged = Judged(tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
+    judged = _judged(joint, tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
     naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
     progress("writing down", 0.95)
     against = _against(good, learned, control, naming)
@@ -97,9 +97,13 @@ def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[st
     if not half:
         return ()
     fit = replace(learned, rows=below(learned))
-    found = name_differences(fit, Judged(half, alike, thrusters), lambda words, share: None)
+    found = name_differences(fit, _judged(fit, half, alike, thrusters), lambda words, share: None)
     names = tuple(effect.candidate.entry.id for effect in found.named)
     return (*names, found.nameless) if found.nameless else names
+
+
+def _judged(fit: Fit, numbers: tuple[int, ...], alike: Alike, thrusters: tuple[str, ...]) -> Judged:
+    return Judged(numbers, alike, thrusters, unseen_parts(fit, among=numbers))
 
 
 def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
@@ -117,16 +121,16 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
     numbers = fitted(naming.fit)
     moved = differing_numbers(naming, numbers)
-    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, numbers, judged.thrusters))
+    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, numbers))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(unseen_parts(base), final)
-    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
-    tried = {each.candidate.entry.id for each in naming.screened}
     courses = smoothed_tracks(base), smoothed_tracks(final)
     stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
-    effects = stopped(effects, stops)
+    effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
+    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
+    tried = {each.candidate.entry.id for each in naming.screened}
     verdict = _verdict(effects, moved, unseen, naming.nameless)
     return Diagnosis(
         verdict,

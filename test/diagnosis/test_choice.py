@@ -10,10 +10,14 @@ import boats
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
+from cocorosim_ros.diagnosis.naming.choice import Choice
 
 WIDTH, SECONDS, BLOCKS, FITTED = 0.09, 240.0, 4, 0.6
 KNOWN = """
@@ -71,3 +75,13 @@ def test_the_found_model_finds_nothing_though_little_else_could_be_seen(
     model = load_platform(str(tmp_path / "model.yaml"))
     second = diagnose(replace(caught, platform=model), lambda words, share: None)
     assert (second.verdict, second.effects) == ("consistent", ())
+
+
+def test_a_comparison_names_nothing_that_free_runs_do_not_gain_by() -> None:
+    """A small loss may be chance, and forbids no name; recordings of a sound vehicle differ by as much."""
+    entry = next(each for each in ENTRIES if each.id == "thruster_asymmetry")
+    candidate, likely_chance = Candidate(entry, ("boat",), ((0,),)), Gain(-0.1, 0.2, 8)
+    of_diagnosis, of_comparison = (Choice(Any, Any, must_gain=each) for each in (False, True))
+    assert not of_diagnosis.refuses(candidate, likely_chance)
+    assert of_comparison.refuses(candidate, likely_chance)
+    assert not of_comparison.refuses(candidate, likely_chance._replace(mean=0.1))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from trial.unseen import SETTLING, OnUnseen, on_unseen
 
 from cocorosim_ros.wire.bags.bag_reader import read_bag
-from trial.unseen import SETTLING, OnUnseen, on_unseen
 
 FIVE = Path(__file__).parents[2] / "bags" / "five_lilys" / "bag"
 ROBOTS = 5

@@ -28,7 +28,9 @@ from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
+from cocorosim_ros.diagnosis.naming.choice import Choice
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.naming import best_addition, keys_of, ranked
 from cocorosim_ros.diagnosis.naming.pruning import pruned
 from cocorosim_ros.diagnosis.naming.residual import scene_of
@@ -46,20 +48,24 @@ class Addition(NamedTuple):
 
 @dataclass(frozen=True)
 class Judged:
-    """The tracks of a joint fit that are to be judged, by number, and the measure of evidence in them.
+    """The tracks of a joint fit that are to be judged, by number, and the measures of evidence in them.
 
-    thrusters: names of the platform's thrusters, in order.
+    thrusters: names of the platform's thrusters, in order. unseen: parts of these tracks, through which free runs
+    choose among differences of motion.
     """
 
     numbers: tuple[int, ...]
     alike: Alike
     thrusters: tuple[str, ...]
+    unseen: Unseen
 
 
 def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float], None]) -> Naming:
     """Name what differs on the judged tracks of a joint fit, to all tracks of which the shared model has been fitted.
 
-    The rows of the fit hold the shared numbers, as `joint.below` writes them. A law outside the catalogue is not named:
+    The rows of the fit hold the shared numbers, as `joint.below` writes them. Recordings of a sound vehicle differ too,
+    by more than their evidence says where the random force is not quite as the model has it: so a difference of motion
+    is named only if free runs gain by it. A law outside the catalogue is not named:
     with altered logs of real vehicles it mostly stood in for something that has a name. That there is one is kept.
     """
     fit, named = joint, _NOTHING
@@ -71,12 +77,13 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         scene = _scene(fit, judged)
         screen = Screen(fit, scene)
         tested = _tested(screen, judged, _entries(joint, judged), named)
-        found = _simplest(Stage(fit, named), screen, tested)
+        choice = Choice(judged.unseen, fit, onsets_of(named), must_gain=True)
+        found = _simplest(Stage(fit, named), screen, tested, choice)
         laws: tuple[Screened, ...] = ()
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
-            left_over = _best(Stage(fit, named), screen, (), laws)
+            left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
             first, first_laws = tested, laws
@@ -84,28 +91,30 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)
         if len(named) >= SEARCH.pruned_from:
-            fit, named = pruned(Stage(fit, named), joint)
-    fit, named = pruned(Stage(fit, named), joint)
+            fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
+    fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws, nameless)
 
 
-def _best(stage: Stage, screen: Screen, tested: Sequence[Screened], laws: Sequence[Screened] = ()) -> Addition | None:
-    found = best_addition(stage.named, screen, tested, laws)
+def _best(
+    stage: Stage, screen: Screen, tested: Sequence[Screened], choice: Choice, laws: Sequence[Screened] = ()
+) -> Addition | None:
+    found = best_addition(stage.named, screen, tested, laws, choice)
     return None if found is None else Addition(*found)
 
 
-def _simplest(stage: Stage, screen: Screen, tested: Sequence[Screened]) -> Addition | None:
+def _simplest(stage: Stage, screen: Screen, tested: Sequence[Screened], choice: Choice) -> Addition | None:
     """Find the best addition to a stage, or in its place a rival with fewer numbers where one of its own may be zero.
 
     So an offset is named for a drift whose rate may be nothing.
     """
-    found = _best(stage, screen, tested)
+    found = _best(stage, screen, tested, choice)
     if found is None or not _holds_neutral(found):
         return found
     rivals = {rival.candidate.key for rival in found.effect.rivals}
     count = len(found.effect.candidate.entry.amplitudes)
     fewer = [each for each in tested if each.candidate.key in rivals and len(each.candidate.entry.amplitudes) < count]
-    simple = _best(stage, screen, fewer) if fewer else None
+    simple = _best(stage, screen, fewer, choice) if fewer else None
     if simple is None or _holds_neutral(simple):
         return found
     others = tuple(rival for rival in found.effect.rivals if rival.candidate.key != simple.effect.candidate.key)

@@ -7,7 +7,7 @@ block gets into the fit of the numbers. Robots of one recording have the same bl
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -41,8 +41,14 @@ class Split(NamedTuple):
     seen: tuple[Span, ...]
 
 
-def split_tracks(tracks: Sequence[Track], seconds: float) -> tuple[Split, ...]:
-    """Choose what is held out of each track, for free runs of so many seconds."""
+def split_tracks(tracks: Sequence[Track], seconds: float, among: Collection[int]) -> tuple[Split, ...]:
+    """Choose what is held out of each track, for free runs of so many seconds; nothing of one that is not `among`."""
+    chosen = iter(_split([tracks[number] for number in sorted(among)], seconds))
+    whole = [Split((), (Span(0, track.timeline.grid.points),)) for track in tracks]
+    return tuple(next(chosen) if number in among else split for number, split in enumerate(whole))
+
+
+def _split(tracks: Sequence[Track], seconds: float) -> tuple[Split, ...]:
     places = _recordings(tracks)
     counts = [_blocks(track, seconds) for track in tracks]
     points = [track.timeline.grid.points for track in tracks]

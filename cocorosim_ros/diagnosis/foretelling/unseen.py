@@ -9,7 +9,7 @@ model's smoothed course stands in, which no named effect has bent.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -68,14 +68,15 @@ def seconds_of_free_runs(fit: Fit) -> float:
     return window_length(float(np.median(coasting)), smoothed_tracks(fit))
 
 
-def unseen_parts(base: Fit, seconds: float | None = None) -> Unseen:
+def unseen_parts(base: Fit, seconds: float | None = None, among: Collection[int] | None = None) -> Unseen:
     """Choose what is held out and how long free runs last, and fit the recalibrated model to the rest.
 
-    seconds: length of the free runs [s]; None: that of a vehicle that moves as the recalibrated model does.
+    seconds: length of the free runs [s]; None: that of a vehicle that moves as the recalibrated model does. among:
+    numbers of the tracks of which parts are held out; None: all.
     """
     tracks = base.tracks
     seconds = seconds_of_free_runs(base) if seconds is None else seconds
-    splits = split_tracks(tracks, seconds)
+    splits = split_tracks(tracks, seconds, range(len(tracks)) if among is None else among)
     rows = fitted_to_the_rest(base, splits)
     courses = smoothed_under(tracks, rows)
     return Unseen(

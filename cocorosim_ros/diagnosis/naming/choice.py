@@ -37,12 +37,14 @@ def harms(candidate: Candidate, gain: Gain) -> bool:
 class Choice:
     """Free runs of the models that one more effect makes of `fit`; those of a model are run once.
 
-    onsets: columns of moments of events that the fit has, of which what is held out may tell alone.
+    onsets: columns of moments of events that the fit has, of which what is held out may tell alone. must_gain: no
+    candidate that moves is named without a gain, however likely a small loss is by chance.
     """
 
     unseen: Unseen
     fit: Fit
     onsets: frozenset[str] = frozenset()
+    must_gain: bool = False
     _known: list[tuple[Refined, Floats]] = field(default_factory=list)
 
     @cached_property
@@ -56,6 +58,10 @@ class Choice:
     def gain(self, refined: Refined) -> Gain:
         """Gain of a refined candidate over the model without any, both without the held-out readings."""
         return self._runs.gain(self._before, self._of(refined))
+
+    def refuses(self, candidate: Candidate, gain: Gain) -> bool:
+        """Tell whether free runs are against naming a candidate that moves."""
+        return harms(candidate, gain) or (self.must_gain and gain.mean <= 0.0)
 
     def better(self, leader: Refined, others: Sequence[Refined]) -> list[Refined]:
         """List the entries of the catalogue that foretell clearly better than a leader that moves, best first.

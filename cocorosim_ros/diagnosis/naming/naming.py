@@ -25,7 +25,7 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
-from cocorosim_ros.diagnosis.naming.choice import Choice, harms, moves
+from cocorosim_ros.diagnosis.naming.choice import Choice, moves
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
@@ -186,7 +186,7 @@ def _first_believed(
         )
         best, held_out = next(((each, found) for each, found in others if found is not None), (leader, own))
         gain = choice.gain(best)
-        if not harms(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
+        if not choice.refuses(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
             return _addition(best, _rivals(best, refined, choice), held_out, gain)
         passed_over.harmful.append(best.candidate)
     return None

@@ -44,14 +44,18 @@ def differing_numbers(naming: Naming, numbers: Sequence[Fitted]) -> tuple[Recali
     return tuple(found)
 
 
-def differing_effects(naming: Naming, numbers: Sequence[Fitted], thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
-    """All other differences, the one with most evidence first.
-
-    One weak thruster of two is an asymmetry: its own gain is given beside the `difference` of the contract. numbers:
-    those of the fit.
-    """
+def differing_effects(naming: Naming, numbers: Sequence[Fitted]) -> tuple[FoundEffect, ...]:
+    """All other differences, the one with most evidence first; numbers: those of the fit."""
     named = [effect for effect in naming.named if not _is_number(effect)]
-    return tuple(_as_asymmetry(effect, thrusters) for effect in found_effects(naming.fit, named, numbers))
+    return found_effects(naming.fit, named, numbers)
+
+
+def as_asymmetries(effects: Sequence[FoundEffect], thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
+    """Call one weak thruster of two an asymmetry: its own gain is given beside the `difference` of the contract.
+
+    thrusters: names, in order.
+    """
+    return tuple(_as_asymmetry(effect, thrusters) for effect in effects)
 
 
 def _is_number(effect: NamedEffect) -> bool:

@@ -26,14 +26,14 @@ def tracks(*points: int) -> list[Any]:
 
 def test_blocks_lie_throughout_a_long_recording() -> None:
     """Ten minutes and runs of 20 s: four blocks of a minute, each behind a fitted minute and a half."""
-    (split,) = split_tracks(tracks(6000), 20.0)
+    (split,) = split_tracks(tracks(6000), 20.0, [0])
     assert split.held == tuple(Span(1500 * number + 900, 600) for number in range(4))
     assert split.seen == tuple(Span(1500 * number, 900) for number in range(4))
 
 
 def test_several_recordings_are_held_out_at_several_places() -> None:
     """Late, early, in the middle; what is held out is not fitted, and all the rest is."""
-    splits = split_tracks(tracks(1000, 1000, 1000), 20.0)
+    splits = split_tracks(tracks(1000, 1000, 1000), 20.0, range(3))
     assert [split.held for split in splits] == [(Span(600, 400),), (Span(50, 400),), (Span(300, 400),)]
     for split in splits:
         parts = sorted((*split.held, *split.seen))
@@ -43,11 +43,21 @@ def test_several_recordings_are_held_out_at_several_places() -> None:
 
 def test_of_many_short_recordings_whole_ones_are_held_out() -> None:
     """Three of eight, spread; nothing of these is fitted, and all of the others."""
-    splits = split_tracks(tracks(*[100] * 8), 5.0)
+    splits = split_tracks(tracks(*[100] * 8), 5.0, range(8))
     held = [number for number, split in enumerate(splits) if split.held]
     assert held == [2, 4, 7]
     assert all(not split.seen for split in splits if split.held)
     assert all(split.seen == (Span(0, 100),) for split in splits if not split.held)
+
+
+def test_nothing_is_held_out_of_other_tracks() -> None:
+    """Two of four are judged: they are split as if alone, and the others are fitted whole."""
+    points = (700, 1000, 800, 1000)
+    splits = split_tracks(tracks(*points), 20.0, (1, 3))
+    assert splits[1::2] == split_tracks(tracks(1000, 1000), 20.0, range(2))
+    for number in (0, 2):
+        assert splits[number].held == ()
+        assert splits[number].seen == (Span(0, points[number]),)
 
 
 def lily_row(**numbers: float) -> tuple[Any, Any]:
