@@ -233,7 +233,7 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
         "mirror": lambda: ("compass", mirror_change(amount), _told("frame_mixup", correction="negate the reading")),
         "gyro": lambda: ("imu", gyro_change(amount), _told("imu_bias", gyro_z=amount)),
         "pressure": lambda: ("pressure", offset_change(amount), _told("pressure_offset", offset=amount)),
-        "gyroscale": lambda: ("imu", gyro_scale_change(1.0 + amount), _told("unknown:gyro_z~r", coefficient=amount)),
+        "gyroscale": lambda: ("imu", gyro_scale_change(1.0 + amount), _told("gyro_scale", scale=1.0 + amount)),
         "heading": lambda: (
             "compass", heading_change(amount), _told("compass_distortion", offset=amount, sin=0.0, cos=0.0),
         ),

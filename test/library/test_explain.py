@@ -80,7 +80,7 @@ def test_a_key_by_its_last_word_or_in_full() -> None:
     assert patience.facts["form"] == "time [s], greater than zero"
     assert patience.facts["default"] == "10.0 s"
     assert "cocorosim_ros/graph/nodes/physics_shell.py" in patience.used_by
-    gains = {"wall_effect.gain", "neighbour_wake.gain", "actuators.gain", "depth_agreement.gain"}
+    gains = {"pressure_gain.gain", "wall_effect.gain", "neighbour_wake.gain", "actuators.gain", "depth_agreement.gain"}
     assert {each.name for each in cocorosim.explain("gain")} == gains
     assert cocorosim.explain("swarm[].start") == cocorosim.explain("swarm.start")
 

@@ -15,7 +15,7 @@ from trial.recordings import dives, flights, hovercraft, minutes_in_the_pool, pa
 from trial.ways import Way
 
 NOTHING = "nothing"  # to be found of a stream that is hidden: the vehicle is as it was
-FACTORS = ("camera_scale", "thruster_gain", "pressure_gain")  # numbers that are 1 where nothing is wrong
+FACTORS = ("camera_scale", "thruster_gain", "pressure_gain", "gyro_scale")  # numbers that are 1 where nothing is wrong
 
 
 @dataclass(frozen=True)
@@ -64,10 +64,10 @@ def way_of(how: str, amount: float, thruster: str = "") -> Way:
         "heading": ("compass_distortion", "compass", "offset", amount),
         "mirror": ("frame_mixup", "compass", "", math.nan),
         "gyro": ("imu_bias", "imu", "gyro_z", amount),
-        "gyroscale": ("unknown:imu~r", "imu", "coefficient", amount),
+        "gyroscale": ("gyro_scale", "imu", "scale", 1.0 + amount),
         "pressure": ("pressure_offset", "pressure", "offset", amount),
         "drift": ("pressure_drift", "pressure", "rate", amount),
-        "pressuregain": ("pressure_gain", "pressure", "gain", 1.0 + amount),  # not in the catalogue: silence is all
+        "pressuregain": ("pressure_gain", "pressure", "gain", 1.0 + amount),
         "hidden": (NOTHING, None, "", math.nan),
         "axis": ("frame_mixup", "pose", "", math.nan),
         "rightdown": ("frame_mixup", "velocity", "", math.nan),

@@ -66,7 +66,6 @@ class Entry(Standing):
     manoeuvre: str = ""  # a name in catalogue.manoeuvres
     needs_neighbours: bool = False
     needs_above_water: bool = False
-    prior_nats: float = 0.0  # odds against the entry before any evidence, as there are many of its sort
     law: str | None = None  # for laws outside the catalogue: the simulator's effect that acts for the law
     opposite: str = ""  # its name where its first amplitude is negative, "" where the name holds for both signs
     form: Law | None = None  # for laws outside the catalogue: equation or reading, and product of regressors
@@ -80,6 +79,11 @@ class Entry(Standing):
         return {
             each.name: estimates[each.name].holds(each.neutral) for each in self.amplitudes if each.name in estimates
         }
+
+    def may_be_nothing(self, estimates: Mapping[str, Estimate]) -> bool:
+        """Tell whether the 95 % interval of each amplitude that was estimated holds its neutral value."""
+        doubts = self.doubts(estimates).values()
+        return bool(doubts) and all(doubts)
 
 
 def entry_of(identifier: str, effect: Description, search: Search) -> Entry:

@@ -141,7 +141,7 @@ IMU = Sensor(
         Kind("gyro_z", "gyro_z", "rad/s", _gyro, _by_gyro, ("angular_rate", 2),
              noise_words="a reading of the gyroscope", least_noise=1e-3, least_motion=0.01, large_error=0.02,
              error_follows=(*MOTORS, *PUMP, "r", "t", "z", "u", "v", "speed", *HEADING, "|r|", "|r|*r"),
-             most_error=MostError(0.2, 0.2), shows=TURN),  # a cheap gyroscope that is cold
+             most_error=MostError(0.2, 0.35), shows=TURN),  # a cheap gyroscope that is cold, or scaled for another
         Kind("accel_x", "accel_x", "m/s^2", _ahead, _by_ahead, ("specific_force", 0), noise="accel",
              noise_words="a reading of the accelerometer", least_noise=1e-3, large_error=0.03,
              error_follows=_ACCELERATED, most_error=_TILTED),

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.terms.effect import Description
 from cocorosim_ros.world.terms.search import Search
@@ -60,3 +61,15 @@ class SensorError(Description):
 def added(value: float, truth: float, stamp: float, amount: float) -> float:
     """Return what is shown with a constant amount on top."""
     return value + amount
+
+
+@kernel
+def multiplied(value: float, truth: float, stamp: float, factor: float) -> float:
+    """Return what is shown times a factor."""
+    return factor * value
+
+
+@kernel
+def multiplied_slope(row: Floats, factor: float) -> float:
+    """Derivative of `multiplied` by the truth."""
+    return factor

@@ -93,6 +93,7 @@ class Standing:
     group: str = ""  # effects that look alike are always compared with each other; see terms.groups
     topic: str | None = None  # the stream of which the effect is, and without which it does not show
     basis: Basis | None = None  # how its slope at any shape is a sum of those at a few
+    prior_nats: float = 0.0  # odds against it before any evidence: there are many of its sort, or it is rare
     of_pump: bool = False  # of how the pump answers its command, how the dive speed is resisted, or when depth is read
 
 

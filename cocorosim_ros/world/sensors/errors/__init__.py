@@ -8,16 +8,20 @@ from cocorosim_ros.world.sensors.errors.camera_scale import CAMERA_SCALE
 from cocorosim_ros.world.sensors.errors.clock_skew import CLOCK_SKEW
 from cocorosim_ros.world.sensors.errors.compass_distortion import COMPASS_DISTORTION
 from cocorosim_ros.world.sensors.errors.frame_mixup import FRAME_MIXUP
+from cocorosim_ros.world.sensors.errors.gyro_scale import GYRO_SCALE
 from cocorosim_ros.world.sensors.errors.imu_bias import IMU_BIAS
 from cocorosim_ros.world.sensors.errors.pressure_drift import PRESSURE_DRIFT
+from cocorosim_ros.world.sensors.errors.pressure_gain import PRESSURE_GAIN
 from cocorosim_ros.world.sensors.errors.pressure_offset import PRESSURE_OFFSET
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS, SENSOR_LATENCY
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
 
 ERRORS: dict[str, SensorError] = {
     "compass_distortion": COMPASS_DISTORTION,
+    "pressure_gain": PRESSURE_GAIN,
     "pressure_offset": PRESSURE_OFFSET,
     "pressure_drift": PRESSURE_DRIFT,
+    "gyro_scale": GYRO_SCALE,
     "imu_bias": IMU_BIAS,
     "camera_scale": CAMERA_SCALE,
     "sensor_latency": SENSOR_LATENCY,

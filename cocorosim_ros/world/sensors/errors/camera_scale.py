@@ -2,24 +2,9 @@
 
 from __future__ import annotations
 
-from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
+from cocorosim_ros.world.sensors.sensor_error import Change, SensorError, multiplied, multiplied_slope
 from cocorosim_ros.world.terms.effect import Example, Number
 from cocorosim_ros.world.terms.search import Search, Strength
-
-
-@kernel
-def shown(value: float, truth: float, stamp: float, scale: float) -> float:
-    """Coordinate [m] in place of `value`."""
-    return scale * value
-
-
-@kernel
-def slope(row: Floats, scale: float) -> float:
-    """Derivative of what is shown by the place."""
-    return scale
-
 
 CAMERA_SCALE = SensorError(
     summary="camera lengths that are wrong by a factor",
@@ -38,7 +23,7 @@ CAMERA_SCALE = SensorError(
         ),
     ),
     sensor="pose",
-    changes=tuple(Change(kind, ("scale",), shown, slope) for kind in ("pose_x", "pose_y", "pose_z")),
+    changes=tuple(Change(kind, ("scale",), multiplied, multiplied_slope) for kind in ("pose_x", "pose_y", "pose_z")),
     against="x",
     search=Search(channel="pose", topic="pose", manoeuvre="ruler"),
     check="Measure a known length in the camera's picture, at the depth where the robots swim.",
