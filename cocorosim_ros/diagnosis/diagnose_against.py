@@ -26,7 +26,7 @@ from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
-from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects
+from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects, streams_and_numbers_not_shown
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
@@ -124,6 +124,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, numbers))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
+    effects, nameless = _beyond_doubt(naming, effects)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(unseen_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
@@ -131,14 +132,16 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
     unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     tried = {each.candidate.entry.id for each in naming.screened}
-    verdict = _verdict(effects, moved, unseen, naming.nameless)
+    verdict = _verdict(effects, moved, unseen, nameless)
+    named = {*(effect.id for effect in effects), *(each.parameter for each in moved)}
+    silent = (*unseen, *(name for name in streams_and_numbers_not_shown(naming.screened) if name not in named))
     return Diagnosis(
         verdict,
-        difference_sentence(verdict, effects, moved, naming.nameless),
+        difference_sentence(verdict, effects, moved, nameless),
         moved,
         (),
         effects,
-        unseen,
+        silent,
         advised(effects, [name for name in unseen if name in tried], intake.evidence.platform),
         table,
         (),
@@ -151,9 +154,24 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
-        warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
+        warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(nameless)),
         against=against,
     )
+
+
+def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tuple[FoundEffect, ...], str]:
+    """Differences whose size is more than nothing, and what is said to look like a difference without a name.
+
+    One whose interval holds nothing in each amplitude explains readings by what stands beside it in the fit.
+    """
+    entries = {(each.candidate.entry.id, each.candidate.entry.topic): each.candidate.entry for each in naming.named}
+
+    def is_doubted(effect: FoundEffect) -> bool:
+        entry = entries.get((effect.id, effect.topic))
+        return entry is not None and entry.may_be_nothing(effect.parameters)
+
+    doubted = [effect.id for effect in effects if is_doubted(effect)]
+    return tuple(effect for effect in effects if not is_doubted(effect)), naming.nameless or next(iter(doubted), "")
 
 
 def _of_nameless(law: str) -> tuple[str, ...]:
@@ -161,8 +179,8 @@ def _of_nameless(law: str) -> tuple[str, ...]:
     if not law:
         return ()
     return (
-        f"Something differs that no entry of the catalogue explains. It looks like '{law}', but a law of this kind "
-        "often stands in for something that has a name; look at the residuals.",
+        f"Something differs that no entry of the catalogue clearly explains. It looks like '{law}', but this often "
+        "stands in for something else; look at the residuals.",
     )
 
 

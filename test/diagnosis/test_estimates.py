@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 
 def test_no_interval_is_narrower_than_the_steps_of_the_filter(swim: Any) -> None:
     """In still water the truth, 1 % more drag in yaw, lies in an interval at least six ten-thousandths wide."""
@@ -39,3 +41,20 @@ def test_a_number_that_was_measured_has_to_leave_both_intervals(swim: Any) -> No
         fit = base_fit(swim(replace(plain, drag=1.2 * plain.drag), 200.0, seed=8, base=base))
         _, moved = recalibrated(fitted(fit))
         assert [each.parameter for each in moved] == names
+
+
+def test_a_difference_is_told_as_the_number_would_be_with_it_alone() -> None:
+    """6 % on top of any scale is a scale of 1.06; an offset on top of another is itself, and a factor too."""
+    from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
+    from cocorosim_ros.diagnosis.showing.estimates import Fitted
+
+    scale = Unknown(Owner("camera_scale", ("lily",), "scale", "1"), "camera_scale.scale", (0,), 0.0, 0.05, on_top=True)
+    assert Fitted(scale, 1.2, 0.1).estimate.value == pytest.approx(1.06)
+    offset = Unknown(
+        Owner("pressure_offset", ("lily",), "offset", "Pa"), "pressure_offset.offset", (0,), 0.0, 500.0, on_top=True
+    )
+    assert Fitted(offset, 0.5, 0.1).estimate.value == pytest.approx(250.0)
+    gain = Unknown(
+        Owner("thruster_gain:left", ("lily",), "left", "1"), "own_gain.1", (0,), 1.0, 0.3, logarithmic=True, on_top=True
+    )
+    assert Fitted(gain, 0.0, 0.1).estimate.value == pytest.approx(1.0)

@@ -91,9 +91,14 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
     outcome = RIGHT if own and any(_fits(each, way) for each in own) else WRONG if named else SILENT
     if way is None or way.effect == NOTHING:
         outcome = WRONG if named else RIGHT
-    elif outcome == SILENT and way.effect in said["not_shown_by_this_recording"]:
+    elif outcome == SILENT and not _names_of(way).isdisjoint(said["not_shown_by_this_recording"]):
         outcome = BLIND
     return {"outcome": outcome, "beside": beside, "named": [each["id"] for each in named]}
+
+
+def _names_of(way: Way) -> set[str]:
+    """By which a diagnosis may say that it cannot see an effect: the effect, that of the stream, that of the part."""
+    return {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}"}
 
 
 def _is_it(effect: dict[str, Any], way: Way) -> bool:

@@ -86,7 +86,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
-            first, first_laws = tested, laws
+            first, first_laws = tuple(map(screen.felt, tested)), laws
         if found is None:
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)

@@ -2,31 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, noise_unknowns
-from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import climbed
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_NOISE, WATER_NOISE
+from cocorosim_ros.diagnosis.fitting.unknowns import Z95, Unknown, write_values
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, COMMAND_DELAY, READING_NOISE, TIMING, WATER_NOISE
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
+DELAY_COLUMNS = {*np.arange(len(COLUMN))[TIMING].tolist(), COLUMN[COMMAND_DELAY]}
 NOISE_COLUMNS = [COLUMN[name] for name in (*WATER_NOISE, *READING_NOISE)]
 
 
 def joint_fit(learned: Fit, bad: Evidence) -> Fit:
-    """Fit the learned vehicle to its own tracks and to those of `bad`, which follow; noise is each side's own."""
+    """Fit the learned vehicle to its own tracks and to those of `bad`, which follow; noise is each side's own.
+
+    Delays stay within what the learned vehicle's own recordings leave open: their likelihood is so rough that a stream
+    which comes later in `bad` would draw them to a place between both, from which no slope leads back.
+    """
     tracks, first = make_tracks(bad), len(learned.tracks)
     known = _rows_of(learned, tracks)
     rows = known.copy()
     rows[:, NOISE_COLUMNS] = base_rows(tracks)[:, NOISE_COLUMNS]
-    unknowns = tuple(_extended(unknown, tracks, first) for unknown in learned.unknowns)
+    unknowns = tuple(_extended(unknown, tracks, first) for unknown in _with_kept_delays(learned))
     noise = noise_unknowns(tracks, rows)
     water = [_as_learned(unknown, known) for unknown in noise]
     return climbed(
@@ -85,6 +90,15 @@ def _as_learned(noise: Unknown, known: Floats) -> float:
     if noise.column not in WATER_NOISE:
         return 0.0
     return noise.clipped(float(known[noise.tracks[0], COLUMN[noise.column]]) - noise.base)
+
+
+def _with_kept_delays(learned: Fit) -> Iterator[Unknown]:
+    """The unknowns of a learned vehicle, delays with bounds by their 95 % intervals."""
+    spread = np.sqrt(np.diag(covariance(learned)))
+    for unknown, q, off in zip(learned.unknowns, learned.q.tolist(), (Z95 * spread).tolist(), strict=True):
+        is_delay = COLUMN[unknown.column] in DELAY_COLUMNS
+        low, high = unknown.bounds
+        yield replace(unknown, bounds=(max(low, q - off), min(high, q + off))) if is_delay else unknown
 
 
 def _extended(unknown: Unknown, tracks: Sequence[Track], first: int) -> Unknown:

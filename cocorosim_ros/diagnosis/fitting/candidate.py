@@ -108,9 +108,18 @@ class Candidate:
         return Owner(self.entry.id, robots, number.name, number.unit, self.entry.topic)
 
     def searched(self) -> list[Floats]:
-        """Further starts of a fit: q of the amplitudes (n,), the same for all robots; empty where a slope is enough."""
+        """Further starts of a fit: q of the amplitudes (n,), the same for all robots; empty where a slope is enough.
+
+        A difference on top of a number may be of either sign.
+        """
         (amplitude, *others), sharers = self.entry.amplitudes, len(self.sharers)
-        return [] if others or self.known else [np.full(sharers, value) for value in amplitude.searched]
+        if others or not amplitude.searched:
+            return []
+        if amplitude.column not in self.over:
+            return [] if self.known else [np.full(sharers, value) for value in amplitude.searched]
+        lowest = max(unknown.bounds[0] for unknown in self.amplitudes())
+        both = sorted({*amplitude.searched, *(-value for value in amplitude.searched)})
+        return [np.full(sharers, value) for value in both if value > lowest]
 
     def large(self, amplitude: Amplitude) -> float:
         """Large value of an amplitude for this vehicle, in the amplitude's unit.

@@ -17,9 +17,10 @@ from itertools import product
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes
+from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, evaluated, information, slopes
 from cocorosim_ros.diagnosis.fitting.solving import clipped, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
 from cocorosim_ros.foundation.arrays import Floats
@@ -44,6 +45,7 @@ class Screened:
     nats: float  # evidence
     information: Floats  # (amplitudes, amplitudes) orthogonal to the model, without prior
     z: Floats  # (amplitudes,) each one's score over its standard deviation
+    felt: float = math.nan  # nats that a delay of medium size would yield, as tried; NaN where slopes tell it
 
 
 class Screen:
@@ -91,6 +93,42 @@ class Screen:
                 best = Screened(candidate, values, q, nats, own, z)
         assert best is not None
         return replace(best, nats=best.nats - math.log(len(self._last.settings)) - candidate.entry.prior_nats)
+
+    def searched(self, screened: Screened) -> Screened:
+        """Evidence of a candidate at the further starts of its fit, where that is more than its slope promises.
+
+        The likelihood of a delay is so rough that its slope at zero may promise nothing of a delay of many steps.
+        """
+        candidate, new = screened.candidate, screened.candidate.amplitudes()
+        grid = candidate.searched()
+        if not grid or not screened.values.keys() <= candidate.entry.fixed.keys():
+            return screened
+        rows = candidate.write(self.fit.rows, screened.values)
+        whole = replace(self.fit, rows=rows, unknowns=(*self.fit.unknowns, *new))
+        objectives = [evaluated(replace(whole, q=np.concatenate([self.fit.q, point]))).objective for point in grid]
+        best = int(np.argmax(objectives))
+        volume = float(np.linalg.slogdet(screened.information + np.eye(len(new)))[1])
+        odds = math.log(len(grid)) + candidate.entry.prior_nats
+        nats = (objectives[best] - self.fit.objective - 0.5 * volume - odds) / candidate.spread
+        return screened if not nats > screened.nats else replace(screened, q=grid[best], nats=nats)
+
+    def felt(self, screened: Screened) -> Screened:
+        """Try by how much a delay of medium size is felt, where a candidate is one.
+
+        The slope by a delay goes with the noise of the readings too, so that its information promises too much.
+        """
+        candidate, new = screened.candidate, screened.candidate.amplitudes()
+        if not candidate.searched() or not screened.values.keys() <= candidate.entry.fixed.keys():
+            return screened
+        medium = np.full(len(new), DETECTABILITY.medium)
+        rows = candidate.write(self.fit.rows, screened.values)
+        whole = replace(self.fit, rows=rows, unknowns=(*self.fit.unknowns, *new))
+        moved = evaluated(replace(whole, q=np.concatenate([self.fit.q, medium])))
+        lost = sum(
+            one.log_likelihood - other.log_likelihood for one, other in zip(self.fit.passes, moved.passes, strict=True)
+        )
+        score = screened.z * np.sqrt(np.diag(screened.information))
+        return replace(screened, felt=max(0.0, lost + float(score @ medium)))
 
 
 class _Tested:

@@ -12,6 +12,9 @@ from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.world.sensors.errors import ERRORS
+
+OF_EVERY_STREAM = {name for name, error in ERRORS.items() if error.streams is not None}
 
 
 def screened_effects(screened: Sequence[Screened]) -> tuple[ScreenedEffect, ...]:
@@ -49,16 +52,43 @@ def _seen_from(screened: Screened) -> float:
 
 
 def expected_nats(screened: Screened, size: float) -> float:
-    """Expected evidence [nats] of an entry if each of its amplitudes were `size` times its `large`."""
-    return 0.5 * size**2 * float(np.trace(screened.information))
+    """Expected evidence [nats] of an entry if each of its amplitudes were `size` times its `large`.
+
+    Between recordings that should be alike it counts as much as evidence does.
+    """
+    by_slopes = 0.5 * size**2 * float(np.trace(screened.information))
+    as_felt = screened.felt * (size / DETECTABILITY.medium) ** 2
+    return float(np.fmin(by_slopes, as_felt)) / screened.candidate.spread
 
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
     """Identifiers of effects whose evidence would stay below the threshold even at medium size."""
-    seen = {
-        each.candidate.entry.id for each in screened if expected_nats(each, DETECTABILITY.medium) >= NAMING.threshold
-    }
+    seen = _seen(screened)
     return tuple(name for name in IDS if name not in seen and name != "frame_mixup")
+
+
+def streams_and_numbers_not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
+    """The same of streams of which each may have an effect, as effect:topic, and of what is beside the catalogue.
+
+    Beside the catalogue are numbers of the platform, such as the thrust of a single thruster.
+    """
+    names = dict.fromkeys(_own_name(each) for each in screened if each.candidate.entry.law is None)
+    seen = {_own_name(each) for each in screened if _is_seen(each)}
+    whole = not_shown(screened)
+    return tuple(name for name in names if name not in IDS and name not in seen and name.split(":")[0] not in whole)
+
+
+def _own_name(screened: Screened) -> str:
+    entry = screened.candidate.entry
+    return f"{entry.id}:{entry.topic}" if entry.id in OF_EVERY_STREAM else entry.id
+
+
+def _seen(screened: Sequence[Screened]) -> set[str]:
+    return {each.candidate.entry.id for each in screened if _is_seen(each)}
+
+
+def _is_seen(screened: Screened) -> bool:
+    return expected_nats(screened, DETECTABILITY.medium) >= NAMING.threshold
 
 
 def is_blind(unseen: Sequence[str]) -> bool:

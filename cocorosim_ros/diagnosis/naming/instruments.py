@@ -50,7 +50,10 @@ def _errors_of_law(candidate: Candidate, fit: Fit) -> Iterator[tuple[float, floa
 
 
 def _errors_of_entry(candidate: Candidate, fit: Fit) -> Iterator[tuple[float, float]]:
-    """Error and bound of every number of an error of the catalogue, by track, both in the unit of its reading."""
+    """Error and bound of every number of an error of the catalogue, by track, both in the unit of its reading.
+
+    A difference on top of what other tracks share is the error by itself.
+    """
     if candidate.entry.id not in ERRORS:
         return
     kinds = {name: change.kind for change in ERRORS[candidate.entry.id].changes for name in change.numbers}
@@ -60,7 +63,7 @@ def _errors_of_entry(candidate: Candidate, fit: Fit) -> Iterator[tuple[float, fl
         kind = kinds.get(unknown.owner.parameter)
         if kind is None:
             continue
-        off = abs(unknown.value(float(fit.q[place])) - neutral[unknown.owner.parameter])
+        off = abs(unknown.value(float(fit.q[place])) - (0.0 if unknown.on_top else neutral[unknown.owner.parameter]))
         for number in unknown.tracks:
             yield _error_and_bound(unknown, kind, off, fit.tracks[number])
 

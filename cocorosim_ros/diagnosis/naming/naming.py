@@ -6,7 +6,7 @@ foretells data that its fit did not see, and if no rival explains more. Rivals w
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -69,7 +69,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
         laws = expand(open_set(scene, found, base.rows, water=water), fit.tracks, base.rows)
         tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each)])
         if round_number == 0:
-            first, first_laws = tested, tested_laws
+            first, first_laws = tuple(map(screen.felt, tested)), tested_laws
         choice = Choice(unseen, fit, onsets_of(named)) if unseen is not None else None
         best = best_addition((*known, *named), screen, tested, tested_laws, choice)
         if best is None:
@@ -94,7 +94,11 @@ def keys_of(candidate: Candidate) -> set[tuple[str, str | None, str]]:
 
 def ranked(screen: Screen, candidates: Sequence[Candidate]) -> tuple[Screened, ...]:
     """Screen candidates, and order them by evidence, the best first."""
-    return tuple(sorted((screen.test(each) for each in candidates), key=lambda screened: -screened.nats))
+    return _ordered(screen.test(each) for each in candidates)
+
+
+def _ordered(tested: Iterable[Screened]) -> tuple[Screened, ...]:
+    return tuple(sorted(tested, key=lambda screened: -screened.nats))
 
 
 def best_addition(
@@ -108,7 +112,23 @@ def best_addition(
 
     named: also the effects that the base model has already. tested, laws: screened entries of the catalogue and
     screened laws outside it, best first. choice: free runs among which the best is chosen, beside the likelihood.
+    Where slopes lead to nothing, delays are searched before the search ends.
     """
+    found = _best_by_slopes(named, screen, tested, laws, choice)
+    if found is not None:
+        return found
+    searched = [(each, screen.searched(each)) for each in tested]
+    late = _ordered(other for each, other in searched if other is not each and other.nats > SEARCH.worth_refining)
+    return _best_by_slopes(named, screen, late, (), choice) if late else None
+
+
+def _best_by_slopes(
+    named: tuple[NamedEffect, ...],
+    screen: Screen,
+    tested: Sequence[Screened],
+    laws: Sequence[Screened],
+    choice: Choice | None,
+) -> tuple[Fit, NamedEffect] | None:
     wanted = [law for law in laws[:2] if law.nats > SEARCH.worth_refining]
     if choice is not None:
         wanted += choice.overlooked(screen, tested, _worth_refining(tested))

@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_between_parts
 from cocorosim_ros.diagnosis.showing.several_tests import holm
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,15 @@ class Fitted:
 
     @property
     def estimate(self) -> Estimate:
-        """Value and 95 % interval, in the unit of the unknown."""
-        return estimate(self.unknown, self.q, self.spread, self.unknown.owner.unit)
+        """Value and 95 % interval, in the unit of the unknown.
+
+        A difference that is added to a number is told as the number would be with it alone: a scale of 1.06, not 0.06.
+        """
+        found = estimate(self.unknown, self.q, self.spread, self.unknown.owner.unit)
+        if not self.unknown.on_top or self.unknown.logarithmic:
+            return found
+        neutral = float(NEUTRAL[COLUMN[self.unknown.column]])
+        return Estimate(neutral + found.value, neutral + found.low, neutral + found.high, found.unit)
 
     @property
     def chance(self) -> float:

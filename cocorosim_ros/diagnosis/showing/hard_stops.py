@@ -96,8 +96,7 @@ def effect_at_a_bound(case: Case) -> Iterator[Objection]:
 def interval_holds_zero(case: Case) -> Iterator[Objection]:
     """Object to effects each of whose amplitudes may as well be neutral."""
     for found, named in _named(case):
-        doubts = named.candidate.entry.doubts(found.parameters).values()
-        if doubts and all(doubts):
+        if named.candidate.entry.may_be_nothing(found.parameters):
             yield Objection(
                 "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds zero.", effect=found
             )

@@ -5,10 +5,13 @@ The platform's file is imperfect on purpose: the robots have drag that it lacks,
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 SECONDS = 60.0
@@ -76,10 +79,36 @@ def compared(swim: Any, bad: Any) -> Any:
     return diagnose_against(bad, recordings(swim, vehicle(WELL), GOOD), lambda words, share: None)
 
 
+def stretched(log: Any) -> Any:
+    """A log whose camera shows all lengths too long by 6 %."""
+    pose = log.streams["pose"]
+    longer = replace(pose, value=pose.value * np.array([1.06, 1.06, 1.06, 1.0]))
+    return replace(log, streams={**log.streams, "pose": longer})
+
+
+def slow_gyroscope(log: Any) -> Any:
+    """A log whose gyroscope reads 85 % of the rate."""
+    imu = log.streams["imu"]
+    slower = replace(imu, value=imu.value * np.array([0.85, 1.0, 1.0, 1.0]))
+    return replace(log, streams={**log.streams, "imu": slower})
+
+
+def compass_after(seconds: float) -> Callable[[Any], Any]:
+    """A way to alter a log: the compass is stamped so late."""
+
+    def alter(log: Any) -> Any:
+        compass = log.streams["compass"]
+        return replace(log, streams={**log.streams, "compass": replace(compass, time=compass.time + seconds)})
+
+    return alter
+
+
 CASES: dict[str, tuple[Any, Callable[[Any], Any] | None, str, str, float]] = {
     "one thruster weak": ((WELL, 0.8), None, "thruster_asymmetry", "left", 0.8),
     "compass askew": ((WELL,), shifted("compass", 0.1), "compass_distortion", "offset", 0.1),
     "pressure too high": ((WELL,), shifted("pressure", 300.0), "pressure_offset", "offset", 300.0),
+    "lengths too long": ((WELL,), stretched, "camera_scale", "scale", 1.06),
+    "gyroscope slow": ((WELL,), slow_gyroscope, "gyro_scale", "scale", 0.85),
     "commands late": ((WELL,), late, "command_delay", "delay", 0.2),
     "heavier": (({**WELL, "buoyancy_trim": {"force": -5e-4}},), None, "buoyancy_trim", "force", -5e-4),
 }
@@ -117,3 +146,36 @@ def test_a_number_of_the_platform_that_has_changed_is_one(swim: Any) -> None:
     (moved,) = diagnosis.recalibrated
     assert (moved.parameter, moved.nominal) == ("thrust_gain", 1.0)
     assert abs(moved.estimate.value - 0.75) <= moved.estimate.high - moved.estimate.low
+
+
+def test_a_stream_that_was_late_and_comes_later_still(swim: Any) -> None:
+    """The difference is found beside a delay that the vehicle had before, and told without it."""
+    from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
+
+    good = recordings(swim, vehicle(WELL), GOOD, compass_after(0.15))
+    bad = recordings(swim, vehicle(WELL), BAD, compass_after(0.5))
+    diagnosis = diagnose_against(bad, good, lambda words, share: None)
+    (found,) = diagnosis.effects
+    assert (found.id, found.topic) == ("sensor_latency", "compass")
+    assert found.parameters["latency"].value == pytest.approx(0.35, abs=0.05)
+    assert "sensor_latency" in diagnosis.against.learned
+
+
+def screened(name: str, topic: str | None, information: float, felt: float = math.nan) -> Any:
+    """A candidate of one number, as it was screened."""
+    entry = SimpleNamespace(id=name, topic=topic, law=None)
+    candidate = SimpleNamespace(entry=entry, spread=1.0)
+    return SimpleNamespace(candidate=candidate, information=np.array([[information]]), felt=felt)
+
+
+def test_what_recordings_cannot_tell_of_streams_and_thrusters() -> None:
+    """A thruster that is hardly commanded, and a stream whose delay was tried and hardly felt, are listed by name."""
+    from cocorosim_ros.diagnosis.naming.detectability import streams_and_numbers_not_shown
+
+    told = [
+        screened("sensor_latency", "compass", 1e4),
+        screened("sensor_latency", "pressure", 1e4, felt=0.1),
+        screened("thruster_gain:left", None, 1e-3),
+        screened("thruster_gain:right", None, 1e4),
+    ]
+    assert streams_and_numbers_not_shown(told) == ("sensor_latency:pressure", "thruster_gain:left")
