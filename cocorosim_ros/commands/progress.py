@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from types import TracebackType
 
 from rich.console import Console
@@ -16,8 +17,9 @@ SHOWN_EVERY = 0.1  # s
 class RunProgress:
     """A progress bar over the ticks of a scenario."""
 
-    def __init__(self, console: Console, scenario: Scenario) -> None:
-        self._scenario = scenario
+    def __init__(self, console: Console, scenario: Scenario, complaint: Callable[[], str] = lambda: "") -> None:
+        """complaint: asked now and then for a sentence that the user should read; "" for none."""
+        self._scenario, self._console, self._complaint = scenario, console, complaint
         self._bar = Progress(
             TextColumn("{task.description}"),
             BarColumn(),
@@ -41,6 +43,7 @@ class RunProgress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._tell_complaint()
         self._bar.stop()
 
     def show(self, ticks: int, missing_answers: int) -> None:
@@ -55,8 +58,13 @@ class RunProgress:
         if now - self._last_shown < SHOWN_EVERY and ticks < self._scenario.ticks:
             return
         self._last_shown = now
+        self._tell_complaint()
         late = f", {missing_answers} answers late or missing" if missing_answers else ""
         self._bar.update(self._task, completed=ticks, pace=f"{self.factor():.1f} x real time{late}")
+
+    def _tell_complaint(self) -> None:
+        if words := self._complaint():
+            self._console.print(words, style="yellow", markup=False, highlight=False)
 
     def factor(self) -> float:
         """Seconds of simulation per second of wall clock since the first tick seen."""

@@ -6,11 +6,14 @@ import socket
 import subprocess
 import sys
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from cocorosim_ros.commands.missing_package import check_installed
 from cocorosim_ros.graph.runs.results import readable_scenario, scenario_facts
 from cocorosim_ros.library.recording import Recording
+
+HERE = "127.0.0.1"
 
 
 def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
@@ -29,13 +32,33 @@ def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
     write_rerun(scenes, file)
 
 
-def await_scene() -> str:
-    """Start Rerun's viewer without a file, and give the address at which it waits for a scene."""
+@dataclass
+class WaitingViewer:
+    """Rerun's viewer, which waits for a scene at an address."""
+
+    address: str
+    process: subprocess.Popen[bytes]
+    _told: bool = False
+
+    def complaint(self) -> str:
+        """Sentence, once, if the viewer has ended by a fault; "" else. To close its window is no fault."""
+        status = self.process.poll()
+        if self._told or not status:
+            return ""
+        self._told = True
+        return (
+            f"Rerun's viewer ended with status {status}, as it does where there is no display; the run goes on, and "
+            "`cocorosim view --3d` shows its recording."
+        )
+
+
+def await_scene() -> WaitingViewer:
+    """Start Rerun's viewer without a file; it hears this machine alone."""
     with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
+        free.bind((HERE, 0))
         port = free.getsockname()[1]
-    _start("--port", str(port), "--hide-welcome-screen")
-    return f"rerun+http://127.0.0.1:{port}/proxy"
+    process = _start("--bind", HERE, "--port", str(port), "--hide-welcome-screen")
+    return WaitingViewer(f"rerun+http://{HERE}:{port}/proxy", process)
 
 
 def open_viewer(file: Path) -> None:
@@ -43,8 +66,8 @@ def open_viewer(file: Path) -> None:
     _start(str(file))
 
 
-def _start(*arguments: str) -> None:
-    subprocess.Popen(
+def _start(*arguments: str) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
         [sys.executable, "-m", "rerun", *arguments],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,

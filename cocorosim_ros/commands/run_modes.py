@@ -22,6 +22,7 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
 
 if TYPE_CHECKING:
+    from cocorosim_ros.commands.rerun_viewer import WaitingViewer
     from cocorosim_ros.graph.nodes.graph import GraphPlan, OpenViewers
     from cocorosim_ros.wire.live.viewers import Viewers
 
@@ -121,12 +122,13 @@ def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console:
         compile_everything(scenario, _teller(console))
         console.print(_announcement(scenario, domain, choices), markup=False)
         start = time.monotonic()
-        supervisor = Supervisor(_plan(scenario, choices, folder, console), _warner(console))
+        viewer = _viewer(choices, console)
+        supervisor = Supervisor(_plan(scenario, choices, folder, console, viewer), _warner(console))
         with Interruption() as interruption:
             interruption.then(supervisor.interrupt)
             try:
                 supervisor.start()
-                with RunProgress(console, scenario) as progress:
+                with RunProgress(console, scenario, _complaint(viewer)) as progress:
                     supervisor.watch(lambda state: progress.show(state.ticks, state.missing_answers))
             finally:
                 supervisor.end()
@@ -143,9 +145,11 @@ def run_in_one_process(scenario: Scenario, choices: RunChoices, folder: Path, co
     compile_everything(scenario, _teller(console))
     with _own_domain(network=choices.network):
         start = time.monotonic()
-        with Interruption() as interruption, RunProgress(console, scenario) as progress:
+        viewer = _viewer(choices, console)
+        progress = RunProgress(console, scenario, _complaint(viewer))
+        with Interruption() as interruption, progress:
             run_composed(
-                _plan(scenario, choices, folder, console),
+                _plan(scenario, choices, folder, console, viewer),
                 lambda graph: interruption.then(graph.physics.request_stop),
                 progress.show,
                 _warner(console),
@@ -166,11 +170,12 @@ def run_without_ros(scenario: Scenario, choices: RunChoices, folder: Path, conso
         record = new_record(scenario, folder / "bag", selection=scenario.recording.topics)
         if port is not None:
             record.show_to(stack.enter_context(foxglove_server(port, scenario.name)))
-        scene = _live_scene(scenario, choices, console)
+        viewer = _viewer(choices, console)
+        scene = _live_scene(scenario, viewer)
         if scene is not None:
             record.show_to(stack.enter_context(scene()))
         interruption = stack.enter_context(Interruption())
-        progress = stack.enter_context(RunProgress(console, scenario))
+        progress = stack.enter_context(RunProgress(console, scenario, _complaint(viewer)))
         stack.enter_context(record.writer)
 
         def show(tick: int) -> bool:
@@ -195,23 +200,38 @@ def _own_domain(*, network: bool) -> Iterator[int]:
         domain.release()
 
 
-def _plan(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> GraphPlan:
+def _plan(
+    scenario: Scenario, choices: RunChoices, folder: Path, console: Console, viewer: WaitingViewer | None
+) -> GraphPlan:
     from cocorosim_ros.graph.nodes.graph import GraphPlan
 
     port = _live_port(choices, console)
-    show = _live_scene(scenario, choices, console)
+    show = _live_scene(scenario, viewer)
     return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port, show)
 
 
-def _live_scene(scenario: Scenario, choices: RunChoices, console: Console) -> OpenViewers | None:
-    """Start Rerun's viewer, which is said, and give the function that opens the scene in it; None if not asked for."""
+def _viewer(choices: RunChoices, console: Console) -> WaitingViewer | None:
+    """Start Rerun's viewer, which is said; None if not asked for."""
     if not choices.view:
         return None
     from cocorosim_ros.commands.rerun_viewer import await_scene
+
+    viewer = await_scene()
+    say(console, f"Rerun: {viewer.address}")
+    return viewer
+
+
+def _complaint(viewer: WaitingViewer | None) -> Callable[[], str]:
+    return (lambda: "") if viewer is None else viewer.complaint
+
+
+def _live_scene(scenario: Scenario, viewer: WaitingViewer | None) -> OpenViewers | None:
+    """Make the function that opens the scene in a viewer; None without one."""
+    if viewer is None:
+        return None
     from cocorosim_ros.graph.runs.results import facts_of
 
-    url = await_scene()
-    say(console, f"Rerun: {url}")
+    url = viewer.address
 
     def show() -> AbstractContextManager[Viewers]:
         # Loaded here, in the process that draws: its threads would not survive a fork.
