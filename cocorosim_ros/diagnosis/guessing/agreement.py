@@ -103,10 +103,14 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     speed = np.hypot(*steps.T)
     moves = speed > max(CHECKING.moving, GUESSING.under_way * float(np.nanmax(speed, initial=0.0)))
     course, heading = np.arctan2(*steps.T[::-1])[moves], averaged(time, yaw)[moves]
-    if len(course) < CHECKING.fewest or np.ptp(heading) < GUESSING.turned_enough:
-        return pose
-    as_yaw, as_bearing = (complex(np.mean(np.exp(1j * (course - sign * heading)))) for sign in (1.0, -1.0))
     name = pose.numbers["yaw"].column
+    untold = (
+        f"Nothing says which way '{name}' counts; it is taken to count counter-clockwise from where x points. A "
+        "bearing, clockwise from where y points, needs scale: -1 and offset: 90 deg."
+    )
+    if len(course) < CHECKING.fewest or np.ptp(heading) < GUESSING.turned_enough:
+        return pose.doubting(untold)
+    as_yaw, as_bearing = (complex(np.mean(np.exp(1j * (course - sign * heading)))) for sign in (1.0, -1.0))
     if abs(as_bearing) > CHECKING.related > abs(as_yaw):
         quarters = round(2.0 * cmath.phase(as_bearing) / math.pi)
         number = replace(pose.numbers["yaw"], negated=True, quarters=quarters)
@@ -115,7 +119,7 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     if abs(as_yaw) > CHECKING.related and abs(cmath.phase(as_yaw)) > GUESSING.turned_enough:
         off = math.degrees(cmath.phase(as_yaw))
         return pose.doubting(f"The vehicle travels {off:.0f} deg off '{name}': its zero may be another.")
-    return pose
+    return pose if abs(as_yaw) > CHECKING.related else pose.doubting(untold)
 
 
 def _place(pose: Guess) -> Floats:

@@ -211,6 +211,14 @@ def test_what_the_motion_tells(tmp_path: Path, converted: Converted) -> None:
     assert any("counts clockwise" in sentence for sentence in doubts)
 
 
+def test_a_heading_of_which_the_motion_tells_nothing(tmp_path: Path, converted: Converted) -> None:
+    """A vehicle that drifts straight on while it turns: which way its heading counts is in doubt, and that is said."""
+    columns = {"t": TIME, "x": SPEED * TIME, "y": 0.0 * TIME, "depth": DEPTH, "heading": np.degrees(YAW) % 360.0}
+    write_csv(tmp_path / "log.csv", columns | {"left": LEFT, "right": LEFT})
+    _, doubts = converted(tmp_path / "log.csv")
+    assert any("which way 'heading' counts" in sentence for sentence in doubts)
+
+
 def path_along(course: Any) -> tuple[Any, Any]:
     """Places of a vehicle that goes at SPEED along a course (n,) [rad], by the trapezoidal rule."""
     places = []
