@@ -68,9 +68,9 @@ def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
 
 
 def streams_and_numbers_not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
-    """The same of streams of which each may have an effect, as effect:topic, and of what is beside the catalogue.
+    """Names of what would stay unseen beside `not_shown`: effects of single streams, as effect:topic, and numbers.
 
-    Beside the catalogue are numbers of the platform, such as the thrust of a single thruster.
+    Numbers are those of the platform that may differ, such as the thrust of a single thruster.
     """
     names = dict.fromkeys(_own_name(each) for each in screened if each.candidate.entry.law is None)
     seen = {_own_name(each) for each in screened if _is_seen(each)}

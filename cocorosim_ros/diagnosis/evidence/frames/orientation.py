@@ -181,7 +181,7 @@ def _rates(motion: ShownMotion) -> dict[str, Floats]:
 
 
 class _Turning(NamedTuple):
-    """How a stream turned under commands in recordings that are right: expected spins (n,) and its rates (n,).
+    """Turning of a stream under commands, in recordings that are right: expected spins (n,) and its rates (n,).
 
     Where a robot is commanded the same throughout each recording, the correlation of two rates, without their means,
     shows no sign; how it turned elsewhere does.
