@@ -20,9 +20,10 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, evaluated, information, slopes
+from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes
 from cocorosim_ros.diagnosis.fitting.solving import clipped, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
 
@@ -55,6 +56,7 @@ class Screen:
         self.fit, self.scene = fit, scene
         self.known: Information = information(fit)
         self._last: _Tested | None = None
+        self._tried: dict[tuple[str, str | None, float], dict[int, float]] = {}  # by candidate and q: gains by track
 
     def slopes(self, candidate: Candidate, values: dict[str, float], unknowns: Sequence[Unknown]) -> tuple[Floats, ...]:
         """Slopes of the innovations by a candidate's amplitudes at given shapes: (m, unknowns) for each track."""
@@ -95,21 +97,20 @@ class Screen:
         return replace(best, nats=best.nats - math.log(len(self._last.settings)) - candidate.entry.prior_nats)
 
     def searched(self, screened: Screened) -> Screened:
-        """Evidence of a candidate at the further starts of its fit, where that is more than its slope promises.
+        """Evidence of a candidate at further starts of its fit, where that is more than its slope promises.
 
-        The likelihood of a delay is so rough that its slope at zero may promise nothing of a delay of many steps.
+        The likelihood of a delay is so rough that its slope at zero may promise nothing of a delay of many steps. It is
+        also broad, so that every second start is enough.
         """
-        candidate, new = screened.candidate, screened.candidate.amplitudes()
-        grid = candidate.searched()
+        candidate = screened.candidate
+        grid = candidate.searched()[1::2]
         if not grid or not screened.values.keys() <= candidate.entry.fixed.keys():
             return screened
-        rows = candidate.write(self.fit.rows, screened.values)
-        whole = replace(self.fit, rows=rows, unknowns=(*self.fit.unknowns, *new))
-        objectives = [evaluated(replace(whole, q=np.concatenate([self.fit.q, point]))).objective for point in grid]
-        best = int(np.argmax(objectives))
-        volume = float(np.linalg.slogdet(screened.information + np.eye(len(new)))[1])
+        gains = [self._gain_at(screened, point) - 0.5 * float(point @ point) for point in grid]
+        best = int(np.argmax(gains))
+        volume = float(np.linalg.slogdet(screened.information + np.eye(len(grid[best])))[1])
         odds = math.log(len(grid)) + candidate.entry.prior_nats
-        nats = (objectives[best] - self.fit.objective - 0.5 * volume - odds) / candidate.spread
+        nats = (gains[best] - 0.5 * volume - odds) / candidate.spread
         return screened if not nats > screened.nats else replace(screened, q=grid[best], nats=nats)
 
     def felt(self, screened: Screened) -> Screened:
@@ -117,18 +118,27 @@ class Screen:
 
         The slope by a delay goes with the noise of the readings too, so that its information promises too much.
         """
-        candidate, new = screened.candidate, screened.candidate.amplitudes()
+        candidate = screened.candidate
         if not candidate.searched() or not screened.values.keys() <= candidate.entry.fixed.keys():
             return screened
-        medium = np.full(len(new), DETECTABILITY.medium)
-        rows = candidate.write(self.fit.rows, screened.values)
-        whole = replace(self.fit, rows=rows, unknowns=(*self.fit.unknowns, *new))
-        moved = evaluated(replace(whole, q=np.concatenate([self.fit.q, medium])))
-        lost = sum(
-            one.log_likelihood - other.log_likelihood for one, other in zip(self.fit.passes, moved.passes, strict=True)
-        )
+        medium = np.full(len(screened.q), DETECTABILITY.medium)
         score = screened.z * np.sqrt(np.diag(screened.information))
-        return replace(screened, felt=max(0.0, lost + float(score @ medium)))
+        return replace(screened, felt=max(0.0, float(score @ medium) - self._gain_at(screened, medium)))
+
+    def _gain_at(self, screened: Screened, point: Floats) -> float:
+        """Gain of the log likelihood with a candidate of one number at q (n,), the same for all robots, noise held."""
+        candidate = screened.candidate
+        new = (*self.fit.unknowns, *candidate.amplitudes())
+        rows = candidate.write(self.fit.rows, screened.values)
+        filled = replace(self.fit, rows=rows, unknowns=new, q=np.concatenate([self.fit.q, point])).filled
+        own = self._tried.setdefault((candidate.entry.id, candidate.entry.topic, float(point[0])), {})
+        # A candidate for one robot alone has the same rows there as the one for all robots.
+        left = [number for number in candidate.everybody if number not in own]
+        tracks, passes = self.fit.tracks, self.fit.passes
+        found = of_each_track(lambda place: tracks[left[place]].filter.full(filled[left[place]]), len(left))
+        for number, passed in zip(left, found, strict=True):
+            own[number] = passed.log_likelihood - passes[number].log_likelihood
+        return sum(own[number] for number in candidate.everybody)
 
 
 class _Tested:

@@ -117,8 +117,8 @@ def best_addition(
     found = _best_by_slopes(named, screen, tested, laws, choice)
     if found is not None:
         return found
-    searched = [(each, screen.searched(each)) for each in tested]
-    late = _ordered(other for each, other in searched if other is not each and other.nats > SEARCH.worth_refining)
+    passed_by = [each for each in tested if each.nats <= SEARCH.worth_refining]
+    late = _ordered(each for each in map(screen.searched, passed_by) if each.nats > SEARCH.worth_refining)
     return _best_by_slopes(named, screen, late, (), choice) if late else None
 
 
