@@ -179,3 +179,9 @@ def test_what_recordings_cannot_tell_of_streams_and_thrusters() -> None:
         screened("thruster_gain:right", None, 1e4),
     ]
     assert streams_and_numbers_not_shown(told) == ("sensor_latency:pressure", "thruster_gain:left")
+
+
+def test_a_delay_below_a_step_of_the_filter_is_no_difference(swim: Any) -> None:
+    """Half a step of 0.1 s: as much as halves of sound recordings differ by."""
+    diagnosis = compared(swim, recordings(swim, vehicle(WELL), BAD, compass_after(0.05)))
+    assert "sensor_latency" not in [each.id for each in diagnosis.effects]
