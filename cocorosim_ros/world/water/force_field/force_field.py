@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stretch import Stretch
 from cocorosim_ros.foundation.processors import processors
+from cocorosim_ros.foundation.side_by_side import SideBySide
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 from cocorosim_ros.world.water.force_field.arriving import Spots
 from cocorosim_ros.world.water.force_field.cold_spots import new_places, no_spots, pull_of, spawn
@@ -72,6 +73,7 @@ class ForceField:
         self._random = random
         parts = PARTS_OF_A_PROCESSOR * processors() if patches.total >= PATCHES_FOR_THREADS else 1
         self._parts = spreading_parts(settings, patches, min(parts, patches.ny))
+        self._side_by_side = SideBySide(len(self._parts), at_a_time=1)
         self._taken = wall_scratch(patches.shape)
         self._spots: Spots | None = None
         self._stretches: Stretches | None = None
@@ -105,13 +107,14 @@ class ForceField:
 
     def _for_parts(self, work: Callable[[Spreading], None]) -> None:
         """Do the work for all parts of the water, those of large water side by side."""
-        if len(self._parts) == 1:
-            work(self._parts[0])
-            return
         for part in self._parts:
             keep_edges(self.water, part)
-        with ThreadPoolExecutor(processors()) as threads:
-            list(threads.map(work, self._parts))
+
+        def work_on(which: Stretch | None) -> None:
+            for part in self._parts if which is None else self._parts[which.first : which.last]:
+                work(part)
+
+        self._side_by_side.do(work_on)
 
     def spawn(self) -> None:
         """New cold spots in place of the oldest; the number of draws does not depend on their force."""
