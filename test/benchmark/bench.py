@@ -114,7 +114,7 @@ def thousand_in_water(machine: Machine, robots: int = 1000) -> None:
     words = f"forces on {patches:,} patches, {spots:,} cold spots, wakes"
     in_flow, calmer = one_run_in_flow(robots)
     rows = (
-        (in_forces, words, f"components of the force on {CORES} cores", of_field(simulation, machine, in_forces)),
+        (in_forces, words, f"parts of the water on {CORES} cores", of_field(simulation, machine, in_forces)),
         (in_flow, "velocities: a vortex and a tide", "1 thread", of_neighbours(calmer, machine, in_flow)),
     )
     for pace, what, how, distance in rows:
@@ -170,8 +170,8 @@ def parts_of_the_field(field: ForceField) -> None:
     print(
         f"\nThe field is {size / 1e6:.1f} MB, more than a core's own cache; its parts take (us, one core): {parts}.\n"
         f"Diffusion and decay read and write it once: {2 * size / spread / 1e9:.0f} GB/s, {spread / times['copy']:.1f} "
-        "times what a plain copy takes.\nIn between stand ten reads and three writes of sums a patch, which the second "
-        "cache serves, not the first;\ncold spots add three vectors for each plane that they reach."
+        "times what a plain copy takes.\nIn between stand ten reads and four writes a patch, in the first cache or the "
+        "second;\ncold spots add nine vectors in each slab that they reach."
     )
 
 

@@ -47,15 +47,15 @@ def main(name: str) -> None:
     for _ in range(60):
         tick()
     water = simulation.water.fields[0]
-    other = np.empty_like(water.field)
+    other = np.empty_like(water.water)
     parts = {"whole tick": microseconds(tick)}
-    parts["copy of the field"] = microseconds(lambda: np.copyto(other, water.field))
+    parts["copy of the field"] = microseconds(lambda: np.copyto(other, water.water))
     parts["diffusion and decay"] = microseconds(water.spread)
-    settings, spots = water.settings.cold_spots, water._spots
-    if settings is not None:
+    settings, pulling = water.settings.cold_spots, water.pulling()
+    if settings is not None and pulling is not None:
         parts["drawing cold spots"] = microseconds(lambda: new_places(settings, water.patches, water._random))
-        parts["pull of cold spots"] = microseconds(lambda: pull_water(water.field, spots, water.step, water._stretches))
-        parts["spreading and pull in one"] = microseconds(lambda: water._spread_and_chill(spots, water._stretches))
+        parts["pull of cold spots"] = microseconds(lambda: pull_water(water.water, pulling))
+        parts["spreading and pull in one"] = microseconds(lambda: water.spread_and_pull(pulling))
     parts["sensing"] = microseconds(simulation.sense)
     parts["deciding"] = microseconds(simulation.decide)
     robots = len(scenario.robots)

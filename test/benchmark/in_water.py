@@ -17,7 +17,7 @@ from cocorosim_ros.study.experiments.design import load_design
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.water.force_field.force_field import ForceField
 
-LARGE_THREADS = 2  # cores on which the components of a large field go side by side
+LARGE_THREADS = 2  # cores on which the parts of a large field go side by side
 RUNS_AT_ONCE = 3  # a thread; as many as an experiment takes
 
 
@@ -49,14 +49,14 @@ def one_run_in_flow(robots: int) -> tuple[Pace, Simulation]:
 
 def field_times(field: ForceField) -> dict[str, float]:
     """Processor seconds of the parts of one step of a field, the least of many."""
-    assert field._spots is not None and field._stretches is not None
-    spots, stretches = field._spots, field._stretches
-    copy, sums = np.zeros_like(field.field), np.zeros_like(field.field)
+    pulling = field.pulling()
+    assert pulling is not None
+    copy, sums = np.zeros_like(field.water), np.zeros_like(field.water)
     return {
-        "copy": least(lambda: np.copyto(copy, field.field)),
-        "sum of two fields": least(lambda: np.add(field.field, copy, out=sums)),
+        "copy": least(lambda: np.copyto(copy, field.water)),
+        "sum of two fields": least(lambda: np.add(field.water, copy, out=sums)),
         "diffusion and decay": least(field.spread),
-        "the same with cold spots": least(lambda: field._spread_and_chill(spots, stretches)),
+        "the same with cold spots": least(lambda: field.spread_and_pull(pulling)),
     }
 
 

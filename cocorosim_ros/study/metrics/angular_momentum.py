@@ -21,10 +21,12 @@ _PATCH = 0.1
 
 
 @kernel
-def _fill_arms(swarms: Swarms, centre: Floats, arm: Floats) -> None:
-    """The vector from the centre to each robot is in arm[..., :3], 1 over its length in arm[..., 3]."""
+def _fill_arms(swarms: Swarms, centre: Floats, done: Flags, arm: Floats) -> None:
+    """The vector from the centre to each robot is in arm[..., :3], 1 over its length in arm[..., 3]; not where done."""
     position = swarms.position
     for run in range(arm.shape[0]):
+        if done[run]:
+            continue
         for i in range(arm.shape[1]):
             x = position[run, i, 0] - centre[run, 0]
             y = position[run, i, 1] - centre[run, 1]
@@ -39,11 +41,14 @@ def _write_momenta(
     arm: Floats,
     direction: Floats,
     members: Flags,
+    done: Flags,
     values: Floats,
     column: int,
 ) -> None:
-    """The momentum with unit r is in values[:, column], that with raw r in the next column."""
+    """The momentum with unit r is in values[:, column], that with raw r in the next column; not where done."""
     for run in range(members.shape[0]):
+        if done[run]:
+            continue
         unit_x, unit_y, unit_z, raw_x, raw_y, raw_z, count = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
         for i in range(members.shape[1]):
             if members[run, i]:
@@ -62,13 +67,19 @@ def _write_momenta(
 @allocating_kernel
 def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     arm = np.empty((values.shape[0], swarms.shoal.shape[1], 4))
+    done = np.zeros(values.shape[0], np.bool_)
     for population in range(2):
         members, movers = swarms.members[population], swarms.movers[population]
         for kind in range(2):
-            _fill_arms(swarms, swarms.centre[population, kind], arm)
-            _write_momenta(arm, swarms.heading, members, values, column)
-            _write_momenta(arm, swarms.travel, movers, values, column + 2)
+            _fill_arms(swarms, swarms.centre[population, kind], done, arm)
+            _write_momenta(arm, swarms.heading, members, done, values, column)
+            _write_momenta(arm, swarms.travel, movers, done, values, column + 2)
             column += 4
+        done[:] = swarms.one_shoal
+    for run in range(values.shape[0]):
+        if done[run]:
+            for before in range(column - 8, column):
+                values[run, before] = values[run, before - 8]
     return column
 
 

@@ -47,8 +47,10 @@ def _fill_contacts(swarms: Swarms, now: Flags) -> None:
             for j in range(i + 1, now.shape[1]):
                 if squared[run, pair] <= _RANGE_SQUARED:
                     for one, other in ((i, j), (j, i)):
-                        seen, seen_but_back = _cones(position, heading, run, one, other)
                         now[run, one, 0] = True
+                        if now[run, one, 2]:
+                            continue  # who is seen by any cone but the back one is seen by any cone
+                        seen, seen_but_back = _cones(position, heading, run, one, other)
                         now[run, one, 1] |= seen
                         now[run, one, 2] |= seen_but_back
                 pair += 1

@@ -19,6 +19,8 @@ class Memory(NamedTuple):
     """(runs, robots, 3) at the previous tick [m; world]."""
     present: Flags
     """(runs, robots) at the previous tick."""
+    centre: Floats
+    """(2, runs, 3) at the previous tick, mean and median of the present robots [m; world], NaN of nobody."""
     contact: Flags
     """(runs, robots, kinds) robot had contact when last seen."""
     lost: Integers
@@ -30,6 +32,7 @@ def new_memory(runs: int, robots: int) -> Memory:
     return Memory(
         np.zeros((runs, robots, 3)),
         np.zeros((runs, robots), np.bool_),
+        np.full((2, runs, 3), np.nan),
         np.zeros((runs, robots, CONTACT_KINDS), np.bool_),
         np.zeros((runs, CONTACT_KINDS), np.int64),
     )

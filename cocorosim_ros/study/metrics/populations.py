@@ -38,7 +38,7 @@ def fill_shoals(swarms: Swarms) -> None:
         pair = 0
         for i in range(shoal.shape[1]):
             for j in range(i + 1, shoal.shape[1]):
-                if squared[run, pair] <= _CONTACT_SQUARED:
+                if squared[run, pair] <= _CONTACT_SQUARED and shoal[run, i] != shoal[run, j]:
                     a, b = _root(shoal, run, i), _root(shoal, run, j)
                     shoal[run, max(a, b)] = min(a, b)
                 pair += 1

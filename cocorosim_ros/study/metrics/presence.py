@@ -54,10 +54,13 @@ def fill_travel(swarms: Swarms) -> None:
 
 @kernel
 def remember(swarms: Swarms) -> None:
-    """Write positions and presence into the memory, for the next tick."""
+    """Write positions, presence and centres into the memory, for the next tick."""
     position, before = swarms.position, swarms.memory.position
     members, present = swarms.members[ALL], swarms.memory.present
     for run in range(members.shape[0]):
+        for kind in range(2):
+            for axis in range(3):
+                swarms.memory.centre[kind, run, axis] = swarms.centre[ALL, kind, run, axis]
         for i in range(members.shape[1]):
             present[run, i] = members[run, i]
             for axis in range(3):

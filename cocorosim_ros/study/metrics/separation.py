@@ -34,20 +34,38 @@ def _write_all_pairs(squared: Floats, scratch: Floats, values: Floats, column: i
 
 
 @kernel
-def _write_within_shoals(swarms: Swarms, population: int, values: Floats, column: int) -> None:
-    members, shoal = swarms.members[population], swarms.shoal
-    squared, scratch = swarms.squared, swarms.scratch
-    n = shoal.shape[1]
-    for run in range(shoal.shape[0]):
+def _write_within_shoals(swarms: Swarms, values: Floats, column: int) -> None:
+    """The median within all shoals is in values[:, column], that within the largest in the next column."""
+    for run in range(values.shape[0]):
         if swarms.one_shoal[run]:
+            # All pairs are pairs of the only shoal.
+            values[run, column] = values[run, column - 1]
+            values[run, column + 1] = values[run, column - 1]
             continue
-        count, pair = 0, 0
-        for i in range(n):
-            for j in range(i + 1, n):
-                scratch[count] = squared[run, pair]
-                count += members[run, i] and shoal[run, i] == shoal[run, j]
-                pair += 1
-        values[run, column] = _median_root(scratch, count)
+        pairs = _gather_within_shoals(swarms, ALL, run)
+        values[run, column] = _median_root(swarms.scratch, pairs)
+        size = 0
+        for i in range(swarms.shoal.shape[1]):
+            size += swarms.members[LARGEST, run, i]
+        if size * (size - 1) // 2 == pairs:
+            # Whoever else there is swims alone.
+            values[run, column + 1] = values[run, column]
+        else:
+            pairs = _gather_within_shoals(swarms, LARGEST, run)
+            values[run, column + 1] = _median_root(swarms.scratch, pairs)
+
+
+@kernel
+def _gather_within_shoals(swarms: Swarms, population: int, run: int) -> int:
+    """The squared distances of the pairs of the same shoal are in `scratch`; return how many."""
+    members, shoal, squared, scratch = swarms.members[population], swarms.shoal, swarms.squared, swarms.scratch
+    count, pair = 0, 0
+    for i in range(shoal.shape[1]):
+        for j in range(i + 1, shoal.shape[1]):
+            scratch[count] = squared[run, pair]
+            count += members[run, i] and shoal[run, i] == shoal[run, j]
+            pair += 1
+    return count
 
 
 @kernel
@@ -78,12 +96,7 @@ def _write_nearest(
 @kernel
 def _measure(swarms: Swarms, values: Floats, column: int) -> int:
     _write_all_pairs(swarms.squared, swarms.scratch, values, column)
-    for run in range(values.shape[0]):
-        # All pairs are pairs of the only shoal; where there are several, the next two lines say better.
-        values[run, column + 1] = values[run, column]
-        values[run, column + 2] = values[run, column]
-    _write_within_shoals(swarms, ALL, values, column + 1)
-    _write_within_shoals(swarms, LARGEST, values, column + 2)
+    _write_within_shoals(swarms, values, column + 1)
     _write_nearest(swarms.squared, swarms.shoal.shape[1], swarms.scratch, values, column + 3)
     return column + 4
 

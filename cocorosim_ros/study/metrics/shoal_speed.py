@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
 from cocorosim_ros.study.metrics.populations import write_centres
-from cocorosim_ros.study.metrics.swarms import ALL, MEAN, MEDIAN, Swarms
+from cocorosim_ros.study.metrics.swarms import ALL, LARGEST, MEAN, MEDIAN, Swarms
 
 
 @kernel
@@ -21,16 +21,33 @@ def _fill_centres_of_movers(swarms: Swarms, population: int, now: Floats, then: 
     """The centres at this and at the previous tick of the same robots are in now and then (2, runs, 3)."""
     members, movers, centre = swarms.members[population], swarms.movers[population], swarms.centre[population]
     for run in range(movers.shape[0]):
-        write_centres(swarms.memory.position, movers, run, then, swarms.scratch)
-        same = True
-        for i in range(movers.shape[1]):
-            same = same and movers[run, i] == members[run, i]
-        if same:
-            for axis in range(3):
-                now[MEAN, run, axis] = centre[MEAN, run, axis]
-                now[MEDIAN, run, axis] = centre[MEDIAN, run, axis]
+        if population == LARGEST and swarms.one_shoal[run]:
+            continue  # the same robots as ALL, whose centres are there already
+        if _same(movers, swarms.memory.present, run):
+            _copy(swarms.memory.centre, run, then)
+        else:
+            write_centres(swarms.memory.position, movers, run, then, swarms.scratch)
+        if _same(movers, members, run):
+            _copy(centre, run, now)
         else:
             write_centres(swarms.position, movers, run, now, swarms.scratch)
+
+
+@kernel
+def _same(some: Flags, others: Flags, run: int) -> bool:
+    """Whether two groups of a run are the same robots."""
+    same = True
+    for i in range(some.shape[1]):
+        same = same and some[run, i] == others[run, i]
+    return same
+
+
+@kernel
+def _copy(source: Floats, run: int, target: Floats) -> None:
+    """Copy the centres (2, runs, 3) of one run."""
+    for axis in range(3):
+        target[MEAN, run, axis] = source[MEAN, run, axis]
+        target[MEDIAN, run, axis] = source[MEDIAN, run, axis]
 
 
 @kernel

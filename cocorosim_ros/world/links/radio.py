@@ -10,21 +10,25 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.stretch import Stretch, ends_of
 from cocorosim_ros.world.state.radio import MESSAGE_LENGTH, MESSAGE_SIZE, Inbox
 from cocorosim_ros.world.state.state import X, Y, Z
 from cocorosim_ros.world.surroundings.neighbours import Neighbours
 
 
 @kernel
-def deliver(state: Floats, said: Floats, radio_range: Floats, neighbours: Neighbours, inbox: Inbox) -> None:
-    """Fill `inbox` with what every robot hears of `said` (runs, robots, MESSAGE_SIZE).
+def deliver(
+    state: Floats, said: Floats, radio_range: Floats, neighbours: Neighbours, inbox: Inbox, receivers: Stretch | None
+) -> None:
+    """Fill `inbox` with what the receivers hear of `said` (runs, robots, MESSAGE_SIZE).
 
     `state` (runs, robots, columns) is the state at the moment of sending, `radio_range` (robots,) [m] the
     sender's reach, `neighbours` who may be within it. Messages stand in the order of the senders.
     """
-    runs, robots, words = said.shape[0], said.shape[1], stack_array(MESSAGE_SIZE)
-    for run in range(runs):
-        for receiver in range(robots):
+    words = stack_array(MESSAGE_SIZE)
+    first, last = ends_of(receivers, said.shape[1])
+    for run in range(said.shape[0]):
+        for receiver in range(first, last):
             count = 0
             here = state[run, receiver]
             for sender in neighbours.who[run, receiver, : neighbours.near[run, receiver]]:

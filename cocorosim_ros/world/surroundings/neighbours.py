@@ -18,7 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stretch import Stretch, ends_of
+from cocorosim_ros.foundation.side_by_side import SideBySide
 from cocorosim_ros.world.state.state import X, Y, Z
 from cocorosim_ros.world.surroundings.tank import Tank
 
@@ -64,24 +66,39 @@ def cover(tank: Tank, reach: float, robots: int) -> Grid:
 class NeighbourSearch:
     """Finds the neighbours of all robots of all runs, again and again, in the same arrays."""
 
-    def __init__(self, runs: int, robots: int, tank: Tank, reach: float) -> None:
-        """`reach` [m]: as far as any robot senses or is heard."""
+    def __init__(
+        self, runs: int, robots: int, tank: Tank, reach: float, side_by_side: SideBySide | None = None
+    ) -> None:
+        """`reach` [m]: as far as any robot senses or is heard; `side_by_side` goes through the robots of one run."""
         self._grid = cover(tank, reach, robots)
         self._squared = (reach * (1.0 + MARGIN)) ** 2
         self._gridded = robots > GRID_FROM
         self._lists = _empty_lists(runs, robots, FIRST_CAPACITY if self._gridded else max(1, robots - 1))
+        in_threads = self._gridded and runs == 1 and side_by_side is not None and side_by_side.threaded
+        self._side_by_side = side_by_side if in_threads else None
+        self._sorting = empty_sorting(robots, self._grid)
 
     def find(self, state: Floats) -> Neighbours:
         """The neighbours in `state` (runs, robots, columns); the arrays are those of the next call too."""
         if not self._gridded:
             pair_up(state, self._squared, self._lists)
             return self._lists
-        most = sort_and_pair_up(state, self._squared, self._grid, self._lists)
+        most = self._most_found(state)
         if most > self._lists.who.shape[2]:
             runs, robots = state.shape[:2]
             self._lists = _empty_lists(runs, robots, min(robots, most + most // 2))
-            sort_and_pair_up(state, self._squared, self._grid, self._lists)
+            self._most_found(state)
         return self._lists
+
+    def _most_found(self, state: Floats) -> int:
+        """Fill the lists, cut where they are full; return the most neighbours that anybody has."""
+        squared, grid, sorting, lists = self._squared, self._grid, self._sorting, self._lists
+        if self._side_by_side is None:
+            return int(sort_and_pair_up(state, squared, grid, sorting, lists))
+        sort_into_cells(state, 0, grid, sorting)
+        found: list[int] = []
+        self._side_by_side.do(lambda robots: found.append(pair_up_some(0, robots, squared, grid, sorting, lists)))
+        return max(found)
 
 
 def _empty_lists(runs: int, robots: int, capacity: int) -> Neighbours:
@@ -113,22 +130,37 @@ def pair_up(state: Floats, squared_reach: float, lists: Neighbours) -> None:
             near[run, one] = mine
 
 
-@allocating_kernel
-def sort_and_pair_up(state: Floats, squared_reach: float, grid: Grid, lists: Neighbours) -> int:
+def empty_sorting(robots: int, grid: Grid) -> Sorting:
+    """Room for the order of so many robots."""
+    cells = int(np.prod(grid.size))
+    return Sorting(
+        np.empty(robots, np.int64), np.empty(cells + 1, np.int64), np.empty(robots, np.int64), np.empty((robots, 3))
+    )
+
+
+@kernel
+def sort_and_pair_up(state: Floats, squared_reach: float, grid: Grid, sorting: Sorting, lists: Neighbours) -> int:
     """Fill `lists` by comparing robots of touching cells; return the most neighbours that anybody has.
 
     A list is cut where it is full: then the result exceeds the capacity.
     """
-    robots, cells = state.shape[1], grid.size[0] * grid.size[1] * grid.size[2]
-    cell, start, order = np.empty(robots, np.int64), np.empty(cells + 1, np.int64), np.empty(robots, np.int64)
-    sorting = Sorting(cell, start, order, np.empty((robots, 3)))
     most = 0
     for run in range(state.shape[0]):
-        _sort_into_cells(state, run, grid, sorting)
-        for robot in range(robots):
-            found = _look_around(run, robot, squared_reach, grid, sorting, lists)
-            lists.near[run, robot] = min(found, lists.who.shape[2])
-            most = max(most, found)
+        sort_into_cells(state, run, grid, sorting)
+        most = max(most, pair_up_some(run, None, squared_reach, grid, sorting, lists))
+    return most
+
+
+@kernel
+def pair_up_some(
+    run: int, some: Stretch | None, squared_reach: float, grid: Grid, sorting: Sorting, lists: Neighbours
+) -> int:
+    """Fill the lists of some robots of a sorted run; return the most neighbours that any of them has."""
+    (first, last), most = ends_of(some, lists.near.shape[1]), 0
+    for robot in range(first, last):
+        found = _look_around(run, robot, squared_reach, grid, sorting, lists)
+        lists.near[run, robot] = min(found, lists.who.shape[2])
+        most = max(most, found)
     return most
 
 
@@ -140,7 +172,7 @@ def _cell_along(coordinate: float, axis: int, grid: Grid) -> int:
 
 
 @kernel
-def _sort_into_cells(state: Floats, run: int, grid: Grid, sorting: Sorting) -> None:
+def sort_into_cells(state: Floats, run: int, grid: Grid, sorting: Sorting) -> None:
     """Counting sort: `order[start[c] : start[c + 1]]` are the robots of cell c, ascending; `place` is in that order."""
     cell, start, order, place = sorting
     for index in range(start.shape[0]):

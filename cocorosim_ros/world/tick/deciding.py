@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.stretch import Stretch, ends_of
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.controllers.conduct import conduct_one, speak_by_code
 from cocorosim_ros.world.controllers.crew import Crew
@@ -46,16 +49,22 @@ observe_plainly = observe.py_func  # type: ignore[attr-defined]
 """The same outside of compiled functions."""
 
 
-@kernel
-def decide(time: float, perception: Perception, crew: Crew, memory: Floats, command: Floats, said: Floats) -> None:
-    """Let every controller run once at `time` [s].
+class Answers(NamedTuple):
+    """What comes of controllers."""
 
-    `command` (runs, robots, actuators) receives the commands, `said` (runs, robots, MESSAGE_SIZE) the messages;
-    `memory` (runs, robots, MEMORY_SIZE) persists between ticks.
-    """
+    memory: Floats  # (runs, robots, MEMORY_SIZE), persists between ticks
+    command: Floats  # (runs, robots, actuators)
+    said: Floats  # (runs, robots, MESSAGE_SIZE) the messages
+
+
+@kernel
+def decide(time: float, perception: Perception, crew: Crew, answers: Answers, robots: Stretch | None) -> None:
+    """Let the controllers of some robots run once at `time` [s]."""
+    memory, command, said = answers
     angular_rate = stack_array(3)
+    first, last = ends_of(robots, command.shape[1])
     for run in range(command.shape[0]):
-        for robot in range(command.shape[1]):
+        for robot in range(first, last):
             observation = observe(time, perception, run, robot, angular_rate)
             conduct_one(crew, robot, observation, memory[run, robot], command[run, robot], said[run, robot])
 

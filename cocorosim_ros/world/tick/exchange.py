@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.side_by_side import SideBySide
 from cocorosim_ros.world.links.blue_light import deliver_light
 from cocorosim_ros.world.links.imperfect_links import ImperfectLink, imperfect_links
 from cocorosim_ros.world.links.radio import deliver
@@ -18,9 +19,10 @@ from cocorosim_ros.world.tick.world import World
 class Exchange:
     """The inboxes of all robots of `runs` runs, and what fills them."""
 
-    def __init__(self, world: World, runs: range) -> None:
+    def __init__(self, world: World, runs: range, side_by_side: SideBySide) -> None:
         """`runs` are the numbers of the runs, by which their random numbers differ."""
         self._world = world
+        self._side_by_side = side_by_side
         self._wants = world.wants or nothing(world.robots)
         capacity = max(1, min(world.robots - 1, HEARING_LIMIT))
         self.radio: Inbox = empty_inbox(len(runs), world.robots, capacity)
@@ -60,7 +62,8 @@ class Exchange:
         """
         speaks_light = self._wants.speaks_light
         by_radio = _sent(tick, said, ~(speaks_light | self._wants.speaks_sound), self._radio_links)
-        deliver(state, by_radio, self._world.radio_range, neighbours, self.radio)
+        reach = self._world.radio_range
+        self._side_by_side.do(lambda robots: deliver(state, by_radio, reach, neighbours, self.radio, robots))
         for link in self._radio_links:
             link.spoil(tick, self.radio)
         if self.uses_light:

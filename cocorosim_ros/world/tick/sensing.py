@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.stretch import Stretch, ends_of
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.motion.dynamics import relative_velocity, state_rate
 from cocorosim_ros.world.motion.surroundings import look_around
@@ -41,10 +42,10 @@ class Around(NamedTuple):
 
 
 class Shown(NamedTuple):
-    """What is measured of all robots: the readings, and (runs, robots, sensors) the nearest in each cone."""
+    """What is measured of all robots."""
 
     readings: Readings
-    nearest: Integers
+    nearest: Integers  # (runs, robots, sensors) who is the nearest in each cone, -1 for nobody
 
 
 def _measuring_lines() -> list[str]:
@@ -68,25 +69,24 @@ _measure = compile_lines("_measure", "sight, readings, run, robot", _measuring_l
 
 @allocating_kernel
 def sense(
-    state: Floats, time: float, afloat: Afloat, instruments: Instruments, readings: Readings, nearest: Integers
+    state: Floats, time: float, afloat: Afloat, instruments: Instruments, shown: Shown, robots: Stretch | None
 ) -> None:
-    """Measure `state` (runs, robots, columns) at `time` [s] with every instrument; the result is in `readings`.
-
-    `nearest` (runs, robots, sensors) receives who is the nearest in each cone, -1 for nobody.
-    """
+    """Measure `state` (runs, robots, columns) at `time` [s] with every instrument of some robots, into `shown`."""
     tank = afloat.tank
     surroundings = Surroundings(afloat.flow, tank.lower, tank.upper, look_around(state, afloat.vehicles))
-    _sense_all(state, time, Around(afloat, surroundings), instruments, Shown(readings, nearest))
+    _sense_all(state, time, Around(afloat, surroundings), instruments, shown, robots)
 
 
 @kernel
-def _sense_all(state: Floats, time: float, around: Around, instruments: Instruments, shown: Shown) -> None:
+def _sense_all(
+    state: Floats, time: float, around: Around, instruments: Instruments, shown: Shown, robots: Stretch | None
+) -> None:
     afloat, surroundings = around
     readings, nearest = shown
     relative, rate, neighbours = stack_array(4), stack_array(STATE_SIZE), afloat.neighbours
-    runs, robots = state.shape[0], state.shape[1]
-    for run in range(runs):
-        for robot in range(robots):
+    first, last = ends_of(robots, state.shape[1])
+    for run in range(state.shape[0]):
+        for robot in range(first, last):
             row = state[run, robot]
             body = body_of(afloat.vehicles, surroundings, run, robot)
             state_rate(row, time, body, rate)

@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.compiling.stretch import Stretch
+from cocorosim_ros.foundation.side_by_side import SideBySide
 from cocorosim_ros.world.controllers.conduct import blank_memory
 from cocorosim_ros.world.motion.motion import apply_commands, move
+from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.seeding.corruption_at_work import Swarms
 from cocorosim_ros.world.sensors.cones import cones_of
 from cocorosim_ros.world.sensors.corruption import corrupted_channels
@@ -18,15 +21,19 @@ from cocorosim_ros.world.state.neighbourhood import Neighbourhood, empty_neighbo
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE, Inbox
 from cocorosim_ros.world.state.state import YAW, X, row_size
 from cocorosim_ros.world.surroundings.neighbours import Neighbours, NeighbourSearch
-from cocorosim_ros.world.tick.deciding import decide, speak
+from cocorosim_ros.world.tick.deciding import Answers, decide, speak
 from cocorosim_ros.world.tick.divergence import check_motion
 from cocorosim_ros.world.tick.exchange import Exchange
 from cocorosim_ros.world.tick.perception import Perception
 from cocorosim_ros.world.tick.plain_deciding import PlainCrew
-from cocorosim_ros.world.tick.sensing import Afloat, sense
+from cocorosim_ros.world.tick.sensing import Afloat, Shown, sense
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.water import MovingWater
 from cocorosim_ros.world.tick.world import World
+from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
+
+ROBOTS_FOR_THREADS = 3000  # of one run; with fewer, to wake a thread costs more than it does
+ROBOTS_OF_A_PART = 1200  # a multiple of those that move in one group
 
 
 class Simulation:
@@ -52,7 +59,9 @@ class Simulation:
         self.water.begin(self.state)
         self.nearest = np.full((runs, robots, world.instruments.axis.shape[1]), -1, dtype=np.int64)
         self._wants = world.wants or nothing(robots)
-        self._exchange = Exchange(world, numbers)
+        at_a_time = ROBOTS_OF_A_PART if runs == 1 and robots >= ROBOTS_FOR_THREADS else robots
+        self._side_by_side = SideBySide(robots, at_a_time)
+        self._exchange = Exchange(world, numbers, self._side_by_side)
         capacity = max(1, min(robots - 1, HEARING_LIMIT)) if self._wants.neighbours.any() else 1
         self.neighbourhood: Neighbourhood = empty_neighbourhood(runs, robots, capacity)
         self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.sound_inbox, self.neighbourhood)
@@ -60,7 +69,7 @@ class Simulation:
         self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
         self.memory = blank_memory(runs, robots)
         self._plain = PlainCrew(world.plain, world.seed, numbers) if world.plain else None
-        self._search = NeighbourSearch(runs, robots, world.tank, world.reach)
+        self._search = NeighbourSearch(runs, robots, world.tank, world.reach, self._side_by_side)
         self._cones = cones_of(world.instruments)
         self._neighbours: Neighbours | None = None  # of the present state, once somebody has looked
         self.command: Floats = np.zeros((runs, robots, self.actuators))
@@ -97,7 +106,8 @@ class Simulation:
         self._neighbours = self._search.find(self.state)
         flow, lamps, smell = world.water.flow, world.lamps, self.water.concentration
         afloat = Afloat(self.water.vehicles, world.tank, flow, self._neighbours, self._cones, lamps, smell)
-        sense(self.state, self.time_ns * 1e-9, afloat, world.instruments, self.readings, self.nearest)
+        shown, time = Shown(self.readings, self.nearest), self.time_ns * 1e-9
+        self._side_by_side.do(lambda robots: sense(self.state, time, afloat, world.instruments, shown, robots))
         if world.water.waves:
             weight = world.instruments.water_density * world.instruments.gravity
             self.water.press(self.state, self.time_ns * 1e-9, weight, self.readings.pressure)
@@ -124,7 +134,8 @@ class Simulation:
         """
         if self._plain is not None:
             self._plain.ask(self.time_ns * 1e-9, self.perception, self.memory, self.said)
-        decide(self.time_ns * 1e-9, self.perception, self.world.crew, self.memory, self.command, self.said)
+        time, answers = self.time_ns * 1e-9, Answers(self.memory, self.command, self.said)
+        self._side_by_side.do(lambda robots: decide(time, self.perception, self.world.crew, answers, robots))
 
     def advance(self) -> None:
         """Deliver what was said, move everybody under `command`, then the water, count the tick.
@@ -136,9 +147,26 @@ class Simulation:
             self._exchange.carry(self.tick, self.state, self.said, neighbours, self.nearest)
         self._exchange.carry_sound(self.tick, self.state, self.said)
         self._neighbours = None
-        apply_commands(self.state, self.command, self.world.vehicles)
         world = self.world
-        move(self.state, self.water.vehicles, world.tank, world.stepping, world.water.flow, self.time_ns * 1e-9)
+        self._move()
         self.water.advance(self.tick, self.state, world.tank, world.tick_ns)
         self.tick += 1
         check_motion(self.state, world, self.tick)
+
+    def _move(self) -> None:
+        """Move everybody under `command` by one tick."""
+        if self._side_by_side.threaded and not (self.water.vehicles.active & LOOKING).any():
+            self._side_by_side.do(self._move_some)
+        else:
+            self._move_some(None)
+
+    def _move_some(self, robots: Stretch | None) -> None:
+        """Move some robots, who do not look at the others; of the only run, whose arrays they then take a part of."""
+        world, state, command = self.world, self.state, self.command
+        fixed, present = world.vehicles, self.water.vehicles
+        if robots is not None:
+            own = np.s_[:, robots.first : robots.last]
+            state, command = state[own], command[own]
+            fixed, present = (Vehicles._make(array[own] for array in each) for each in (fixed, present))
+        apply_commands(state, command, fixed)
+        move(state, present, world.tank, world.stepping, world.water.flow, self.time_ns * 1e-9)

@@ -28,7 +28,7 @@ def hear(places: Any, spoken: Any = None, reach: float | Any = 0.5, capacity: in
     inbox = empty_inbox(1, robots, capacity or robots)
     tank = Tank(np.full(3, -9.0), np.full(3, 9.0), np.zeros((0, 4)), np.zeros((0, 6)))
     neighbours = NeighbourSearch(1, robots, tank, float(np.max(reach))).find(state)
-    deliver(state, said, np.broadcast_to(reach, robots).astype(float), neighbours, inbox)
+    deliver(state, said, np.broadcast_to(reach, robots).astype(float), neighbours, inbox, None)
     heard = [inbox.sender[0, i, : inbox.heard[0, i]].tolist() for i in range(robots)]
     for i, senders in enumerate(heard):
         assert inbox.message[0, i, : len(senders), 1].tolist() == [sender + 1 for sender in senders]

@@ -13,10 +13,13 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Integers
 from cocorosim_ros.scenario.parts.force_currents import ColdSpots
-from cocorosim_ros.world.water.force_field.pulls import Pull, Spots, list_by_plane
+from cocorosim_ros.world.water.force_field.arriving import Spots, make_way, put_in_front
+from cocorosim_ros.world.water.force_field.pulls import Pull
+from cocorosim_ros.world.water.force_field.stored_water import row_width
 from cocorosim_ros.world.water.patches import Patches
 
 _SPARE = 10.0
+_SLABS_REACHED = 3
 
 
 def pull_of(kind: str) -> Pull:
@@ -40,16 +43,21 @@ def pull_of(kind: str) -> Pull:
 def no_spots(settings: ColdSpots, lifetime: int, patches: Patches) -> Spots:
     """Nothing alive yet, with room for the spots of `lifetime` steps."""
     mean = settings.probability * patches.total * (2.0 if settings.spawning == "released" else 1.0)
-    capacity = int(mean + _SPARE * math.sqrt(mean) + _SPARE)
-    strength = settings.force * np.sin(np.pi * np.arange(lifetime) / lifetime)
+    entries = _SLABS_REACHED * mean * lifetime / patches.ny
     return Spots(
-        np.zeros((lifetime, capacity, 3), dtype=np.int64),
         np.zeros(lifetime, dtype=np.int64),
-        strength,
-        np.array(patches.shape),
-        np.zeros((lifetime, 3 * capacity), dtype=np.uint64),
-        np.zeros((lifetime, patches.nz + 1), dtype=np.int64),
+        settings.force * np.sin(np.pi * np.arange(lifetime) / lifetime),
+        np.array([patches.ny, patches.nz, row_width(patches.nx)]),
+        np.zeros((patches.ny, _room_for(int(entries + _SPARE * math.sqrt(entries) + _SPARE))), dtype=np.uint64),
+        np.zeros(patches.ny, dtype=np.int64),
+        np.zeros(patches.ny, dtype=np.int64),
+        np.zeros((lifetime, patches.ny), dtype=np.int64),
     )
+
+
+def _room_for(entries: int) -> int:
+    """Room of a list in which so many entries seldom have to be moved."""
+    return 2 * entries
 
 
 def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generator) -> Integers:
@@ -69,12 +77,10 @@ def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generato
 
 def spawn(spots: Spots, step: int, places: Integers) -> Spots:
     """The spots with those of `step` in place of the oldest, who have lived out; room is added when it lacks."""
-    lack = len(places) - spots.place.shape[1]
+    row = step % len(spots.number)
+    longest = make_way(spots, row, places)
+    lack = _room_for(longest) - spots.reached.shape[1] if longest > spots.reached.shape[1] else 0
     if lack > 0:
-        place = np.pad(spots.place, ((0, 0), (0, lack), (0, 0)))
-        spots = spots._replace(place=place, reached=np.pad(spots.reached, ((0, 0), (0, 3 * lack))))
-    row = step % spots.number.shape[0]
-    spots.place[row, : len(places)] = places
-    spots.number[row] = len(places)
-    list_by_plane(spots, row)
+        spots = spots._replace(reached=np.pad(spots.reached, ((0, 0), (0, lack))))
+    put_in_front(spots, row, places)
     return spots

@@ -8,35 +8,11 @@ Source: Read et al. 2013, equation (5) with its footnote 4 (fewer neighbours at 
 
 from __future__ import annotations
 
-import numpy as np
-
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
+from cocorosim_ros.world.water.force_field.parts_of_water import Spreading
 
-BLOCK = 27
-
-
-def spreading_weights(forces: ForceCurrents) -> Floats:
-    """(2, 28) keep and share of a patch by how many patches of its block of 27 are water."""
-    kappa, gamma = forces.diffusion_rate, forces.decay_rate
-    weights = np.zeros((2, BLOCK + 1))
-    for n in range(1, BLOCK + 1):
-        if forces.diffusion == "released":
-            weights[:, n] = gamma * (1.0 - kappa), gamma * kappa / n
-        else:
-            share = gamma * (1.0 - kappa) / (n - 1) if n > 1 else 0.0
-            weights[:, n] = 1.0 - gamma * kappa - share, share
-    return weights
-
-
-def spreading_scratch(shape: tuple[int, int, int]) -> tuple[Floats, Floats]:
-    """Room for `spread` on a field of shape (nz, ny, nx): four planes of sums, and both ends of every row."""
-    _, ny, nx = shape
-    return np.zeros((4, ny * nx)), np.zeros((2, ny))
-
-
-# All long loops run over whole planes, not rows of a few dozen patches, and over slices that begin at zero: that is
+# All long loops run over whole slabs, not rows of a few dozen patches, and over slices that begin at zero: that is
 # what the compiler turns into vector instructions. Neighbours are added first: mirrored water then gives mirrored
 # sums to the last bit.
 
@@ -56,24 +32,47 @@ def _sum_of_two(one: Floats, other: Floats, sums: Floats) -> None:
 
 
 @kernel
-def _column_sums(plane: Floats, nx: int, sums: Floats) -> None:
-    """Write the sum of every patch of `plane` (ny * nx,) and its two neighbours in y into `sums`."""
-    size = plane.shape[0]
-    if size == nx:
-        for p in range(size):
-            sums[p] = plane[p]
+def _sum_along_y(water: Floats, y: int, component: int, spreading: Spreading, sums: Floats) -> None:
+    """Write the sum of every patch of slab `y` of `water` (ny, slab) and its two neighbours in y into `sums`."""
+    south, here = spreading.before[component], water[y]
+    if water.shape[0] == 1:
+        for p in range(sums.shape[0]):
+            sums[p] = here[p]
         return
-    _sum_of_two(plane[nx : 2 * nx], plane[:nx], sums[:nx])
-    _sum_of_three(plane[: size - 2 * nx], plane[2 * nx :], plane[nx : size - nx], sums[nx : size - nx])
-    _sum_of_two(plane[size - 2 * nx : size - nx], plane[size - nx :], sums[size - nx :])
+    if y + 1 == water.shape[0]:
+        _sum_of_two(south, here, sums)
+        return
+    north = spreading.beyond[component] if y + 1 == spreading.last else water[y + 1]
+    if y == 0:
+        _sum_of_two(north, here, sums)
+    else:
+        _sum_of_three(south, north, here, sums)
 
 
 @kernel
-def _mix(patches: Floats, sums: Floats, keep: float, share: float) -> None:
-    """Replace `patches` (n,) by keep * patches + share * (block sums); `sums` (n + 2,) has one more at each end."""
+def _sum_along_z(columns: Floats, width: int, sums: Floats) -> None:
+    """Write the sum of every element of `columns` (slab,) and its two neighbours in z into `sums`."""
+    size = columns.shape[0]
+    if size == width:
+        for p in range(size):
+            sums[p] = columns[p]
+        return
+    _sum_of_two(columns[width : 2 * width], columns[:width], sums[:width])
+    _sum_of_three(columns[: size - 2 * width], columns[2 * width :], columns[width:-width], sums[width:-width])
+    _sum_of_two(columns[size - 2 * width : size - width], columns[size - width :], sums[size - width :])
+
+
+@kernel
+def _mix(patches: Floats, before: Floats, sums: Floats, keep: float, share: float) -> None:
+    """Replace `patches` (n,), which are kept in `before`, by keep * patches + share * (block sums).
+
+    `sums` (n + 2,) has one more at each end.
+    """
     left, right, here = sums[:-2], sums[2:], sums[1:-1]
     for p in range(patches.shape[0]):
-        patches[p] = keep * patches[p] + share * ((left[p] + right[p]) + here[p])
+        old = patches[p]
+        before[p] = old
+        patches[p] = keep * old + share * ((left[p] + right[p]) + here[p])
 
 
 @kernel
@@ -83,74 +82,49 @@ def _present(index: int, size: int) -> int:
 
 
 @kernel
-def _row_ends(plane: Floats, sums: Floats, weights: Floats, rows: int, ends: Floats) -> None:
-    """Write what the first and the last patch of every row become; `rows`: planes that are water around this one."""
-    ny = ends.shape[1]
-    nx = plane.shape[0] // ny
-    for y in range(ny):
-        n = rows * _present(y, ny) * _present(0, nx)
+def _row_ends(slab: Floats, before: Floats, sums: Floats, spreading: Spreading, slabs: int) -> None:
+    """Write what the first and the last patch of every row become; keep them in `before`."""
+    ends, nx, nz = spreading.ends, spreading.nx, spreading.ends.shape[1]
+    width = slab.shape[0] // nz
+    for z in range(nz):
+        n = slabs * _present(z, nz) * _present(0, nx)
         for end in range(2):
-            p = y * nx + end * (nx - 1)
+            p = z * width + end * (nx - 1)
             total = sums[p]
             if nx > 1:
                 total = sums[p + 1 - 2 * end] + total
-            ends[end, y] = weights[0, n] * plane[p] + weights[1, n] * total
+            before[p] = slab[p]
+            ends[end, z] = spreading.weights[0, n] * slab[p] + spreading.weights[1, n] * total
 
 
 @kernel
-def _mix_plane(plane: Floats, sums: Floats, weights: Floats, rows: int, ends: Floats) -> None:
-    """Let one plane (ny * nx,) diffuse and decay; `sums`: over the nine patches in y and z around each."""
-    ny = ends.shape[1]
-    nx = plane.shape[0] // ny
-    _row_ends(plane, sums, weights, rows, ends)
-    if nx > 2:
-        last = (ny - 1) * nx
-        n = rows * _present(0, ny) * 3
-        _mix(plane[1 : nx - 1], sums[:nx], weights[0, n], weights[1, n])
-        if ny > 1:
-            _mix(plane[last + 1 : last + nx - 1], sums[last:], weights[0, n], weights[1, n])
-        if ny > 2:
-            n = rows * 9
-            # Across the ends of rows too: they are put right below.
-            _mix(plane[nx:last], sums[nx - 1 : last + 1], weights[0, n], weights[1, n])
-    for y in range(ny):
-        plane[y * nx] = ends[0, y]
-        plane[y * nx + nx - 1] = ends[1, y]
-
-
-@kernel
-def begin_spreading(water: Floats, nx: int, planes: Floats) -> None:
-    """Get ready to let the planes of `water` (nz, ny * nx) spread one after the other, from below."""
-    _column_sums(water[0], nx, planes[0])
-
-
-@kernel
-def spread_plane(water: Floats, z: int, weights: Floats, planes: Floats, ends: Floats) -> None:
-    """Let plane `z` of `water` (nz, ny * nx) diffuse and decay by one step, in place; those below have done so."""
-    nz, nine = water.shape[0], planes[3]
-    here, above, below = planes[z % 3], planes[(z + 1) % 3], planes[(z + 2) % 3]
-    if z + 1 < nz:
-        _column_sums(water[z + 1], water.shape[1] // ends.shape[1], above)
-    if z > 0 and z + 1 < nz:
-        _sum_of_three(below, above, here, nine)
-    elif z > 0:
-        _sum_of_two(below, here, nine)
-    elif nz > 1:
-        _sum_of_two(above, here, nine)
-    else:
-        for p in range(nine.shape[0]):
-            nine[p] = here[p]
-    _mix_plane(water[z], nine, weights, _present(z, nz), ends)
-
-
-@kernel
-def spread(field: Floats, weights: Floats, planes: Floats, ends: Floats) -> None:
-    """Let one component `field` (nz, ny, nx) diffuse and decay by one step, in place.
-
-    Every patch is read once and written once; only sums of three planes are kept.
-    """
-    nz, ny, nx = field.shape
-    water = field.reshape(nz, ny * nx)
-    begin_spreading(water, nx, planes)
+def _mix_slab(slab: Floats, before: Floats, sums: Floats, spreading: Spreading, slabs: int) -> None:
+    """Let one slab diffuse and decay; `sums`: over the nine patches in y and z around each."""
+    ends, weights, nz = spreading.ends, spreading.weights, spreading.ends.shape[1]
+    width = slab.shape[0] // nz
+    last = (nz - 1) * width
+    _row_ends(slab, before, sums, spreading, slabs)
+    n = slabs * _present(0, nz) * 3
+    _mix(slab[1 : width - 1], before[1 : width - 1], sums[:width], weights[0, n], weights[1, n])
+    if nz > 1:
+        _mix(slab[last + 1 : -1], before[last + 1 : -1], sums[last:], weights[0, n], weights[1, n])
+    if nz > 2:
+        n = slabs * 9
+        # Across the ends of rows too: they are put right below.
+        _mix(slab[width:last], before[width:last], sums[width - 1 : last + 1], weights[0, n], weights[1, n])
     for z in range(nz):
-        spread_plane(water, z, weights, planes, ends)
+        slab[z * width] = ends[0, z]
+        slab[z * width + spreading.nx - 1] = ends[1, z]
+
+
+@kernel
+def spread_slab(water: Floats, y: int, component: int, spreading: Spreading) -> None:
+    """Let slab `y` of one component `water` (ny, slab) diffuse and decay by one step, in place.
+
+    The slabs of the part before it have done so. Every patch is read once and written once; only the slab before and
+    sums of this one are kept.
+    """
+    before, columns, nine = spreading.before[component], spreading.sums[0], spreading.sums[1]
+    _sum_along_y(water, y, component, spreading, columns)
+    _sum_along_z(columns, water.shape[1] // spreading.ends.shape[1], nine)
+    _mix_slab(water[y], before, nine, spreading, _present(y, water.shape[0]))

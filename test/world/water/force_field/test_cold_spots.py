@@ -8,13 +8,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from cocorosim_ros.scenario.parts.force_currents import ColdSpots, ForceCurrents
 from cocorosim_ros.world.seeding.seeding import generator
+from cocorosim_ros.world.water.force_field.arriving import Spots
 from cocorosim_ros.world.water.force_field.cold_spots import new_places, no_spots, pull_of, spawn
 from cocorosim_ros.world.water.force_field.force_field import ForceField
-from cocorosim_ros.world.water.force_field.pulls import pull_water, stretches_of
-from cocorosim_ros.world.water.force_field.spreading import spread, spreading_scratch, spreading_weights
+from cocorosim_ros.world.water.force_field.pulls import Pull, Pulling, pull_water, strength_at, stretches_of
+from cocorosim_ros.world.water.force_field.stored_water import by_place, still_water
 from cocorosim_ros.world.water.patches import Patches
 
 FIVE_METRES = Patches(np.array([-2.5, -2.5, -2.0]), 0.1, 50, 50, 20)
@@ -23,11 +26,17 @@ NO_JETS, NOBODY = np.zeros((0, 0, 6)), np.zeros((0, 8))
 
 def one_spot(place: tuple[int, int, int], kind: str, shape: tuple[int, int, int] = (9, 9, 9)) -> Any:
     """The forces (3, nz, ny, nx) of one spot of unit strength."""
-    field = np.zeros((3, *shape))
-    nothing = no_spots(ColdSpots(force=1.0, probability=0.0), 1, Patches(np.zeros(3), 0.1, *reversed(shape)))
+    patches = Patches(np.zeros(3), 0.1, *reversed(shape))
+    nothing = no_spots(ColdSpots(force=1.0, probability=0.0), 1, patches)
     spots = spawn(nothing._replace(strength=np.ones(1)), 0, np.array([place]))
-    pull_water(field, spots, 0, stretches_of(pull_of(kind), spots.shape))
-    return field
+    return pulled(spots, 0, patches, pull_of(kind))
+
+
+def pulled(spots: Spots, step: int, patches: Patches, pull: Pull) -> Any:
+    """What spots make of water without forces (3, nz, ny, nx)."""
+    water = still_water(patches)
+    pull_water(water, Pulling(spots, strength_at(spots, step), stretches_of(pull, spots.shape)))
+    return by_place(water, patches)
 
 
 def test_all_26_neighbours_are_pulled_straight_with_equal_force() -> None:
@@ -79,22 +88,34 @@ def test_life() -> None:
     for step in range(40):
         places = np.array([[2, 2, 2]]) if step == 3 else np.zeros((0, 3), dtype=np.int64)
         spots = spawn(spots, step, places)
-        field = np.zeros((3, 5, 5, 5))
-        pull_water(field, spots, step, stretches_of(pull_of("surrounding_26"), spots.shape))
+        field = pulled(spots, step, patches, pull_of("surrounding_26"))
         age = step - 3
         expected = 0.005 * math.sin(math.pi * age / 25) if 0 <= age < 25 else 0.0
         assert field[0, 2, 2, 1] == pytest.approx(expected, abs=1e-17)
 
 
-def test_room_grows() -> None:
-    """More spots in one step than there was room for lose nobody, neither old nor new."""
-    spots = no_spots(ColdSpots(force=1.0, probability=0.0), 3, FIVE_METRES)
-    spots = spawn(spots, 0, np.array([[1, 2, 3]]))
-    many = np.stack([np.zeros(40, dtype=np.int64), np.arange(40), np.arange(40)], axis=1)
-    spots = spawn(spots, 1, many)
-    assert spots.place[0, 0].tolist() == [1, 2, 3]
-    assert np.array_equal(spots.place[1, :40], many)
-    assert spots.number.tolist() == [1, 40, 0]
+@given(
+    shape=st.tuples(*[st.integers(1, 6)] * 2, st.integers(1, 12)),
+    kind=st.sampled_from(["surrounding_26", "released_18"]),
+    numbers=st.lists(st.integers(0, 40), min_size=1, max_size=12),
+    seed=st.integers(0, 2**32),
+)
+@settings(max_examples=60, deadline=None)
+def test_pulls_are_added_younger_first(shape: tuple[int, int, int], kind: str, numbers: list[int], seed: int) -> None:
+    """To the last bit the plain sum over ages and draws, while lists are filled, let go of and outgrow their room."""
+    lifetime, random, patches = 4, np.random.default_rng(seed), Patches(np.zeros(3), 0.1, *reversed(shape))
+    spots, weight = no_spots(ColdSpots(force=0.3, probability=0.0), lifetime, patches), pull_of(kind).weight
+    drawn: list[Any] = []
+    for step, number in enumerate(numbers):
+        drawn.insert(0, random.integers(0, shape, (number, 3)))
+        spots = spawn(spots, step, drawn[0])
+        expected = np.zeros((3, *(size + 2 for size in shape)))
+        for age, places in enumerate(drawn[:lifetime]):
+            for k, j, i in places:
+                expected[:, k : k + 3, j : j + 3, i : i + 3] += 0.3 * np.sin(np.pi * age / lifetime) * weight
+        found = pulled(spots, step, patches, pull_of(kind))
+        assert np.array_equal(found, expected[:, 1:-1, 1:-1, 1:-1])
+        assert spots.number.sum() == sum(map(len, drawn[:lifetime]))
 
 
 def test_numbers_of_the_paper() -> None:
@@ -130,12 +151,11 @@ def test_steady_field_of_a_constant_spot(form: str, profile: list[float]) -> Non
     """|Fx| at 0 to 4 patches beside one unit spot that never ends, 18 neighbours: the facts' figures (4.5)."""
     forces = ForceCurrents(diffusion=form)  # type: ignore[arg-type]
     source = one_spot((12, 12, 12), "released_18", (25, 25, 25))
-    field = np.zeros_like(source)
+    water = ForceField(forces, Patches(np.zeros(3), 0.1, 25, 25, 25), generator(1, "cold spots"))
     for _ in range(150):
-        for component in range(3):
-            spread(field[component], spreading_weights(forces), *spreading_scratch((25, 25, 25)))
-        field += source
-    np.testing.assert_allclose(np.abs(field[0, 12, 12, 12:17]), profile, rtol=0, atol=0.006)
+        water.spread()
+        water.field[...] += source
+    np.testing.assert_allclose(np.abs(water.field[0, 12, 12, 12:17]), profile, rtol=0, atol=0.006)
 
 
 @pytest.mark.parametrize(
@@ -165,7 +185,7 @@ def test_strength_of_the_paper_s_turbulence(form: str, spawning: str, rms: float
 
 
 def test_threads_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Components side by side, as in large tanks, or one after the other: the same field to the last bit."""
+    """Parts side by side, as in large tanks, or all of it at once: the same field to the last bit."""
     fields = []
     for least in (10**9, 1):
         monkeypatch.setattr("cocorosim_ros.world.water.force_field.force_field.PATCHES_FOR_THREADS", least)
