@@ -2,7 +2,7 @@
 
 Nothing may depend on what is done for another one in the same work, so that neither the number of threads nor their
 order changes a bit. Threads take one small part after the other: one whose processor others use as well does fewer.
-Who asks for the work begins in front and the others at the end, so that from one work to the next each has most of what
+The caller begins in front and the other threads at the end, so that from one work to the next each has most of what
 it needs in its own caches.
 """
 
