@@ -24,4 +24,4 @@ def test_halves_of_a_hovercrafts_day_are_alike(tmp_path: Path) -> None:
     runs = sorted(each.folder for each in made if DAY in each.folder.name)
     good, bad = (gather_evidence(runs[half:6:2], load_platform("hovercraft_epfl")) for half in (0, 1))
     found = diagnose_against(bad, good, lambda words, share: None)
-    assert (found.verdict, found.effects, found.recalibrated) == ("consistent", (), ())
+    assert (found.effects, found.recalibrated) == ((), ())
