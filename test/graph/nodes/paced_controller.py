@@ -29,6 +29,7 @@ ANSWERS = {  # kind: what is sent, with an offset to the stamp [s]
     "uneven": [(NAMES, [0.5], 0)],
     "past": [(*AHEAD, -0.2), (*AHEAD, 0)],
     "future": [(*AHEAD, 3600), (*AHEAD, 0)],
+    "shortly": [(*AHEAD, 0.05)],
     "twice": [(*AHEAD, 0), (*AHEAD, 0)],
     "skip": [],
 }
