@@ -49,6 +49,24 @@ def browse(tmp_path: Path) -> Callable[..., str]:
 
 
 @pytest.fixture
+def rerun_rows() -> Callable[[Path], dict[str, list[dict[str, Any]]]]:
+    """A function of an MCAP file: by topic the rows that have a time, as Rerun's own loader reads them."""
+    if np.__version__.startswith("1."):
+        pytest.skip("rerun-sdk asks for NumPy 2")
+    chunk = pytest.importorskip("rerun.chunk", reason="rerun-sdk is not installed, and it is optional")
+
+    def read(file: Path) -> dict[str, list[dict[str, Any]]]:
+        found: dict[str, list[dict[str, Any]]] = {}
+        for part in chunk.McapReader(file).stream().to_chunks():
+            batch = part.to_record_batch()
+            if "message_log_time" in batch.schema.names:
+                found.setdefault(part.entity_path, []).extend(batch.to_pylist())
+        return found
+
+    return read
+
+
+@pytest.fixture
 def cocorosim(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Callable[..., SimpleNamespace]:
     """A function of arguments: the command's exit status, output and errors; run in this process."""
     from cocorosim_ros.commands.main import main

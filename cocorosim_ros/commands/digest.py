@@ -60,7 +60,7 @@ def _show(console: Console, bag: Bag, digest: Digest, *, topics: bool) -> bool:
     for line in digest.lines() if topics else []:
         topic, type_name, count, topic_digest = line.split(" ")
         say(console, f"  {topic_digest}  {count:>8}  {topic}  {type_name}")
-    from cocorosim_ros.wire.bags.bag_writer import METADATA_NAME
+    from cocorosim_ros.wire.bags.bag_summary import METADATA_NAME
 
     errors = Console(file=sys.stderr)
     if bag.summary.damage:

@@ -14,6 +14,7 @@ from cocorosim_ros.graph.runs.results import readable_scenario, scenario_facts
 from cocorosim_ros.library.recording import Recording
 
 HERE = "127.0.0.1"
+PATIENCE = 3.0  # s that a viewer on a file gets to fail; one without a display needs half of that
 
 
 def write_scenes(recordings: Sequence[Recording], file: Path) -> None:
@@ -46,10 +47,11 @@ class WaitingViewer:
         if self._told or not status:
             return ""
         self._told = True
-        return (
-            f"Rerun's viewer ended with status {status}, as it does where there is no display; the run goes on, and "
-            "`cocorosim view --3d` shows its recording."
-        )
+        return _ended(status, "the run goes on, and `cocorosim view --3d` shows its recording")
+
+
+def _ended(status: int, instead: str) -> str:
+    return f"Rerun's viewer ended with status {status}, as it does where there is no display; {instead}."
 
 
 def await_scene() -> WaitingViewer:
@@ -61,9 +63,15 @@ def await_scene() -> WaitingViewer:
     return WaitingViewer(f"rerun+http://{HERE}:{port}/proxy", process)
 
 
-def open_viewer(file: Path) -> None:
-    """Start Rerun's viewer on a file; it stays when this process ends."""
-    _start(str(file))
+def open_viewer(file: Path) -> str:
+    """Start Rerun's viewer on a file; it stays when this process ends. Sentence if it fails at once; "" else."""
+    process = _start("--bind", HERE, str(file))
+    try:
+        status = process.wait(PATIENCE)
+    except subprocess.TimeoutExpired:
+        return ""
+    way_out = f"look at {file} where there is one, or in a browser by `rerun --web-viewer --bind {HERE} {file}`"
+    return _ended(status, way_out) if status else ""
 
 
 def _start(*arguments: str) -> subprocess.Popen[bytes]:

@@ -17,6 +17,7 @@ from cocorosim_ros.commands.missing_package import check_installed, check_ros
 from cocorosim_ros.commands.progress import RunProgress
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.runs.between_ticks import steps_of_tick
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
@@ -56,6 +57,7 @@ class RunChoices:
     foxglove: int | None
     json_file: Path | None
     view: bool
+    smooth: float
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that contradict each other."""
@@ -64,6 +66,8 @@ class RunChoices:
     def _check(self) -> None:
         if not 0.0 <= self.rate < math.inf:
             raise CocorosimError(f"--rate has {self.rate:g}; give a positive number, or leave it out for lock-step.")
+        if not 0.0 <= self.smooth <= 1000.0:
+            raise CocorosimError(f"--smooth has {self.smooth:g}; give Hz up to 1000, or leave it out.")
         if not 0.0 <= self.wait <= 86400.0:
             raise CocorosimError(f"--wait has {self.wait:g}; give seconds from 0 to 86400.")
         if self.composed and self.in_process:
@@ -79,6 +83,7 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
             f"The controller of {scenario.external[0]} is left to you, which needs nodes in processes of their own; "
             "leave out --composed and --in-process, or take it out of --external and the scenario's 'external'."
         )
+    steps_of_tick(choices.smooth, choices.rate, scenario.tick)
     if choices.foxglove is not None:
         foxglove_port(choices.foxglove)
     if choices.view:
@@ -207,7 +212,9 @@ def _plan(
 
     port = _live_port(choices, console)
     show = _live_scene(scenario, viewer)
-    return GraphPlan(scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port, show)
+    return GraphPlan(
+        scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port, show, choices.smooth
+    )
 
 
 def _viewer(choices: RunChoices, console: Console) -> WaitingViewer | None:

@@ -78,7 +78,8 @@ def _open(console: Console, file: Path, *, in_3d: bool) -> None:
     if in_3d:
         from cocorosim_ros.commands.rerun_viewer import open_viewer
 
-        open_viewer(file)
+        if fault := open_viewer(file):
+            say(console, fault, "yellow")
     elif not webbrowser.open(file.resolve().as_uri()):
         say(console, "no browser was found here; open the page in one")
 

@@ -13,6 +13,7 @@ import pytest
 from cocorosim_ros.commands.rerun_viewer import WaitingViewer
 
 Command = Callable[..., Any]
+SHIPPED = Path(__file__).parents[2] / "bags" / "five_lilys"
 NOBODY = "rerun+http://127.0.0.1:9/proxy"
 
 
@@ -45,3 +46,18 @@ def test_the_run_goes_on_without_its_viewer(
     assert told.count("Rerun's viewer ended with status 1") == 1
     assert "`cocorosim view --3d` shows its recording" in told
     assert (tmp_path / "run" / "bag").is_dir()
+
+
+def test_a_scene_whose_viewer_fails_is_there(
+    cocorosim: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """view --3d has written its file; that nothing shows it is said, with the file and how a browser does."""
+    pytest.importorskip("rerun")
+    monkeypatch.setattr("cocorosim_ros.commands.rerun_viewer._start", lambda *_: ended(1).process)
+    scene = tmp_path / "scene.rrd"
+    result = cocorosim("view", SHIPPED, "--3d", "--out", scene)
+    assert result.status == 0, result.err
+    told = " ".join(result.out.split())
+    assert told.count("Rerun's viewer ended with status 1") == 1
+    assert f"rerun --web-viewer --bind 127.0.0.1 {scene}" in told
+    assert scene.is_file()

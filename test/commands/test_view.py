@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
@@ -112,14 +114,21 @@ def test_a_scene_in_three_dimensions(
     """--3d writes what Rerun opens, alone or beside another; nothing is replaced unasked, and no page is opened."""
     pytest.importorskip("rerun")
     started: list[list[str]] = []
-    monkeypatch.setattr("subprocess.Popen", lambda line, **_: started.append(line))
+    begin = subprocess.Popen
+
+    def idle(line: list[str], **_: object) -> subprocess.Popen[bytes]:
+        started.append(line)
+        return begin([sys.executable, "-c", ""])
+
+    monkeypatch.setattr("subprocess.Popen", idle)
     alone, both = tmp_path / "alone.rrd", tmp_path / "both.rrd"
     assert cocorosim("view", SHIPPED, "--3d", "--out", alone, "--no-open").status == 0
     assert started == []
     result = cocorosim("view", SHIPPED, "--3d", "--against", SHIPPED / "bag", "--out", both)
     assert result.status == 0, result.err
     assert alone.read_bytes()[:4] == both.read_bytes()[:4] == b"RRF2", "how files of Rerun begin"
-    assert [line[1:] for line in started] == [["-m", "rerun", str(both)]]
+    assert [line[1:] for line in started] == [["-m", "rerun", "--bind", "127.0.0.1", str(both)]]
+    assert "Rerun's viewer ended" not in result.out
     assert cocorosim("view", SHIPPED, "--3d", "--out", alone, "--no-open").status == 2
     assert opened == []
 

@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.checking.motion import (
 )
 from cocorosim_ros.diagnosis.criteria.checking import CHECKING
 from cocorosim_ros.diagnosis.criteria.guessing import GUESSING
+from cocorosim_ros.diagnosis.guessing.column_names import is_heading
 from cocorosim_ros.diagnosis.guessing.log_table import Guess
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
@@ -104,12 +105,8 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     moves = speed > max(CHECKING.moving, GUESSING.under_way * float(np.nanmax(speed, initial=0.0)))
     course, heading = np.arctan2(*steps.T[::-1])[moves], averaged(time, yaw)[moves]
     name = pose.numbers["yaw"].column
-    untold = (
-        f"Nothing says which way '{name}' counts; it is taken to count counter-clockwise from where x points. A "
-        "bearing, clockwise from where y points, needs scale: -1 and offset: 90 deg."
-    )
     if len(course) < CHECKING.fewest or np.ptp(heading) < GUESSING.turned_enough:
-        return pose.doubting(untold)
+        return _by_its_name(pose)
     as_yaw, as_bearing = (complex(np.mean(np.exp(1j * (course - sign * heading)))) for sign in (1.0, -1.0))
     if abs(as_bearing) > CHECKING.related > abs(as_yaw):
         quarters = round(2.0 * cmath.phase(as_bearing) / math.pi)
@@ -119,7 +116,24 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     if abs(as_yaw) > CHECKING.related and abs(cmath.phase(as_yaw)) > GUESSING.turned_enough:
         off = math.degrees(cmath.phase(as_yaw))
         return pose.doubting(f"The vehicle travels {off:.0f} deg off '{name}': its zero may be another.")
-    return pose if abs(as_yaw) > CHECKING.related else pose.doubting(untold)
+    return pose if abs(as_yaw) > CHECKING.related else _by_its_name(pose)
+
+
+def _by_its_name(pose: Guess) -> Guess:
+    """Take for a bearing what is called as a compass calls it, in degrees from 0 to 360; else for a yaw."""
+    number = pose.numbers["yaw"]
+    turns = number.in_si()
+    name = number.column
+    if not is_heading(name) or number.unit != "deg" or np.nanmin(turns) < 0.0 or np.nanmax(turns) < math.pi:
+        return pose.doubting(
+            f"Nothing says which way '{name}' counts; it is taken to count counter-clockwise from where x points. A "
+            "bearing, clockwise from where y points, needs scale: -1 and offset: 90 deg."
+        )
+    words = (
+        f"Its name and degrees from 0 to 360 alone say which way '{name}' counts; it is taken for a bearing, clockwise "
+        "from where y points. A yaw, counter-clockwise from where x points, needs neither scale nor offset."
+    )
+    return pose.with_number("yaw", replace(number, negated=True, quarters=1)).doubting(words)
 
 
 def _place(pose: Guess) -> Floats:

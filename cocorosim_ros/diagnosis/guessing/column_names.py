@@ -80,6 +80,12 @@ def is_time(name: str) -> bool:
     return bool(words) and words[-1] in _TIMES and not set(words) & _CONTEXTS["command"]
 
 
+def is_heading(name: str) -> bool:
+    """Tell whether a column is called as compasses call what they show."""
+    words, _ = tokens_and_unit(name)
+    return bool(words) and words[-1] in _HEADINGS
+
+
 def meaning_of(name: str, others: Mapping[str, object]) -> Meaning | None:
     """Meaning of a column of a table; `others` are the table's columns, which decide between meanings of a letter."""
     words, unit = tokens_and_unit(name)

@@ -22,6 +22,10 @@ ARGUMENTS = {
     "external": ("", "robots that somebody else controls, separated by spaces"),
     "duration": ("", "length of the run such as '60 s'; empty: the scenario's own"),
     "rate": ("0.0", "seconds of simulation per second of wall clock; 0: lock-step"),
+    "smooth": (
+        "0.0",
+        "with a rate: Hz of simulated time of /clock and /tf, interpolated between ticks; 0: ticks alone",
+    ),
     "out": ("bag", "folder of the recording; must not exist"),
     "force": ("false", "replace a recording that is there"),
     "foxglove": ("-1", "port on which Foxglove finds all topics live, 0: any; -1: none"),
@@ -40,7 +44,7 @@ def nodes(context: LaunchContext) -> list[Node]:
     rate = float(given["rate"])
     run: dict[str, Any] = {name: text(given[name]) for name in ("scenario", "external", "duration")}
     run["seed"] = int(given["seed"])
-    physics = {**run, "rate": rate, "recorded": True}
+    physics = {**run, "rate": rate, "smooth": float(given["smooth"]), "recorded": True}
     force = given["force"].lower() == "true"
     recorder = {"out": text(given["out"]), "force": force, "foxglove": int(given["foxglove"])}
     metrics = {**run, **recorder, "lock_step": rate == 0.0}

@@ -42,6 +42,7 @@ class ArrivalRecorder:
         self._robots = {topic: index for index, topic in enumerate(record.pose_topics)}
         self._moments = PoseMoments(len(self._robots), int(period * 1e9))
         self._told_of_late_poses = False
+        self._newest = 0  # [ns] of all stamps so far
 
     def connected(self) -> bool:
         """Whether every robot's pose has a publisher."""
@@ -65,6 +66,9 @@ class ArrivalRecorder:
     def _keep(self, topic: str, type_name: str, data: bytes) -> None:
         stamp = stamp_ns(type_name, data)
         moment = max(0, time.time_ns() if stamp is None else stamp)  # a recording knows no times before zero
+        if type_name == COMMAND.type_name and moment == 0:
+            moment = self._newest  # without a stamp, as `ros2 topic pub` sends it
+        self._newest = max(self._newest, moment)
         self.record.write(topic, moment, data)
         if topic == STATUS_TOPIC:
             subject, _, values = read_status(data)

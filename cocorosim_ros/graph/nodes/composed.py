@@ -14,7 +14,8 @@ from cocorosim_ros.graph.nodes.background import wait_for_callbacks_to_end
 from cocorosim_ros.graph.nodes.controller_shell import ControllerShell
 from cocorosim_ros.graph.nodes.graph import GraphPlan
 from cocorosim_ros.graph.nodes.physics_node import run_lock_step
-from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell, Terms
+from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell
+from cocorosim_ros.graph.nodes.terms import Terms
 from cocorosim_ros.graph.nodes.tick_recorder import TickRecorder
 from cocorosim_ros.graph.nodes.wiring import Listener, Waiter
 from cocorosim_ros.graph.runs.results import recording_metadata

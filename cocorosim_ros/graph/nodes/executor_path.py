@@ -26,10 +26,11 @@ def publisher_of_bytes(publisher: Any) -> Callable[[bytes], None]:
 class HeardEar:
     """One subscription whose messages are kept as they come in until they are taken."""
 
-    def __init__(self, node: Node, message_class: Any, topic: str, profile: QoSProfile) -> None:
+    def __init__(self, node: Node, message_class: Any, topic: str, profile: QoSProfile, **options: Any) -> None:
+        """`options`: others of `create_subscription`."""
         self.awaited: threading.Event | None = None  # set when a message comes in
         self._heard: deque[bytes] = deque()
-        self.subscription = node.create_subscription(message_class, topic, self._hear, profile, raw=True)
+        self.subscription = node.create_subscription(message_class, topic, self._hear, profile, raw=True, **options)
         run_callbacks(node)
 
     @property

@@ -27,6 +27,7 @@ class GraphPlan:
     wait: float = 60.0  # s of wall clock that controllers and recorder get to appear
     foxglove: int | None = None  # port for live viewers; None: nobody
     show: OpenViewers | None = None  # others to whom the recorder shows what it writes
+    smooth: float = 0.0  # with a rate: Hz of simulated time of `/clock` and `/tf`; 0: ticks alone
 
     @property
     def controlled_here(self) -> list[str]:
@@ -35,7 +36,8 @@ class GraphPlan:
 
     def physics_arguments(self) -> list[str]:
         """ROS arguments of the physics node."""
-        return ros_arguments({"recorded": True, "rate": float(self.rate), "wait": float(self.wait), **self._run()})
+        pace = {"rate": float(self.rate), "smooth": float(self.smooth), "wait": float(self.wait)}
+        return ros_arguments({"recorded": True, **pace, **self._run()})
 
     def metrics_arguments(self) -> list[str]:
         """ROS arguments of the metrics node."""

@@ -11,9 +11,10 @@ from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValu
 from rclpy.node import Node
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.nodes.quality_overrides import PREFIX
 from cocorosim_ros.graph.nodes.rclpy_internals import given_parameters
 
-_OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.")
+_OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", PREFIX)
 
 
 @dataclass(frozen=True)

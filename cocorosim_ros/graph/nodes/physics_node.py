@@ -13,20 +13,24 @@ from rclpy.node import Node
 from cocorosim_ros.graph.nodes.background import run_callbacks
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
-from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell, Terms
+from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell
 from cocorosim_ros.graph.nodes.run_control import RunControl
+from cocorosim_ros.graph.nodes.terms import Terms
 from cocorosim_ros.graph.nodes.wiring import Waiter
+from cocorosim_ros.graph.runs.between_ticks import steps_of_tick
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.warm_up import compile_physics
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks.loading import load_scenario
 
+SMOOTH = "with a rate: Hz of simulated time of /clock and /tf, interpolated between ticks; 0: ticks alone"
 PARAMETERS = (
     NodeParameter("scenario", "eleven_lilys", "name of a scenario in config/scenarios, or path of a file"),
     NodeParameter("seed", -1, "seed of the run; -1: the scenario's own", (-1, 2**63 - 1)),
     NodeParameter("external", "", "robots that somebody else controls, separated by spaces"),
     NodeParameter("duration", "", "length of the run such as '60 s'; empty: the scenario's own"),
     NodeParameter("rate", 0.0, "seconds of simulation per second of wall clock; 0: lock-step", (0.0, 1e6), True),
+    NodeParameter("smooth", 0.0, SMOOTH, (0.0, 1000.0)),
     NodeParameter("recorded", False, "a metrics_node belongs to the run: wait for it, do not outrun it in lock-step"),
     NodeParameter("wait", 60.0, "s of wall clock that controllers and recorder get to appear", (0.0, 86400.0)),
 )
@@ -77,7 +81,7 @@ def run_by_the_clock(shell: PhysicsShell, progress: Progress, control: RunContro
         due += held + shell.scenario.tick_ns * 1e-9 / control.rate
         shell.publish_tick()
         shell.gather_until(due, held)
-        shell.simulation.advance()
+        shell.advance_until_due()
         progress(shell.simulation.tick, shell.missing_answers)
 
 
@@ -96,6 +100,7 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     run_callbacks(node)
     control = RunControl(node, values["rate"], recorded=values["recorded"])
     scenario = scenario_of(values) if supervision is None else supervision.scenario
+    steps = steps_of_tick(values["smooth"], values["rate"], scenario.tick)
     if supervision is None:
         check_latency(scenario)
         compile_physics(scenario, node.get_logger().info)
@@ -107,7 +112,8 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
         else:
             time.sleep(seconds)
 
-    terms = Terms(values["recorded"], values["wait"], dead=list if supervision is None else supervision.dead)
+    dead = list if supervision is None else supervision.dead
+    terms = Terms(values["recorded"], values["wait"], dead=dead, steps=steps)
     shell = PhysicsShell(node, scenario, idle, terms)
     progress: Progress = (lambda ticks, missing: None) if supervision is None else supervision.report
     on_termination(shell.request_stop, supervised=supervision is not None)

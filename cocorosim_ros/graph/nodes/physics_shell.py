@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from rclpy.node import Node
 
 from cocorosim_ros.foundation.compiling.once import somebody_compiles
 from cocorosim_ros.graph.nodes.answers import Answers
-from cocorosim_ros.graph.nodes.complaints import Complaints, tell_on_terminal
+from cocorosim_ros.graph.nodes.between_ticks import BetweenTicks
+from cocorosim_ros.graph.nodes.complaints import Complaints
 from cocorosim_ros.graph.nodes.recorder_link import RECORDED_AHEAD, RecorderEar
 from cocorosim_ros.graph.nodes.start_line import StartLine
+from cocorosim_ros.graph.nodes.terms import Terms
 from cocorosim_ros.graph.nodes.wiring import Listener, Speaker
 from cocorosim_ros.graph.runs.body_side import BodySide
 from cocorosim_ros.graph.runs.latency import check_latency
@@ -23,6 +24,7 @@ from cocorosim_ros.graph.runs.under_way import longest_under_way
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.wire.topics.swarm_messages import SwarmMessages
 from cocorosim_ros.wire.topics.topics import TOPICS
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.state.radio import write_payload
@@ -36,16 +38,6 @@ LAST_WORDS = 5.0  # s, wall clock
 RECORDER_PATIENCE = 20.0  # s, wall clock
 LOOK_AT_COMPILERS = 0.5  # s, wall clock
 Idle = Callable[[Sequence[Listener], float], None]
-
-
-@dataclass(frozen=True)
-class Terms:
-    """What a run is told beside its scenario."""
-
-    recorded: bool  # a recorder belongs to the run
-    wait: float = 60.0  # s of wall clock that controllers and recorder get to appear
-    dead: Callable[[], list[int]] = list  # robots whose controller is known to have died
-    tell: Callable[[str], None] = tell_on_terminal  # says what goes wrong to whoever runs the node
 
 
 class PhysicsShell:
@@ -72,6 +64,9 @@ class PhysicsShell:
         self._complaints = Complaints(self._speakers[STATUS_TOPIC], terms.tell)
         self._answers = [Answers(node, body, self.complain) for body in self.bodies]
         self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
+        clock, transforms = self._speakers["/clock"], self._speakers["/tf"]
+        messages = SwarmMessages(self.bodies)
+        self._between = BetweenTicks(messages, clock, transforms, scenario.tick_ns, terms.steps)
         self._mourned: set[int] = set()
         self.begin_anew()
 
@@ -151,16 +146,20 @@ class PhysicsShell:
     def gather_until(self, moment: float, held: float = 0.0) -> None:
         """Take answers until `moment` [s, monotonic clock]; the last command of each robot holds for the patience.
 
+        Until all have answered is enough where the way to the next tick is shown, which has to be known for that.
         `held` [s]: how long the tick was held up, which is no silence of a controller.
 
         Raises RunError if a controller has died or is silent for longer, and that means stop.
         """
         self._switch.excuse(held)
         self._switch.begin_tick(time.monotonic())
+        self._between.begin_tick(self.simulation.time_ns, moment)
         everybody = [listener for answers in self._answers for listener in answers.listeners()]
-        while not self.stop and (left := moment - time.monotonic()) > 0.0:
+        while not self.stop and (now := time.monotonic()) < moment:
             self.take_answers(held=True)
-            self._idle(everybody, left)
+            if self._between.wanted and not self.barrier.waiting_for():
+                break
+            self._idle(everybody, max(0.0, self._between.tell(now) - now))
         self.take_answers(held=True)
         self._switch_off()
         for robot in () if self.stop else self.barrier.unanswered():
@@ -197,6 +196,12 @@ class PhysicsShell:
                     f"{self.simulation.tick}; look at the metrics node."
                 )
             self._idle([self._recorder.listener], 0.05)
+
+    def advance_until_due(self) -> None:
+        """Move the world on by one tick of the wall clock, and show the way there until the next is due."""
+        before = self.simulation.state[0].copy()
+        self.simulation.advance()
+        self._between.follow(before, self.simulation.state[0], lambda: self.stop)
 
     def end(self) -> None:
         """Say that the run has ended, and whose answers were missing."""
@@ -235,7 +240,9 @@ class PhysicsShell:
     def _is_answer(self, robot: int, stamp: int, part: str, *, held: bool) -> bool:
         """Whether what came is to be used; raises RunError if a robot turns out to have two controllers."""
         now = self.simulation.time_ns
-        if stamp == now:
+        if stamp == 0 and self.scenario.robots[robot].external:  # without a stamp, as `ros2 topic pub` sends it
+            return self.barrier.answered(robot, part) or held
+        if stamp == now or (held and now < stamp <= self._between.newest_ns):
             if self.barrier.answered(robot, part) or held:
                 return True
             raise RunError(

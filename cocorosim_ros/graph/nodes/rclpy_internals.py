@@ -63,10 +63,11 @@ def publisher_of_bytes(publisher: Any) -> Callable[[bytes], None]:
 class TakenEar:
     """One subscription whose messages stay in DDS until they are taken."""
 
-    def __init__(self, node: Node, message_class: Any, topic: str, profile: QoSProfile) -> None:
+    def __init__(self, node: Node, message_class: Any, topic: str, profile: QoSProfile, **options: Any) -> None:
+        """`options`: others of `create_subscription`."""
         self._class = message_class
         self.subscription = node.create_subscription(
-            message_class, topic, lambda message: None, profile, callback_group=_TakenByHand(), raw=True
+            message_class, topic, lambda message: None, profile, callback_group=_TakenByHand(), raw=True, **options
         )
         self.handle = self.subscription.handle
 

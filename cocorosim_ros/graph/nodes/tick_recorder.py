@@ -41,8 +41,8 @@ class TickRecorder:
         }
         self.clock = self._listeners["/clock"]
         self._owed = record.owed - {robot_topic(robot, answer) for robot in external for answer in ANSWERS}
-        commands = {robot_topic(robot, COMMAND.name) for robot in external} & self._listeners.keys()
-        self._unheard: dict[str, set[int]] = {topic: set() for topic in sorted(commands)}  # stamps of ticks [ns]
+        self._commands = {robot_topic(robot, COMMAND.name) for robot in external} & self._listeners.keys()
+        self._unheard: dict[str, set[int]] = {topic: set() for topic in sorted(self._commands)}  # stamps of ticks [ns]
         self._pending: dict[int, dict[str, bytes]] = {}
         self._excused: dict[int, set[str]] = {}
         self._newest_tick = -1
@@ -104,7 +104,10 @@ class TickRecorder:
 
     def _keep(self, topic: str, type_name: str, data: bytes) -> None:
         stamp = max(0, stamp_ns(type_name, data) or 0)  # a recording knows no times before zero
-        if topic == STATUS_TOPIC:
+        if stamp == 0 and topic in self._commands and self._newest_tick > 0:
+            self._unheard.pop(topic, None)  # which tick it has answered is not known
+            self.record.write(topic, self._newest_tick, data)
+        elif topic == STATUS_TOPIC:
             self._read_status(stamp, data)
         elif stamp <= self._last_written or topic in self._pending.get(stamp, ()):
             self.record.write(topic, stamp, data)  # its tick is written, or has a message of this topic already

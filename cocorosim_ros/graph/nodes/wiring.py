@@ -19,6 +19,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPo
 
 from cocorosim_ros.graph.nodes import executor_path, rclpy_internals
 from cocorosim_ros.graph.nodes.path_choice import PATH_VARIABLE, plain_path_asked
+from cocorosim_ros.graph.nodes.quality_overrides import overriding_options
 from cocorosim_ros.wire.topics.service_quality import ServiceQuality
 
 LONGEST_WAIT = 0.2  # s; signals are looked at in between
@@ -30,7 +31,7 @@ PLAIN_NEEDED = "messages go through an executor, which is slower: this rclpy has
 class Path:
     """One way of getting bytes through rclpy."""
 
-    ear: Callable[..., Any]  # of (node, message class, topic, profile): a subscription
+    ear: Callable[..., Any]  # of (node, message class, topic, profile, options): a subscription
     sleeper: Callable[..., Any]  # of (node, most ears): what waits for some of them
     publisher_of_bytes: Callable[[Any], Callable[[bytes], None]]
 
@@ -88,7 +89,8 @@ class Listener:
         self.topic = topic
         self.type_name = type_name
         profile = quality_profile(quality, keep_all=keep_all)
-        self.ear = path_of(node).ear(node, message_class(type_name), topic, profile)
+        options = overriding_options(node, topic)
+        self.ear = path_of(node).ear(node, message_class(type_name), topic, profile, qos_overriding_options=options)
         self.take = self.ear.take
 
     @property
@@ -105,7 +107,9 @@ class Speaker:
     def __init__(self, node: Node, type_name: str, topic: str, quality: ServiceQuality) -> None:
         self.topic = topic
         self.type_name = type_name
-        self._publisher = node.create_publisher(message_class(type_name), topic, quality_profile(quality))
+        kind, profile = message_class(type_name), quality_profile(quality)
+        options = overriding_options(node, topic)
+        self._publisher = node.create_publisher(kind, topic, profile, qos_overriding_options=options)
         self.publish = path_of(node).publisher_of_bytes(self._publisher)
 
     def all_received(self) -> bool:

@@ -8,6 +8,9 @@ from pathlib import Path
 
 from cocorosim_ros.wire.bags.mcap_file import Contents
 
+METADATA_NAME = "cocorosim"  # of the record that says what a recording was made from
+METADATA_AT_BEGIN = "cocorosim_begun"  # of the same, written before the first message, without the digest
+
 
 @dataclass(frozen=True)
 class RecordedTopic:
@@ -60,7 +63,7 @@ def summarize(path: Path, files: Sequence[Contents], problems: Sequence[str]) ->
             known = topics.get(key)
             topics[key] = replace(known, count=known.count + entry.count) if known else entry
         for name, values in contents.metadata.items():
-            metadata.setdefault(name, {}).update(values)
+            metadata.setdefault(METADATA_NAME if name == METADATA_AT_BEGIN else name, {}).update(values)
     count = sum(contents.message_count for contents in files)
     start_ns = min((contents.start_ns for contents in files if contents.message_count), default=0)
     end_ns = max((contents.end_ns for contents in files if contents.message_count), default=0)

@@ -1,8 +1,8 @@
 """Writes a rosbag2 folder: one MCAP file, and metadata.yaml as the very last step.
 
-The MCAP file holds a metadata record `cocorosim` at its beginning (what the recording was made from) and
-another at its end (the same and the digest). A folder without metadata.yaml is a recording that was not
-closed.
+The MCAP file holds a metadata record `cocorosim_begun` at its beginning (what the recording was made from) and
+`cocorosim` at its end (the same and the digest), of two names because viewers warn of one that comes twice. A folder
+without metadata.yaml is a recording that was not closed.
 """
 
 from __future__ import annotations
@@ -19,12 +19,11 @@ from types import TracebackType
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import bag_metadata
 from cocorosim_ros.wire.bags.bag_folder import PROVISIONAL_NAME, make_room
+from cocorosim_ros.wire.bags.bag_summary import METADATA_AT_BEGIN, METADATA_NAME
 from cocorosim_ros.wire.bags.digest import Digest, TopicDigest
 from cocorosim_ros.wire.bags.mcap_writer import CHUNK_BYTES, McapWriter
 from cocorosim_ros.wire.cdr.type_store import schema_text, type_hash
 from cocorosim_ros.wire.topics.service_quality import STREAM, ServiceQuality
-
-METADATA_NAME = "cocorosim"
 
 
 @dataclass(frozen=True)
@@ -75,7 +74,7 @@ class BagWriter:
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
             self._mcap = McapWriter(self.file, "ros2", f"cocorosim_ros {_own_version()}", chunk_bytes=chunk_bytes)
-            self._mcap.add_metadata(METADATA_NAME, self._metadata)
+            self._mcap.add_metadata(METADATA_AT_BEGIN, self._metadata)
         except OSError as error:
             raise CocorosimError(
                 f"The recording {self.folder} cannot be written: {error.strerror}; choose a folder on a "

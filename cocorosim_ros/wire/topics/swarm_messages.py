@@ -106,13 +106,21 @@ class SwarmMessages:
 
     def poses(self, stamp_ns: int, state: Floats) -> tuple[list[bytes], bytes]:
         """The bytes of every robot's `pose`, and of `/tf`; `state` (robots, columns)."""
-        half = 0.5 * state[:, YAW]
-        columns = np.column_stack([state[:, X : Z + 1], np.sin(half), np.cos(half)])
+        columns = _pose_columns(state)
         return self._pose.encode(stamp_ns, columns), self._transforms.encode(stamp_ns, columns)[0]
+
+    def transforms(self, stamp_ns: int, state: Floats) -> bytes:
+        """The bytes of `/tf` alone."""
+        return self._transforms.encode(stamp_ns, _pose_columns(state))[0]
 
     def readings(self, stamp_ns: int, readings: Readings, run: int = 0) -> dict[str, list[bytes]]:
         """The bytes of the sensors that some robot publishes: topic name to one message per robot."""
         return {topic: messages.encode(stamp_ns, readings, run) for topic, messages in self._sensors.items()}
+
+
+def _pose_columns(state: Floats) -> Floats:
+    half = 0.5 * state[:, YAW]
+    return np.column_stack([state[:, X : Z + 1], np.sin(half), np.cos(half)])
 
 
 def _robots_by_sensors(bodies: Sequence[BodyDescription]) -> dict[tuple[BlueLightSensor, ...], list[int]]:

@@ -134,6 +134,21 @@ def test_the_viewers_take_it(
     assert scene.status == 0, scene.err
 
 
+def test_rerun_opens_it(
+    found: Diagnosis, rerun_rows: Callable[[Path], dict[str, list[dict[str, Any]]]], tmp_path: Path
+) -> None:
+    """Its own loader of MCAP has every topic with as many rows as there are messages, at the recording's moments."""
+    write_overlay(found, HULL, tmp_path / "overlay")
+    messages, rows = read(tmp_path / "overlay"), rerun_rows(tmp_path / "overlay" / "overlay_0.mcap")
+    assert {topic: len(each) for topic, each in rows.items()} == {topic: len(each) for topic, each in messages.items()}
+    for topic, each in messages.items():
+        assert sorted(row["message_log_time"].value for row in rows[topic]) == sorted(at for at, _ in each)
+    ghost = rows["/lily_01/by_model/pose"]
+    assert {frame for row in ghost for frame in row["CoordinateFrame:frame"]} == {"world"}
+    expected = np.concatenate([run.augmented for run in found.free_runs])[:, :3]
+    assert [row["InstancePoses3D:translations"][0] for row in ghost] == pytest.approx(expected, abs=1e-6)
+
+
 def test_it_is_exchanged_with_the_files(found: Diagnosis, tmp_path: Path) -> None:
     """A later diagnosis takes an older overlay away, one that fails leaves everything as it was."""
     texts = {"diagnosis.json": json.dumps({})}

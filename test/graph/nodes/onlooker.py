@@ -5,6 +5,7 @@ onlooker.py describe NODE     prints the node's parameters as JSON: name to valu
 onlooker.py do ACTION...      does one after the other, and prints what is answered as JSON: [success, words]; an action
                               is SERVICE (a Trigger), SERVICE=true or =false (a SetBool), NODE/NAME=NUMBER (a parameter)
 onlooker.py description TOPIC prints the robot's description, which was published before this looked
+onlooker.py qualities TOPIC... prints for each topic how reliable its subscriptions are, by the name of their node
 """
 
 import json
@@ -77,6 +78,14 @@ def description(node, topic):
     return heard[0].data
 
 
+def qualities(node, topic):
+    """How reliable the subscriptions of a topic are, once there is one, by the name of their node."""
+    deadline = time.monotonic() + LIMIT
+    while not (found := node.get_subscriptions_info_by_topic(topic)) and time.monotonic() < deadline:
+        rclpy.spin_once(node, timeout_sec=0.1)
+    return {each.node_name: each.qos_profile.reliability.name for each in found}
+
+
 def sees(node, names):
     """Whether all these nodes come up."""
     deadline = time.monotonic() + LIMIT
@@ -101,6 +110,9 @@ def main():
         return 0
     if sys.argv[1] == "description":
         print(description(node, sys.argv[2]), flush=True)
+        return 0
+    if sys.argv[1] == "qualities":
+        print(json.dumps([qualities(node, topic) for topic in sys.argv[2:]]), flush=True)
         return 0
     return 0 if sees(node, set(sys.argv[2:])) else 1
 

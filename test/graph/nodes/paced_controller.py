@@ -20,7 +20,7 @@ from rclpy.node import Node
 
 NAMES = ["left", "right", "buoyancy"]
 AHEAD = (NAMES, [0.5, 0.5, 0.0])
-ANSWERS = {  # kind: what is sent, with an offset to the stamp [s]
+ANSWERS = {  # kind: what is sent, with an offset to the stamp [s]; None: no stamp
     "good": [(*AHEAD, 0)],
     "nan": [(NAMES, [math.nan, 0.5, 0.0], 0)],
     "beyond": [(NAMES, [1.7, 0.5, 0.0], 0)],
@@ -29,6 +29,8 @@ ANSWERS = {  # kind: what is sent, with an offset to the stamp [s]
     "uneven": [(NAMES, [0.5], 0)],
     "past": [(*AHEAD, -0.2), (*AHEAD, 0)],
     "future": [(*AHEAD, 3600), (*AHEAD, 0)],
+    "shortly": [(*AHEAD, 0.05)],
+    "unstamped": [(*AHEAD, None), (*AHEAD, None)],
     "twice": [(*AHEAD, 0), (*AHEAD, 0)],
     "skip": [],
 }
@@ -67,7 +69,7 @@ class Paced(Node):
         time.sleep(self.delay)
         for names, values, offset in ANSWERS[order]:
             message = ThrusterCommand(name=names, command=values)
-            moment = stamp.sec * 10**9 + stamp.nanosec + int(offset * 1e9)
+            moment = 0 if offset is None else stamp.sec * 10**9 + stamp.nanosec + int(offset * 1e9)
             message.header.stamp = Time(sec=moment // 10**9, nanosec=moment % 10**9)
             self.publisher.publish(message)
         print(f"answered {order} {stamp.sec + stamp.nanosec * 1e-9:g}", flush=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from rosbags.highlevel import AnyReader
 
 Starter = Callable[..., Any]
 Counts = Callable[[Path], dict[str, int]]
@@ -51,8 +52,8 @@ def test_two_controllers_of_one_robot_end_the_run(begin: Starter, paced: Starter
     second = paced(run, "lily_02")
     if moment == "midway":
         second.wait_for("ready")
+        second.say("all")  # before the first goes on, or the run may be over before it has read this
         first.say("all")
-        second.say("all")
     assert run.finish() == 1, run.output
     assert run.output.count("cocorosim: lily_02 has ") == 1, run.output
     ends = ["2 controllers, so the run ends"] + ["two controllers command it"] * (moment == "midway")
@@ -72,3 +73,21 @@ def test_two_controllers_of_a_free_running_robot_are_complained_of(begin: Starte
     first.wait_for("answered", times=first.output.count("answered") + 5)
     run.interrupt()
     assert run.finish() == 130, run.output
+
+
+@pytest.mark.parametrize("options", [(), ("--rate", 10)], ids=["lock-step", "by the clock"])
+def test_commands_without_a_stamp_answer_the_tick_that_waits(
+    begin: Starter, paced: Starter, counts: Counts, options: tuple[Any, ...]
+) -> None:
+    """As `ros2 topic pub` sends them, and more often than ticks come: the robot obeys, nothing is complained of."""
+    ticks = 8
+    run, bag = begin(1, ticks, "lily_01", options=options)
+    paced(run, "lily_01").say(*["unstamped"] * ticks)
+    assert run.finish() == 0, run.output
+    assert "lily_01" not in run.output.partition("export")[2]
+    assert counts(bag)["/lily_01/thruster_command"] == 2 * ticks
+    with AnyReader([bag]) as reader:
+        commands = [each for each in reader.connections if each.topic == "/lily_01/thruster_command"]
+        logged = [at for _, at, _ in reader.messages(commands)]
+    assert logged[-1] > 0, "they are in the recording when they came, not all at its beginning"
+    assert set(logged) <= {tick * 500_000_000 for tick in range(ticks)}

@@ -181,3 +181,17 @@ def test_metrics_node_records_real_robots(
     assert metrics.finish() == 0, metrics.output
     assert counts(recording)["/boat/compass"] > 0
     assert not read_bag(recording).summary.damage
+
+
+@pytest.mark.parametrize("path", ["fast", "plain"])
+def test_qualities_of_service_can_be_overridden(path: str, shell: dict[str, str], start: Starter) -> None:
+    """A robot whose compass offers best effort is heard by who asks for no more; other topics are as ever."""
+    name = "qos_overrides./lily_01/compass.subscription.reliability"
+    arguments = [*ros_arguments(period=0.5), "-p", f"{name}:=best_effort", "-r", "__ns:=/lily_01"]
+    start("controller_node", *arguments, env=shell if path == "fast" else {**shell, PATH_VARIABLE: path})
+    seen = start(ONLOOKER, "qualities", "/lily_01/compass", "/lily_01/pressure", env=shell)
+    assert seen.finish() == 0, seen.output
+    assert json.loads(seen.output.splitlines()[-1]) == [
+        {"controller_node": "BEST_EFFORT"},
+        {"controller_node": "RELIABLE"},
+    ]

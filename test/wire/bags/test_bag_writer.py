@@ -102,6 +102,9 @@ def test_metadata_of_the_run_is_kept(tmp_path: Path, pose_rows: Rows, record: Re
         "seed": "5",
         "digest": digest,
     }
+    with (tmp_path / "bag" / "bag_0.mcap").open("rb") as file:
+        names = [metadata.name for metadata in make_reader(file).iter_metadata()]
+    assert sorted(names) == ["cocorosim", "cocorosim_begun", "rosbag2"], "a name that comes twice is warned of"
 
 
 def test_metadata_yaml_has_the_fields_of_jazzy(tmp_path: Path, pose_rows: Rows, record: Record) -> None:
