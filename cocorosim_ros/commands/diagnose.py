@@ -10,7 +10,7 @@ from typing import Any, TypeVar, get_args
 
 import click
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from cocorosim_ros.commands.completion import config_or_file, several_of
 from cocorosim_ros.commands.examples import with_examples
@@ -134,7 +134,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     console = console_beside(choices.json_file, force=choices.force)
     for file in (choices.junit, choices.markdown):
         check_file(file, force=choices.force)
-    with _progress(console) as show:
+    with shown_progress(console) as show:
         result = diagnose(
             choices.bags,
             choices.platform_name,
@@ -189,9 +189,9 @@ def _show_remarks(console: Console, remarks: Sequence[str]) -> None:
 
 
 @contextmanager
-def _progress(console: Console) -> Iterator[ShowProgress]:
-    """A function of what is being done and how much of all is done (0..1), shown as a bar on a terminal."""
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+def shown_progress(console: Console) -> Iterator[ShowProgress]:
+    """A function of what is done and how much of all (0..1): on a terminal a bar with the time gone and left."""
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=1.0)
         yield lambda words, share: bar.update(task, description=words, completed=share)

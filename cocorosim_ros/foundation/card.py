@@ -33,6 +33,10 @@ class Shown(ABC):
     def card(self) -> Card:
         """What there is to be shown."""
 
+    def sketch(self) -> str:
+        """A drawing of it as HTML, for a notebook; "" for none."""
+        return ""
+
     def __repr__(self) -> str:
         try:
             return card_text(self.card())
@@ -40,7 +44,7 @@ class Shown(ABC):
             return object.__repr__(self)
 
     def _repr_html_(self) -> str:
-        return card_html(self.card())
+        return card_html(self.card(), self.sketch())
 
 
 def card_text(card: Card) -> str:
@@ -49,12 +53,13 @@ def card_text(card: Card) -> str:
     return f"<{card.title}: {facts}>" if facts else f"<{card.title}>"
 
 
-def card_html(card: Card) -> str:
-    """The card as HTML that needs no style sheet, no script and no other file."""
+def card_html(card: Card, sketch: str = "") -> str:
+    """The card as HTML that needs no style sheet, no script and no other file; a sketch stands below the facts."""
     parts = [f"<strong>{escape(card.title)}</strong>"]
     parts.append(
         _table([(f"<th>{escape(name)}</th>", f"<td>{escape(value)}</td>") for name, value in card.facts.items()])
     )
+    parts += [sketch] if sketch else []
     if card.rows:
         head = tuple(f"<th>{escape(heading)}</th>" for heading in card.headings)
         body = [tuple(f"<td>{escape(cell)}</td>" for cell in row) for row in card.rows[:_MOST_ROWS]]

@@ -20,6 +20,7 @@ from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_o
 from cocorosim_ros.scenario.reading.arguments import Place, Time, nanoseconds, one_of, place_text, refused
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
+from cocorosim_ros.study.pictures.sketch import tracks_sketch
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings, readable_topics
 from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses_and_source
@@ -193,6 +194,11 @@ class Recording(Shown):
             rows.append((robot, str(summary.counts.get(robot_topic(robot, "pose"), 0)), ", ".join(names)))
         remarks = [*([self.damage] if self.damage else []), *unread]
         return Card(f"recording {self.path.name}", facts, ("robot", "poses", "readings"), rows, remarks)
+
+    def sketch(self) -> str:
+        """The ways of all robots from above, once their poses have been asked for; to look at it reads no message."""
+        known = self.tracks if "_poses" in vars(self) else {}
+        return tracks_sketch({name: track.position for name, track in known.items()})
 
     def _pose_topics(self) -> list[str]:
         return [each.topic for each in self.bag.summary.topics if is_pose(each.topic, each.type_name)]

@@ -17,6 +17,7 @@ from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_o
 from cocorosim_ros.scenario.reading.arguments import Time, nanoseconds
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import sample_tracks
+from cocorosim_ros.study.pictures.sketch import tracks_sketch
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
@@ -113,6 +114,10 @@ class SimulatedRun(Shown):
         ]
         headings = ("at the end", "x [m]", "y [m]", "z [m]", "yaw [rad]")
         return Card(f"simulation of {self.scenario.name}", facts, headings, rows, self.remarks)
+
+    def sketch(self) -> str:
+        """The ways of all robots from above."""
+        return tracks_sketch({name: self.position[:, robot] for robot, name in enumerate(self.robots)})
 
     def _commands(self) -> dict[str, Floats]:
         """(ticks, robots) of each actuator that any robot has."""

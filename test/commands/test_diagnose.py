@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import json
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +13,9 @@ from typing import Any
 from xml.etree import ElementTree
 
 import pytest
+from rich.console import Console
 
+from cocorosim_ros.commands.diagnose import shown_progress
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.report.junit_file import junit_xml
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -223,3 +227,13 @@ def test_a_recording_that_says_too_little_is_skipped() -> None:
         found_there = case.find(child)
         assert found_there is not None
         assert found_there.get("message") == "It says too little."
+
+
+@pytest.mark.parametrize(("terminal", "bars"), [(True, 1), (False, 0)])
+def test_progress_tells_time_gone_and_time_left(*, terminal: bool, bars: int) -> None:
+    """On a terminal; a pipe gets no bar."""
+    written = io.StringIO()
+    with shown_progress(Console(file=written, force_terminal=terminal, width=100, color_system=None)) as show:
+        show("fitting", 0.5)
+    lines = re.findall(r"fitting .* (?:[-\d]+:){2}[-\d]+ (?:[-\d]+:){2}[-\d]+", written.getvalue())
+    assert min(len(lines), 1) == bars

@@ -161,6 +161,13 @@ def test_to_look_at_it_reads_no_message(shipped: Path, monkeypatch: pytest.Monke
         _ = recording.tracks
 
 
+def test_it_draws_the_tracks_that_were_asked_for(shipped: Path) -> None:
+    """A line for each robot, in a notebook."""
+    recording = cocorosim.read_recording(shipped)
+    assert "<polyline" not in recording._repr_html_()
+    assert len(recording.tracks) == recording._repr_html_().count("<polyline")
+
+
 @pytest.mark.parametrize("name", ["absent", "empty"])
 def test_what_is_no_recording(name: str, tmp_path: Path) -> None:
     """One sentence names the path."""

@@ -132,8 +132,9 @@ def test_the_frame_is_long(simulated: cocorosim.SimulatedRun) -> None:
 def test_it_shows_itself(simulated: cocorosim.SimulatedRun, parse: Callable[[str], Any]) -> None:
     """A line in a shell, a table of all robots in a notebook."""
     assert repr(simulated) == "<simulation of lilys_and_jeffs: robots 9, ticks 40 of 0.5 s, seed 7, run 0>"
-    page = parse(simulated._repr_html_())
-    assert set(simulated.robots) <= set(page.cells)
+    text = simulated._repr_html_()
+    assert set(simulated.robots) <= set(parse(text).cells)
+    assert text.count("<polyline") == len(simulated.robots), "and a drawing of their ways"
 
 
 @pytest.mark.parametrize(

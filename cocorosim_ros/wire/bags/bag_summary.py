@@ -90,6 +90,8 @@ def _damage(path: Path, files: Sequence[Contents], problems: Sequence[str], coun
     parts = list(problems)
     if not all(contents.closed for contents in files):
         until = f" until t = {end_ns / 1e9:.3f} s" if count else ""
-        parts.append(f"{path} was not closed: read up to its last whole chunk, {count} messages{until}")
+        goes_on = any(contents.being_written for contents in files)
+        state = "is still being recorded" if goes_on else "was not closed"
+        parts.append(f"{path} {state}: read up to its last whole chunk, {count} messages{until}")
     parts.extend(f"in {path} {damage}" for contents in files for damage in contents.damage)
     return "; ".join(parts) + "." if parts else ""

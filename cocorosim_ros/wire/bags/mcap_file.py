@@ -23,6 +23,7 @@ import zstandard
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import mcap_format as mcap
 from cocorosim_ros.wire.bags.file_kinds import HEAD, kind_in, told
+from cocorosim_ros.wire.bags.writing_lock import is_held
 
 _DAMAGE = (ValueError, RuntimeError, struct.error, zstandard.ZstdError, MemoryError)
 RawMessage = tuple[int, int, int, bytes]  # channel, log time [ns], publish time [ns], CDR bytes
@@ -62,6 +63,7 @@ class Contents:
     start_ns: int = 2**64 - 1
     end_ns: int = 0
     closed: bool = False
+    being_written: bool = False  # by a process that goes on
     damage: list[str] = field(default_factory=list)
 
     @property
@@ -86,6 +88,7 @@ class McapFile:
         self._blocks: list[_Block] = []
         self._data = _mapped(path, file)
         self._walk()
+        self.contents.being_written = not self.contents.closed and is_held(path)
         self._blocks = [examined for block in self._blocks if (examined := self._examined(block))]
 
     def messages(self) -> Iterator[RawMessage]:

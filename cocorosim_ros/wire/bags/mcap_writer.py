@@ -17,6 +17,7 @@ from pathlib import Path
 import zstandard
 
 from cocorosim_ros.wire.bags import mcap_format as mcap
+from cocorosim_ros.wire.bags.writing_lock import hold
 
 CHUNK_BYTES = 256 * 1024
 COMPRESSION_LEVEL = 3
@@ -41,6 +42,7 @@ class McapWriter:
         self._metadata_indexes: list[bytes] = []
         self._begin_chunk()
         self._file = FileIO(path, "x")
+        hold(self._file)
         self._end = 0
         self._append(mcap.MAGIC + mcap.record(mcap.HEADER, mcap.text(profile) + mcap.text(library)))
 

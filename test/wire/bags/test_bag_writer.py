@@ -273,6 +273,11 @@ def test_killed_recording_is_readable(tmp_path: Path) -> None:
     assert bag.summary.metadata["cocorosim"] == {"seed": "9"}
 
 
+def damage(folder: Path) -> str:
+    """What a recording says that it lacks."""
+    return read_bag(folder).summary.damage
+
+
 def test_flush_saves_the_chunk_in_progress(tmp_path: Path, pose_rows: Rows) -> None:
     """What was flushed is read by others while the recording goes on."""
     (row,) = pose_rows(1, 1)
@@ -281,7 +286,9 @@ def test_flush_saves_the_chunk_in_progress(tmp_path: Path, pose_rows: Rows) -> N
     assert read_back(tmp_path / "bag") == []
     bag.flush()
     assert read_back(tmp_path / "bag") == [row]
+    assert "is still being recorded: read up to its last whole chunk, 1 messages" in damage(tmp_path / "bag")
     bag.close()
+    assert damage(tmp_path / "bag") == ""
 
 
 def test_full_disk_is_said_and_what_was_written_is_kept(small_disk: Path, pose_rows: Rows) -> None:
