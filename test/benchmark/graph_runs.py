@@ -200,7 +200,8 @@ def _by_command(case: Case, mode: Callable[..., object], **modes: bool) -> Resul
     scenario = load_scenario(case.source, duration=case.duration)
     compile_everything(scenario)
     with tempfile.TemporaryDirectory() as folder:
-        given = {"scenario": case.source, "out": Path(folder), "duration": case.duration, "rate": 0.0, "external": ()}
+        given = {"scenario": case.source, "out": Path(folder), "duration": case.duration, "external": ()}
+        given |= {"rate": 0.0, "smooth": 0.0}
         choices = RunChoices(**{**dict.fromkeys(RunChoices.__dataclass_fields__), "wait": 60.0, **given, **modes})
         outcome = mode(scenario, choices, Path(folder), Console(quiet=True))
         messages = _messages_in(Path(folder))

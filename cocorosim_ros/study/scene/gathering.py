@@ -10,6 +10,7 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples, sample_tracks
 from cocorosim_ros.study.metrics.shoal_members import shoal_members
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
+from cocorosim_ros.study.scene.drifting_plume import drifting_plume
 from cocorosim_ros.study.scene.hearing import read_hearing
 from cocorosim_ros.study.scene.moving_water import moving_water
 from cocorosim_ros.study.scene.scene import Scene, SceneRobot, ShoalMembers
@@ -33,7 +34,6 @@ def gather_scene(
     robots = tuple(
         SceneRobot(name, track, platforms.get(name), *_shown(readings.get(name, {}))) for name, track in seen.items()
     )
-    water = None if scenario is None else scenario.water
     damage = (bag.summary.damage,) if bag.summary.damage else ()
     return Scene(
         facts,
@@ -43,7 +43,7 @@ def gather_scene(
         ShoalMembers(samples.stamp_ns, shoal_members(samples)),
         _measured(samples),
         moving_water(scenario, samples.stamp_ns),
-        None if water is None or water.plume is None else water.plume.source,
+        drifting_plume(scenario, samples.stamp_ns),
         (*damage, *unread, *samples.findings),
     )
 

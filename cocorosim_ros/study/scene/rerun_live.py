@@ -15,6 +15,7 @@ from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.track_views import robot_colours
+from cocorosim_ros.study.scene.drifting_plume import drifting_plume
 from cocorosim_ros.study.scene.moving_water import moving_water
 from cocorosim_ros.study.scene.rerun_file import ROOTS, in_bytes
 from cocorosim_ros.study.scene.rerun_layout import layout
@@ -129,7 +130,7 @@ def _empty(scenario: Scenario, facts: ScenarioFacts, robots: list[RobotDescripti
         ShoalMembers(none, np.empty((0, len(robots)), np.int64)),
         MetricSeries(none, np.empty((0, len(METRICS)))),
         moving_water(scenario, np.zeros(1, np.int64)),
-        None if scenario.water is None or scenario.water.plume is None else scenario.water.plume.source,
+        drifting_plume(scenario, np.zeros(1, np.int64)),
         (),
     )
 

@@ -8,9 +8,11 @@ import rerun as rr
 from cocorosim_ros.study.metrics import COLUMN, PAPER_METRICS
 from cocorosim_ros.study.pictures.facts import ScenarioFacts
 from cocorosim_ros.study.scene.rerun_robots import Canvas, Colour
-from cocorosim_ros.study.scene.scene import Scene
+from cocorosim_ros.study.scene.scene import DriftingPlume, Scene
 
 _WALL, _SOLID, _WATER, _RADIO, _PLUME = (110, 150, 175), (120, 125, 130), (60, 140, 200), (90, 220, 190), (200, 90, 220)
+_SOURCE, _PUFF = rr.Radius.ui_points(7.0), rr.Radius.ui_points(3.5)  # seen in tanks of every size
+_FAINTEST = 0.3  # of the colour of a new puff; darker ones would be lost in the water
 _SURFACE = (70, 140, 190, 40)
 _SECONDS_SHOWN = 10.0
 """An arrow of the water is as long as the way that the water goes in this time [s]."""
@@ -47,8 +49,8 @@ def _draw_tank(canvas: Canvas, facts: ScenarioFacts) -> None:
 
 
 def _draw_water(canvas: Canvas, scene: Scene) -> None:
-    if scene.plume_source is not None:
-        canvas.always("water/plume_source", rr.Points3D([scene.plume_source], radii=0.06, colors=[_PLUME]))
+    if scene.plume is not None:
+        _draw_plume(canvas, scene.plume)
     water = scene.water
     if water is None:
         return
@@ -56,6 +58,17 @@ def _draw_water(canvas: Canvas, scene: Scene) -> None:
     vectors = _SECONDS_SHOWN * water.velocity.reshape(-1, 3)
     columns = rr.Arrows3D.columns(vectors=vectors).partition([len(water.place)] * water.stamp_ns.size)
     canvas.over_time("water/current", water.stamp_ns, columns)
+
+
+def _draw_plume(canvas: Canvas, plume: DriftingPlume) -> None:
+    """A point for each puff, which fades as it thins."""
+    canvas.always("water/plume_source", rr.Points3D([plume.source], radii=[_SOURCE], colors=[_PLUME]))
+    canvas.always("water/plume", rr.Points3D.from_fields(radii=[_PUFF]))
+    if not plume.stamp_ns.size:
+        return
+    shade = np.maximum(plume.strength, _FAINTEST)[:, None] * np.array(_PLUME)
+    columns = rr.Points3D.columns(positions=plume.centre, colors=shade.astype(np.uint8)).partition(plume.count)
+    canvas.over_time("water/plume", plume.stamp_ns, columns)
 
 
 def _draw_hearing(canvas: Canvas, scene: Scene) -> None:
@@ -83,6 +96,10 @@ def _words(scene: Scene) -> str:
         "their rim; they are hidden where they are too many, and so is their full reach (`cones`). Green lines: who "
         f"hears whom. Blue arrows: where the water goes in {_SECONDS_SHOWN:g} s."
     ]
+    if scene.plume is not None:
+        lines.append(
+            "Purple: a leak, and the puffs that come from it; the water carries them, and they fade as they thin."
+        )
     if any(robot.platform is None for robot in scene.robots):
         lines.append("The recording does not tell how large its robots are; they are drawn as large as a Lily.")
     return "\n\n".join([*lines, *(f"- {finding}" for finding in scene.findings)]) + "\n"

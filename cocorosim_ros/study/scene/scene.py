@@ -61,6 +61,22 @@ class MovingWater:
 
 
 @dataclass(frozen=True)
+class DriftingPlume:
+    """A source and the puffs that it has released, moment after moment."""
+
+    source: Vector3
+    """[m; world]."""
+    stamp_ns: Integers
+    """(t,) moments [ns]."""
+    count: Integers
+    """(t,) puffs at each moment."""
+    centre: Floats
+    """(all puffs of all moments, 3) [m; world]."""
+    strength: Floats
+    """(the same) concentration in its middle, as a share of that of a new puff."""
+
+
+@dataclass(frozen=True)
 class Scene:
     """One recording; robots in alphabetical order."""
 
@@ -73,6 +89,5 @@ class Scene:
     metrics: MetricSeries
     water: MovingWater | None
     """None where no current is known; forces on patches are no velocities, and no recording holds them."""
-    plume_source: Vector3 | None
-    """[m; world]."""
+    plume: DriftingPlume | None
     findings: tuple[str, ...]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -84,7 +85,7 @@ class MovingWater:
         if self.fields or self.water.layers is not None:
             self._act(state, (tick + 1) * tick_ns * 1e-9)
         if self.water.plume is not None:
-            self._advance_plume(self.water.plume, tick, tank, tick_ns)
+            self.puffs = advance_puffs(self.puffs, self.water.plume, self.water.flow, tank, Ticking(tick, tick_ns))
             concentrations(state, self.puffs, tank, self.concentration)
 
     def _advance_forces(self, tick: int, state: Floats) -> None:
@@ -102,8 +103,18 @@ class MovingWater:
             add_lift(state, time, self.water.layers, self._push)
         self.vehicles.parameters[..., PATCH_FORCE_COLUMNS] = self._push
 
-    def _advance_plume(self, plume: Plume, tick: int, tank: Tank, tick_ns: int) -> None:
-        if (tick * tick_ns) % plume.interval_ns == 0:
-            mass = plume.rate * plume.interval_ns * 1e-9
-            self.puffs = release(self.puffs, np.array(plume.source), plume.initial_size, mass)
-        carry(self.puffs, self.water.flow, tank, Interval(tick * tick_ns * 1e-9, tick_ns * 1e-9), plume.diffusivity)
+
+class Ticking(NamedTuple):
+    """Which tick it is, and how long ticks are [ns]."""
+
+    tick: int
+    tick_ns: int
+
+
+def advance_puffs(puffs: Puffs, plume: Plume, flow: Floats, tank: Tank, ticking: Ticking) -> Puffs:
+    """The puffs at the end of a tick: a new one where one is due at its beginning, and all of them carried along."""
+    begin_ns = ticking.tick * ticking.tick_ns
+    if begin_ns % plume.interval_ns == 0:
+        puffs = release(puffs, np.array(plume.source), plume.initial_size, plume.rate * plume.interval_ns * 1e-9)
+    carry(puffs, flow, tank, Interval(begin_ns * 1e-9, ticking.tick_ns * 1e-9), plume.diffusivity)
+    return puffs

@@ -203,6 +203,23 @@ def test_water_is_drawn_where_the_recording_knows_it(record: Callable[[str], Rec
     assert rows["/run/water/plume_source"]["Points3D:positions"] == [[[1.0, 1.0, -1.0]]]
 
 
+def test_puffs_of_a_plume_go_with_the_water(record: Callable[[str], Recording], tmp_path: Path) -> None:
+    """One every second: after 1.5 s the first has gone 1.5 s with 3 cm/s north and faded, the second 0.5 s."""
+    water = (
+        "water:\n  currents:\n    - {kind: uniform, x: 0 m/s, y: 0.03 m/s}\n"
+        "  plume: {source: [1 m, 1 m, -1 m], rate: 1e-6 kg/s, diffusivity: 1e-4 m^2/s, interval: 1 s}\n"
+    )
+    write_rerun([scene_of(record(water))], tmp_path / "plume.rrd")
+    puffs = entities(tmp_path / "plume.rrd")["/run/water/plume"]
+    places, shades = (
+        dict(zip(puffs["time"], [row for row in puffs[f"Points3D:{name}"] if row], strict=True))
+        for name in ("positions", "colors")
+    )
+    assert np.array(places[1.5]) == pytest.approx(np.array([[1.0, 1.045, -1.0], [1.0, 1.015, -1.0]]), abs=1e-6)
+    older, newer = (shade >> 24 for shade in shades[1.5])
+    assert older < newer, "red, the first of four bytes"
+
+
 def test_nothing_half_written_is_left(shipped: SimpleNamespace, tmp_path: Path) -> None:
     """A folder where the file should be: a sentence, and no other file."""
     (tmp_path / "scene.rrd").mkdir()

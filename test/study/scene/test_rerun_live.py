@@ -23,7 +23,7 @@ def test_without_rerun_it_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None
     """Before anything begins: what is missing, how to get it, how to do without."""
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     choices = dict.fromkeys(RunChoices.__dataclass_fields__)
-    given = {"scenario": "one_lily", "rate": 0.0, "wait": 60.0, "view": True, "in_process": True}
+    given = {"scenario": "one_lily", "rate": 0.0, "smooth": 0.0, "wait": 60.0, "view": True, "in_process": True}
     with pytest.raises(CocorosimError, match=r"needs the Python package rerun.*leave out --view"):
         check_startable(load_scenario("one_lily"), RunChoices(**{**choices, **given}))  # type: ignore[arg-type]
 
