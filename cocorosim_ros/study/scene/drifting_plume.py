@@ -27,18 +27,18 @@ def drifting_plume(scenario: Scenario | None, stamp_ns: Integers) -> DriftingPlu
     flow = make_flow(scenario_currents(scenario))
     ticks = int(stamp_ns.max()) // scenario.tick_ns
     every = max(1, -(-ticks // _MOST_MOMENTS))
-    puffs, moments, centres, peaks = no_puffs(), [], [], []
+    puffs, moments, centres, narrowness = no_puffs(), [], [], []
     for tick in range(ticks):
         puffs = advance_puffs(puffs, plume, flow, tank, Ticking(tick, scenario.tick_ns))
         if (tick + 1) % every == 0:
             moments.append((tick + 1) * scenario.tick_ns)
             centres.append(puffs.centre.copy())
-            peaks.append((plume.initial_size / np.sqrt(puffs.variance)) ** 3)
+            narrowness.append(plume.initial_size / np.sqrt(puffs.variance))
     empty = np.zeros((0, 3)), np.zeros(0)
     return DriftingPlume(
         plume.source,
         np.array(moments, dtype=np.int64),
         np.array([len(each) for each in centres], dtype=np.int64),
         np.concatenate([empty[0], *centres]),
-        np.concatenate([empty[1], *peaks]),
+        np.concatenate([empty[1], *narrowness]),
     )

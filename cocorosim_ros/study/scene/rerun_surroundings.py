@@ -12,7 +12,7 @@ from cocorosim_ros.study.scene.scene import DriftingPlume, Scene
 
 _WALL, _SOLID, _WATER, _RADIO, _PLUME = (110, 150, 175), (120, 125, 130), (60, 140, 200), (90, 220, 190), (200, 90, 220)
 _SOURCE, _PUFF = rr.Radius.ui_points(7.0), rr.Radius.ui_points(3.5)  # seen in tanks of every size
-_FAINTEST = 0.3  # of the colour of a new puff; darker ones would be lost in the water
+_FAINTEST = 0.5  # of the colour of a new puff; darker ones would be lost in the water
 _SURFACE = (70, 140, 190, 40)
 _SECONDS_SHOWN = 10.0
 """An arrow of the water is as long as the way that the water goes in this time [s]."""
@@ -61,12 +61,12 @@ def _draw_water(canvas: Canvas, scene: Scene) -> None:
 
 
 def _draw_plume(canvas: Canvas, plume: DriftingPlume) -> None:
-    """A point for each puff, which fades as it thins."""
+    """A point for each puff, which fades as it spreads."""
     canvas.always("water/plume_source", rr.Points3D([plume.source], radii=[_SOURCE], colors=[_PLUME]))
     canvas.always("water/plume", rr.Points3D.from_fields(radii=[_PUFF]))
     if not plume.stamp_ns.size:
         return
-    shade = np.maximum(plume.strength, _FAINTEST)[:, None] * np.array(_PLUME)
+    shade = np.maximum(plume.narrowness, _FAINTEST)[:, None] * np.array(_PLUME)
     columns = rr.Points3D.columns(positions=plume.centre, colors=shade.astype(np.uint8)).partition(plume.count)
     canvas.over_time("water/plume", plume.stamp_ns, columns)
 
@@ -98,7 +98,7 @@ def _words(scene: Scene) -> str:
     ]
     if scene.plume is not None:
         lines.append(
-            "Purple: a leak, and the puffs that come from it; the water carries them, and they fade as they thin."
+            "Purple: a leak, and the puffs that come from it; the water carries them, and they fade as they spread."
         )
     if any(robot.platform is None for robot in scene.robots):
         lines.append("The recording does not tell how large its robots are; they are drawn as large as a Lily.")

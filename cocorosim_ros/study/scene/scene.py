@@ -72,8 +72,8 @@ class DriftingPlume:
     """(t,) puffs at each moment."""
     centre: Floats
     """(all puffs of all moments, 3) [m; world]."""
-    strength: Floats
-    """(the same) concentration in its middle, as a share of that of a new puff."""
+    narrowness: Floats
+    """(the same) standard deviation of a new puff as a share of its own."""
 
 
 @dataclass(frozen=True)
