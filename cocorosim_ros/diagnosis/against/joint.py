@@ -94,6 +94,9 @@ def _as_learned(noise: Unknown, known: Floats) -> float:
 
 def _with_kept_delays(learned: Fit) -> Iterator[Unknown]:
     """The unknowns of a learned vehicle, delays with bounds by their 95 % intervals."""
+    if not any(COLUMN[unknown.column] in DELAY_COLUMNS for unknown in learned.unknowns):
+        yield from learned.unknowns
+        return
     spread = np.sqrt(np.diag(covariance(learned)))
     for unknown, q, off in zip(learned.unknowns, learned.q.tolist(), (Z95 * spread).tolist(), strict=True):
         is_delay = COLUMN[unknown.column] in DELAY_COLUMNS

@@ -102,9 +102,8 @@ class Screen:
         The likelihood of a delay is so rough that its slope at zero may promise nothing of a delay of many steps. It is
         also broad, so that every second start is enough.
         """
-        candidate = screened.candidate
-        grid = candidate.searched()[1::2]
-        if not grid or not screened.values.keys() <= candidate.entry.fixed.keys():
+        candidate, grid = screened.candidate, _starts(screened)[1::2]
+        if not grid:
             return screened
         gains = [self._gain_at(screened, point) - 0.5 * float(point @ point) for point in grid]
         best = int(np.argmax(gains))
@@ -118,8 +117,7 @@ class Screen:
 
         The slope by a delay goes with the noise of the readings too, so that its information promises too much.
         """
-        candidate = screened.candidate
-        if not candidate.searched() or not screened.values.keys() <= candidate.entry.fixed.keys():
+        if not _starts(screened):
             return screened
         medium = np.full(len(screened.q), DETECTABILITY.medium)
         score = screened.z * np.sqrt(np.diag(screened.information))
@@ -139,6 +137,12 @@ class Screen:
         for number, passed in zip(left, found, strict=True):
             own[number] = passed.log_likelihood - passes[number].log_likelihood
         return sum(own[number] for number in candidate.everybody)
+
+
+def _starts(screened: Screened) -> list[Floats]:
+    """Further starts of the fit of a candidate without shapes; empty for all others."""
+    has_shapes = not screened.values.keys() <= screened.candidate.entry.fixed.keys()
+    return [] if has_shapes else screened.candidate.searched()
 
 
 class _Tested:

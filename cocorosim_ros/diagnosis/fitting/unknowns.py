@@ -68,6 +68,10 @@ class Unknown:
         """Value of the number at q."""
         return self.base * math.exp(self.scale * q) if self.logarithmic else self.base + self.scale * q
 
+    def alone(self, q: float, neutral: float) -> float:
+        """Value at q; of a difference that is added to a number, that number if it were `neutral` without it."""
+        return self.value(q) + (neutral if self.on_top and not self.logarithmic else 0.0)
+
     def slope(self, q: float) -> float:
         """Derivative of the number by q."""
         return self.scale * self.value(q) if self.logarithmic else self.scale

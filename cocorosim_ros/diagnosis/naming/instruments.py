@@ -63,7 +63,8 @@ def _errors_of_entry(candidate: Candidate, fit: Fit) -> Iterator[tuple[float, fl
         kind = kinds.get(unknown.owner.parameter)
         if kind is None:
             continue
-        off = abs(unknown.value(float(fit.q[place])) - (0.0 if unknown.on_top else neutral[unknown.owner.parameter]))
+        without = neutral[unknown.owner.parameter]
+        off = abs(unknown.alone(float(fit.q[place]), without) - without)
         for number in unknown.tracks:
             yield _error_and_bound(unknown, kind, off, fit.tracks[number])
 

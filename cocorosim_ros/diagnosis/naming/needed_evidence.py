@@ -10,7 +10,6 @@ from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS, Amplitude
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.naming.contest import Refined
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
@@ -45,13 +44,9 @@ def is_tiny(refined: Refined) -> bool:
         for place, unknown in enumerate(fit.unknowns)
         if candidate.owns(unknown) and unknown.owner.parameter in amplitudes
     ]
-    return all(is_negligible(candidate, amplitude, _value(amplitude, unknown, q)) for amplitude, unknown, q in values)
-
-
-def _value(amplitude: Amplitude, unknown: Unknown, q: float) -> float:
-    """Value of an amplitude's unknown at q, in SI units; of one on top of another number as if that were neutral."""
-    below = amplitude.neutral if unknown.on_top and not unknown.logarithmic else 0.0
-    return unknown.value(q) + below
+    return all(
+        is_negligible(candidate, amplitude, unknown.alone(q, amplitude.neutral)) for amplitude, unknown, q in values
+    )
 
 
 def is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:

@@ -35,11 +35,7 @@ class Fitted:
 
         A difference that is added to a number is told as the number would be with it alone: a scale of 1.06, not 0.06.
         """
-        found = estimate(self.unknown, self.q, self.spread, self.unknown.owner.unit)
-        if not self.unknown.on_top or self.unknown.logarithmic:
-            return found
-        neutral = float(NEUTRAL[COLUMN[self.unknown.column]])
-        return Estimate(neutral + found.value, neutral + found.low, neutral + found.high, found.unit)
+        return estimate(self.unknown, self.q, self.spread, self.unknown.owner.unit)
 
     @property
     def chance(self) -> float:
@@ -66,8 +62,9 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
 
 def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
     """Value and 95 % interval of an unknown whose q has the standard deviation `spread`."""
-    ends = sorted((unknown.value(q - Z95 * spread), unknown.value(q + Z95 * spread)))
-    return Estimate(unknown.value(q), ends[0], ends[1], unit)
+    neutral = float(NEUTRAL[COLUMN[unknown.column]])
+    value, *ends = (unknown.alone(place, neutral) for place in (q, q - Z95 * spread, q + Z95 * spread))
+    return Estimate(value, min(ends), max(ends), unit)
 
 
 def recalibrated(numbers: Sequence[Fitted]) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:
