@@ -104,7 +104,7 @@ class TickRecorder:
 
     def _keep(self, topic: str, type_name: str, data: bytes) -> None:
         stamp = max(0, stamp_ns(type_name, data) or 0)  # a recording knows no times before zero
-        if stamp == 0 and topic in self._commands and self._newest_tick > 0:
+        if stamp == 0 and topic in self._commands and not self._may_answer_the_first_tick(topic):
             self._unheard.pop(topic, None)  # which tick it has answered is not known
             self.record.write(topic, self._newest_tick, data)
         elif topic == STATUS_TOPIC:
@@ -116,6 +116,17 @@ class TickRecorder:
             self._pending.setdefault(stamp, {})[topic] = data
             if topic == "/clock":
                 self._newest_tick = stamp
+
+    def _may_answer_the_first_tick(self, topic: str) -> bool:
+        """Whether a command stamped zero may be meant for tick zero; a command without a stamp reads the same.
+
+        The recorder may be some ticks behind: what the physics node has heard at tick zero may come here later.
+        """
+        if self._newest_tick <= 0:
+            return True
+        if self._last_written < 0:
+            return topic not in self._pending.get(0, ()) and topic not in self._excused.get(0, ())
+        return 0 in self._unheard.get(topic, ())
 
     def _read_status(self, stamp: int, data: bytes) -> None:
         subject, _, values = read_status(data)
