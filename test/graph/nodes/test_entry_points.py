@@ -162,6 +162,28 @@ def test_three_shells_give_the_bag_of_the_command(
     assert json.loads((tmp_path / "summary.json").read_text())["ticks"] == 20
 
 
+def test_nodes_that_are_told_to_use_simulated_time_give_the_same_bag(
+    start: Starter, scenario: Callable[..., Path], tmp_path: Path, shell: dict[str, str]
+) -> None:
+    """The parameter that every ROS node has: their ticks are simulated time anyway, and nothing waits for a clock."""
+    path = scenario(2, 10)
+    alone = start("cocorosim", "run", path, "--in-process", "--out", tmp_path / "alone")
+    told = ros_arguments(use_sim_time="true", scenario=path)
+    physics = start("physics_node", *told, "-p", "recorded:=true", env=shell)
+    controllers = [start("controller_node", *told, "-r", f"__ns:=/lily_0{number}", env=shell) for number in (1, 2)]
+    metrics = start("metrics_node", *told, "-p", f"out:={tmp_path / 'bag'}", env=shell)
+    assert metrics.finish() == 0, metrics.output
+    assert physics.finish() == 0, physics.output
+    for controller in controllers:
+        controller.process.terminate()
+        assert controller.finish() == 0, controller.output
+    assert alone.finish() == 0, alone.output
+    digests = [
+        read_bag(bag).summary.metadata["cocorosim"]["digest"] for bag in (tmp_path / "bag", tmp_path / "alone/bag")
+    ]
+    assert digests[0] == digests[1]
+
+
 def test_metrics_node_records_real_robots(
     start: Starter, tmp_path: Path, shell: dict[str, str], counts: Callable[[Path], dict[str, int]]
 ) -> None:
