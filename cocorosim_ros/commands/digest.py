@@ -11,6 +11,7 @@ from rich.console import Console
 
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
+from cocorosim_ros.commands.reading_bar import ReadingBar
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 
@@ -43,10 +44,11 @@ def command(ctx: click.Context, /, bags: tuple[Path, ...], topics: bool, json_fi
     held when it was closed; 2 if one cannot be read.
     """
     console = console_beside(json_file, force=force)
-    opened = [read_bag(path) for path in bags]
-    from cocorosim_ros.wire.bags.comparison import bag_digest
+    with ReadingBar(console) as bar:
+        opened = [read_bag(path, bar.watch) for path in bags]
+        from cocorosim_ros.wire.bags.comparison import bag_digest
 
-    digests = [bag_digest(bag) for bag in opened]
+        digests = [bag_digest(bag) for bag in opened]
     pairs = [_Digested(bag, digest) for bag, digest in zip(opened, digests, strict=True)]
     untouched = [_show(console, bag, digest, topics=topics) for bag, digest in pairs]
     differences = [_compare(console, *pairs[0], *pair) for pair in pairs[1:]]

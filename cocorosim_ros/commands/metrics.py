@@ -8,6 +8,7 @@ import click
 
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
+from cocorosim_ros.commands.reading_bar import ReadingBar
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.wire.bags.bag_reader import read_bag
@@ -32,13 +33,15 @@ def command(
     """
     console = console_beside(json_file, force=force)
     check_file(picture, force=force)
-    seconds, opened = _seconds(interval), read_bag(bag)
-    # Loaded here: a path that is wrong is said before the weight comes.
-    from cocorosim_ros.commands.show_results import metrics_table
-    from cocorosim_ros.library.recording import Recording
+    seconds = _seconds(interval)
+    with ReadingBar(console) as bar:
+        opened = read_bag(bag, bar.watch)
+        # Loaded here: a path that is wrong is said before the weight comes.
+        from cocorosim_ros.commands.show_results import metrics_table
+        from cocorosim_ros.library.recording import Recording
 
-    recording = Recording(opened)
-    statistics = recording.measure(seconds)
+        recording = Recording(opened)
+        statistics = recording.measure(seconds)
     show_table(console, metrics_table(statistics, paper_only=not all_metrics))
     for sentence in statistics.findings:
         say(console, sentence, "yellow")

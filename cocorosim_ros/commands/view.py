@@ -14,6 +14,7 @@ from rich.console import Console
 
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
+from cocorosim_ros.commands.reading_bar import ReadingBar
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
@@ -62,9 +63,10 @@ def command(**options: object) -> None:
     choices = _ViewChoices(**options)  # type: ignore[arg-type]
     console = console_beside(choices.json_file, force=choices.force)
     check_file(choices.out, force=choices.force)
-    opened = [read_bag(path) for path in (choices.bag, choices.against) if path is not None]
-    recordings = [_with_poses(each) for each in opened]
-    file = _written(recordings, choices)
+    with ReadingBar(console) as bar:
+        opened = [read_bag(path, bar.watch) for path in (choices.bag, choices.against) if path is not None]
+        recordings = [_with_poses(each) for each in opened]
+        file = _written(recordings, choices)
     remarks = [sentence for recording in recordings for sentence in _remarks(recording)]
     for sentence in remarks:
         say(console, sentence, "yellow")

@@ -13,7 +13,7 @@ import zstandard
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import bag_metadata
 from cocorosim_ros.wire.bags.bag_summary import summarize
-from cocorosim_ros.wire.bags.mcap_file import McapFile, RawMessage
+from cocorosim_ros.wire.bags.mcap_file import McapFile, RawMessage, Watch
 
 RUN_PART = "bag"  # where the folder of a run holds its recording
 
@@ -88,15 +88,17 @@ def check_there(path: Path | str) -> Path:
     return place
 
 
-def read_bag(path: Path | str) -> Bag:
+def read_bag(path: Path | str, watch: Watch | None = None) -> Bag:
     """The recording at a path: a rosbag2 folder with MCAP files, one MCAP file, or the folder of a run (its `bag`).
+
+    `watch` is told how far the opening of each file is, and later each pass through its messages as recorded.
 
     Raises CocorosimError if there is no recording, or nothing of it can be read.
     """
     place = check_there(path)
     if not place.is_dir():
         _refuse_sqlite(place, [place])
-        return Bag(place, [McapFile(place)], [])
+        return Bag(place, [McapFile(place, watch=watch)], [])
     if (place / RUN_PART).is_dir() and not any(place.glob("*.mcap")):
         place /= RUN_PART
     layout = None
@@ -105,11 +107,11 @@ def read_bag(path: Path | str) -> Bag:
     names = list(layout.files) if layout else []
     names += sorted(file.name for file in place.glob("*.mcap") if file.name not in names)
     _refuse_sqlite(place, [place / name for name in names] or list(place.glob("*.db3*")))
-    files, damage = _open_files(place, names)
+    files, damage = _open_files(place, names, watch)
     return Bag(place, files, damage, packed_messages=layout is not None and layout.compression_mode == "message")
 
 
-def _open_files(folder: Path, names: list[str]) -> tuple[list[McapFile], list[str]]:
+def _open_files(folder: Path, names: list[str], watch: Watch | None) -> tuple[list[McapFile], list[str]]:
     """The files of a folder that can be read, and what is wrong with the others."""
     if not names:
         raise CocorosimError(f"{folder} holds no .mcap file; give a rosbag2 folder or an .mcap file.")
@@ -118,7 +120,7 @@ def _open_files(folder: Path, names: list[str]) -> tuple[list[McapFile], list[st
     for name in names:
         try:
             file = folder / name
-            files.append(McapFile(file, _unpacked_file(file)) if file.suffix == ".zstd" else McapFile(file))
+            files.append(McapFile(file, _unpacked_file(file) if file.suffix == ".zstd" else None, watch))
         except CocorosimError as error:
             errors.append(error)
     if not files:

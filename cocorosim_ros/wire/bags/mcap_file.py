@@ -27,6 +27,7 @@ from cocorosim_ros.wire.bags.writing_lock import is_held
 
 _DAMAGE = (ValueError, RuntimeError, struct.error, zstandard.ZstdError, MemoryError)
 RawMessage = tuple[int, int, int, bytes]  # channel, log time [ns], publish time [ns], CDR bytes
+Watch = Callable[[int, int], None]  # told how many bytes of how many a pass through a file has behind it
 
 
 @dataclass(frozen=True)
@@ -78,10 +79,12 @@ class McapFile:
     Args:
         path: named in sentences.
         file: the file itself, if it is not the one at that path.
+        watch: told now and then how far the opening is, and each pass through all messages; None: nobody asks.
     """
 
-    def __init__(self, path: Path, file: BinaryIO | None = None) -> None:
+    def __init__(self, path: Path, file: BinaryIO | None = None, watch: Watch | None = None) -> None:
         self.path = path
+        self._watch = watch
         self.contents = Contents()
         self._schemas: dict[int, tuple[str, str, str]] = {}
         self._summary_channels: dict[int, McapChannel] = {}  # for messages whose own definition was lost
@@ -89,16 +92,23 @@ class McapFile:
         self._data = _mapped(path, file)
         self._walk()
         self.contents.being_written = not self.contents.closed and is_held(path)
-        self._blocks = [examined for block in self._blocks if (examined := self._examined(block))]
+        self._blocks = [examined for block in self._watched() if (examined := self._examined(block))]
 
     def messages(self) -> Iterator[RawMessage]:
         """All whole messages, in the order of the file."""
-        for block in self._blocks:
+        for block in self._watched():
             yield from self._messages_of(block)
 
     def timed_blocks(self) -> list[tuple[int, Iterator[RawMessage]]]:
         """First log time [ns] and messages of every block; a block is unpacked when it is begun."""
         return [(block.start_ns, self._messages_of(block)) for block in self._blocks]
+
+    def _watched(self) -> Iterator[_Block]:
+        """The blocks, one after the other, while it is told how far this is."""
+        for block in self._blocks:
+            yield block
+            if self._watch is not None:
+                self._watch(block.end, len(self._data))
 
     def _walk(self) -> None:
         """Find the blocks and the metadata, as far as the file goes."""
