@@ -13,7 +13,7 @@ from cocorosim_ros.world.water.flow import add_water_velocity, make_flow
 
 _PLACES = (8, 8, 3)
 """Arrows along x, y and depth: as many as can be told apart."""
-_MOST_MOMENTS = 200
+MOST_MOMENTS = 200
 
 
 def moving_water(scenario: Scenario | None, stamp_ns: Integers) -> MovingWater | None:
@@ -22,7 +22,7 @@ def moving_water(scenario: Scenario | None, stamp_ns: Integers) -> MovingWater |
         return None
     flow = make_flow(scenario_currents(scenario))
     places = _places(scenario)
-    moments = stamp_ns[:: max(1, -(-stamp_ns.size // _MOST_MOMENTS))]
+    moments = stamp_ns[:: max(1, -(-stamp_ns.size // MOST_MOMENTS))]
     velocity = np.zeros((moments.size, *places.shape))
     for at, stamp in enumerate(moments):
         for index, place in enumerate(places):

@@ -15,12 +15,12 @@ from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.track_views import robot_colours
-from cocorosim_ros.study.scene.drifting_plume import drifting_plume
-from cocorosim_ros.study.scene.moving_water import moving_water
+from cocorosim_ros.study.scene.drifting_plume import drifting_plume, leaking_plume
+from cocorosim_ros.study.scene.moving_water import MOST_MOMENTS, moving_water
 from cocorosim_ros.study.scene.rerun_file import ROOTS, in_bytes
 from cocorosim_ros.study.scene.rerun_layout import layout
 from cocorosim_ros.study.scene.rerun_robots import TIMELINE, Canvas, Colour, draw_robots
-from cocorosim_ros.study.scene.rerun_surroundings import draw_surroundings
+from cocorosim_ros.study.scene.rerun_surroundings import draw_current, draw_puffs, draw_surroundings
 from cocorosim_ros.study.scene.scene import Hearing, Scene, SceneRobot, ShoalMembers
 from cocorosim_ros.wire.bags.readings import TopicReadings
 from cocorosim_ros.wire.bags.tracks import decode_poses
@@ -53,14 +53,16 @@ class LiveScene:
     """Draws every message that it is sent (`wire.live.viewers.Viewers`), of poses, commands and statistics."""
 
     def __init__(self, stream: rr.RecordingStream, scenario: Scenario, facts: ScenarioFacts) -> None:
-        """Draw what stands still: tank, water at the start, and the robots' bodies."""
+        """Draw what stands still, the tank and the robots' bodies, and the water at the start."""
         robots = sorted(scenario.robots, key=lambda robot: robot.name)
         scene = _empty(scenario, facts, robots)
         self._stream, self._root = stream, ROOTS[0]
         self._colours = [in_bytes(*each) for each in robot_colours([robot.name for robot in robots]).values()]
         self._robots = {robot.name: robot for robot in robots}
         self._last: dict[str, Floats] = {}
-        canvas = Canvas(stream, self._root, 0)
+        self._canvas = canvas = Canvas(stream, self._root, 0)
+        self._scenario, self._plume = scenario, leaking_plume(scenario, scenario.ticks)
+        self._water_drawn_ns = 0
         stream.send_blueprint(layout((self._root,), (_in_the_middle(scene, scenario),), live=True))
         canvas.always("", rr.ViewCoordinates.RIGHT_HAND_Z_UP)
         draw_robots(canvas, scene, self._colours)
@@ -84,6 +86,17 @@ class LiveScene:
             draw(robot, data)
         else:
             self._statistics(data)
+            self._water(stamp_ns)
+
+    def _water(self, stamp_ns: int) -> None:
+        """What has become of the water, which no message tells, since it was drawn last."""
+        if self._plume is not None:
+            draw_puffs(self._canvas, self._plume.until(stamp_ns))
+        if stamp_ns - self._water_drawn_ns >= self._scenario.duration_ns // MOST_MOMENTS:
+            self._water_drawn_ns = stamp_ns
+            water = moving_water(self._scenario, np.array([stamp_ns]))
+            if water is not None:
+                draw_current(self._canvas, water)
 
     def _pose(self, robot: str, data: bytes) -> None:
         (place,), (yaw,) = decode_poses([data])

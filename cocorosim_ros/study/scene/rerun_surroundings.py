@@ -8,7 +8,7 @@ import rerun as rr
 from cocorosim_ros.study.metrics import COLUMN, PAPER_METRICS
 from cocorosim_ros.study.pictures.facts import ScenarioFacts
 from cocorosim_ros.study.scene.rerun_robots import Canvas, Colour
-from cocorosim_ros.study.scene.scene import DriftingPlume, Scene
+from cocorosim_ros.study.scene.scene import DriftingPlume, MovingWater, Scene
 
 _WALL, _SOLID, _WATER, _RADIO, _PLUME = (110, 150, 175), (120, 125, 130), (60, 140, 200), (90, 220, 190), (200, 90, 220)
 _SOURCE, _PUFF = rr.Radius.ui_points(7.0), rr.Radius.ui_points(3.5)  # seen in tanks of every size
@@ -49,21 +49,25 @@ def _draw_tank(canvas: Canvas, facts: ScenarioFacts) -> None:
 
 
 def _draw_water(canvas: Canvas, scene: Scene) -> None:
-    if scene.plume is not None:
-        _draw_plume(canvas, scene.plume)
-    water = scene.water
-    if water is None:
-        return
-    canvas.always("water/current", rr.Arrows3D.from_fields(origins=water.place, colors=[_WATER], radii=[0.008]))
+    plume, water = scene.plume, scene.water
+    if plume is not None:
+        canvas.always("water/plume_source", rr.Points3D([plume.source], radii=[_SOURCE], colors=[_PLUME]))
+        canvas.always("water/plume", rr.Points3D.from_fields(radii=[_PUFF]))
+        draw_puffs(canvas, plume)
+    if water is not None:
+        canvas.always("water/current", rr.Arrows3D.from_fields(origins=water.place, colors=[_WATER], radii=[0.008]))
+        draw_current(canvas, water)
+
+
+def draw_current(canvas: Canvas, water: MovingWater) -> None:
+    """Where the water goes, at each of the moments."""
     vectors = _SECONDS_SHOWN * water.velocity.reshape(-1, 3)
     columns = rr.Arrows3D.columns(vectors=vectors).partition([len(water.place)] * water.stamp_ns.size)
     canvas.over_time("water/current", water.stamp_ns, columns)
 
 
-def _draw_plume(canvas: Canvas, plume: DriftingPlume) -> None:
-    """A point for each puff, which fades as it spreads."""
-    canvas.always("water/plume_source", rr.Points3D([plume.source], radii=[_SOURCE], colors=[_PLUME]))
-    canvas.always("water/plume", rr.Points3D.from_fields(radii=[_PUFF]))
+def draw_puffs(canvas: Canvas, plume: DriftingPlume) -> None:
+    """A point for each puff, which fades as it spreads, at each of the moments."""
     if not plume.stamp_ns.size:
         return
     shade = np.maximum(plume.narrowness, _FAINTEST)[:, None] * np.array(_PLUME)

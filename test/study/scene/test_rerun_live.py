@@ -14,6 +14,7 @@ from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.results import facts_of
 from cocorosim_ros.library.record import new_record
 from cocorosim_ros.library.recording import read_recording
+from cocorosim_ros.study.scene.drifting_plume import drifting_plume
 from cocorosim_ros.world.checks.loading import load_scenario
 
 TICKS = 10
@@ -78,3 +79,10 @@ def test_it_shows_what_is_recorded(tmp_path: Path) -> None:
     measured = recording.measure()
     rows = drawn["/run/metrics/polarisation"]
     assert component(rows, "scalars") == pytest.approx(measured["polarisation"])
+    plume = drifting_plume(scenario, np.array([recording.tracks[scenario.robots[0].name].stamp_ns[-1]]))
+    assert plume is not None
+    assert plume.stamp_ns.size == TICKS - 1  # at the end of each tick; the run ends with a tick's beginning
+    rows = [row for row in drawn["/run/water/plume"] if any(row.values())]
+    assert [row["time"] for row in rows] == (plume.stamp_ns / 1e9).tolist()
+    places = np.concatenate([row["Points3D:positions"] for row in rows])
+    assert places == pytest.approx(plume.centre, abs=1e-6)
