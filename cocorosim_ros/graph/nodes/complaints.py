@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable
 
 from cocorosim_ros.graph.nodes.wiring import Speaker
-from cocorosim_ros.wire.cdr.status import WARN, status_bytes
+from cocorosim_ros.wire.cdr.status import robot_status
 
 MOST_PER_ROBOT = 12
 WARNING = "warning: "  # begins such a line, so that a supervisor finds it in a log
@@ -35,5 +35,5 @@ class Complaints:
         said.add(words)
         if len(said) > MOST_PER_ROBOT:
             words = "still more is wrong; nothing further is said about this robot"
-        self._status.publish(status_bytes(stamp_ns, WARN, robot, words, {}))
+        self._status.publish(robot_status(stamp_ns, robot, words))
         self._tell(f"{robot}: {words}")

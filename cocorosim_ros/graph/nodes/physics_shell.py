@@ -22,7 +22,7 @@ from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATU
 from cocorosim_ros.graph.runs.scenery import scenery_topics, standing_messages
 from cocorosim_ros.graph.runs.under_way import longest_under_way
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.wire.cdr.status import WARN, end_of_run, status_bytes
+from cocorosim_ros.wire.cdr.status import ANSWERS_MISSING, WARN, end_of_run, status_bytes
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.wire.topics.swarm_messages import SwarmMessages
 from cocorosim_ros.wire.topics.topics import TOPICS
@@ -283,7 +283,7 @@ class PhysicsShell:
             names = " ".join(self.bodies[robot].name for robot in missing)
             words = "answers are missing at this tick"
             self._speakers[STATUS_TOPIC].publish(
-                status_bytes(self.simulation.time_ns, WARN, "cocorosim: answers", words, {"missing": names})
+                status_bytes(self.simulation.time_ns, WARN, ANSWERS_MISSING, words, {"missing": names})
             )
 
     def _give_up_waiting(self) -> None:

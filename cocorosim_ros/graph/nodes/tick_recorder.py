@@ -12,7 +12,7 @@ from cocorosim_ros.graph.nodes.recorder_link import RecorderMouth, speakers_of_r
 from cocorosim_ros.graph.nodes.wiring import Listener
 from cocorosim_ros.graph.runs.run_record import ANSWERS, STATISTICS_TOPIC, STATUS_TOPIC, RunRecord
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
-from cocorosim_ros.wire.cdr.status import RUN, WARN, read_status, status_bytes
+from cocorosim_ros.wire.cdr.status import RUN, read_status, robot_status
 from cocorosim_ros.wire.topics.topics import TOPICS, robot_topic, split_topic
 
 MISSING = "missing"  # key of the status that names the robots without an answer
@@ -92,8 +92,7 @@ class TickRecorder:
         """Write what belongs to no whole tick, without statistics, and last how the run has ended."""
         for robot, count in self.unheard_commands().items():
             words = f"{count} of the commands that it obeyed are not in the recording"
-            status = status_bytes(self._last_written, WARN, robot, words, {})
-            self.record.write(STATUS_TOPIC, self._last_written, status)
+            self.record.write(STATUS_TOPIC, self._last_written, robot_status(self._last_written, robot, words))
         for stamp in sorted(self._pending):
             for topic, data in self._pending[stamp].items():
                 self.record.write(topic, stamp, data)

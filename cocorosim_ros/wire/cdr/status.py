@@ -9,16 +9,25 @@ from cocorosim_ros.wire.cdr.alignment import LENGTH_BYTES
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS, padding
 
 OK, WARN, ERROR = 0, 1, 2
-RUN = "cocorosim: run"
+PREFIX = "cocorosim: "  # of all names, by which aggregators find them
+RUN, ANSWERS_MISSING = f"{PREFIX}run", f"{PREFIX}answers"
 
 
-def status_bytes(stamp_ns: int, level: int, subject: str, words: str, values: Mapping[str, str]) -> bytes:
-    """The bytes of a DiagnosticArray with one status."""
+def robot_status(stamp_ns: int, robot: str, words: str) -> bytes:
+    """The bytes of a DiagnosticArray that says what is wrong with a robot."""
+    return status_bytes(stamp_ns, WARN, PREFIX + robot, words, {}, hardware=robot)
+
+
+def status_bytes(
+    stamp_ns: int, level: int, subject: str, words: str, values: Mapping[str, str], hardware: str = ""
+) -> bytes:
+    """The bytes of a DiagnosticArray with one status; `hardware`: the robot that it is about, if any."""
     seconds, nanoseconds = divmod(stamp_ns, NANOSECONDS)
     status = {
         "level": level,
         "name": subject,
         "message": words,
+        "hardware_id": hardware,
         "values": [{"key": key, "value": value} for key, value in values.items()],
     }
     header = {"stamp": {"sec": seconds, "nanosec": nanoseconds}}

@@ -23,7 +23,7 @@ def test_unusable_commands_are_named_and_the_run_goes_on(
     controller = paced(run, "lily_02")
     controller.say(*orders)
     assert run.finish() == 0, run.output
-    said = [words for name, words in diagnostics(bag) if name == "lily_02"]
+    said = [words for name, words in diagnostics(bag) if name == "cocorosim: lily_02"]
     for words in (
         "'left' is not a number or not given, so it is off",
         "'left' is 1.7, beyond -1..1, and is cut",

@@ -40,7 +40,7 @@ def test_the_run_goes_on_without_a_controller_that_is_killed(
     assert answered in (3, 4)
     assert found["/lily_02/pose"] == found["/lily_01/thruster_command"] == found["/shoal_statistics"] == TICKS
     words = f"no answer at tick {answered}, its controller has died: its thrusters are off until it is heard again"
-    assert ("lily_02", words) in diagnostics(bag)
+    assert ("cocorosim: lily_02", words) in diagnostics(bag)
     assert f"lily_02: {words}" in run.output
     assert f"{TICKS - answered} of {TICKS} answers came late or not at all" in run.output
 
