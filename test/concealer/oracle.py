@@ -21,7 +21,9 @@ Scores = dict[str, dict[str, float]]
 
 def _noise(pose: Stream) -> FloatArray:
     """(4,) standard deviation of the camera's noise in x, y, z [m] and yaw [rad], from second differences."""
-    yaw = np.unwrap(2.0 * np.arctan2(pose.values[:, 5], pose.values[:, 6]))
+    # Copied, because NumPy 1.26 rounds the arctangent of strided columns by where its result lies.
+    sine, cosine = np.ascontiguousarray(pose.values[:, 5:7].T)
+    yaw = np.unwrap(2.0 * np.arctan2(sine, cosine))
     bends = np.diff(np.column_stack([pose.values[:, :3], yaw]), 2, axis=0)
     return np.asarray(1.4826 * np.median(np.abs(bends), axis=0) / np.sqrt(6.0))
 

@@ -245,6 +245,24 @@ def test_the_oracle_knows_the_cameras_noise() -> None:
     assert _noise(Stream("pose", time, time, values)) == pytest.approx([0.003, 0.003, 0.003, 0.02], rel=0.06)
 
 
+def test_the_cameras_noise_does_not_depend_on_where_results_lie(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The arctangent sees whole rows; that of strided columns differs in NumPy 1.26 where memory is adjacent."""
+    from concealer.oracle import _noise
+    from concealer.sensors import Stream
+
+    rng, arctangent = np.random.default_rng(8), np.arctan2
+    memory = np.zeros(100 * 7 + 2 + 100)
+    values, adjacent = memory[:700].reshape(100, 7), memory[702:802]
+    values[:, 5:] = rng.uniform(0.1, 0.9, (100, 2))
+    expected = _noise(Stream("pose", np.arange(100.0), np.arange(100.0), values))
+
+    def into_adjacent_memory(y: Any, x: Any) -> Any:
+        return arctangent(y, x, out=adjacent).copy()
+
+    monkeypatch.setattr(np, "arctan2", into_adjacent_memory)
+    assert np.array_equal(_noise(Stream("pose", np.arange(100.0), np.arange(100.0), values)), expected)
+
+
 def test_tampering_changes_one_stream_as_sealed(trial: Path, tmp_path: Path) -> None:
     """The logged command of one thruster is scaled, all else is the same byte for byte, and the truth says so."""
     from concealer.bag import typestore

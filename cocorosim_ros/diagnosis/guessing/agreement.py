@@ -103,7 +103,8 @@ def _compass_or_yaw(pose: Guess) -> Guess:
     steps = rates_of(time, place)
     speed = np.hypot(*steps.T)
     moves = speed > max(CHECKING.moving, GUESSING.under_way * float(np.nanmax(speed, initial=0.0)))
-    course, heading = np.arctan2(*steps.T[::-1])[moves], averaged(time, yaw)[moves]
+    # Columns that are picked are copies: NumPy 1.26 rounds the arctangent of strided ones by where its result lies.
+    course, heading = np.arctan2(steps[moves, 1], steps[moves, 0]), averaged(time, yaw)[moves]
     name = pose.numbers["yaw"].column
     if len(course) < CHECKING.fewest or np.ptp(heading) < GUESSING.turned_enough:
         return _by_its_name(pose)
