@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from scipy.stats import chi2
@@ -19,6 +20,7 @@ from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, Re
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, finite
+from cocorosim_ros.diagnosis.fitting.growing_force import with_growing_force
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
@@ -40,6 +42,7 @@ from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
+from cocorosim_ros.diagnosis.showing.uneven_noise import growth_remarks
 from cocorosim_ros.diagnosis.showing.untold import untold_errors
 
 Progress = Callable[[str, float], None]
@@ -63,7 +66,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     if evidence.platform.drag_form is None:
         base, form = with_best_form(base, RECALIBRATION.most_rounds)
     progress("choosing what no fit sees", 0.2)
-    unseen, naming = _named(base, progress)
+    base, unseen, naming = _named_evenly(base, progress)
     progress("locating what was missing", 0.7)
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
@@ -100,7 +103,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=free.runs,
         gathered=gathered_evidence(base, naming.fit),
-        remarks=(*intake.evidence.remarks, *_of_form(form), *regime_remarks(unseen)),
+        remarks=(*intake.evidence.remarks, *_of_form(form), *growth_remarks(naming.fit), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
@@ -110,7 +113,29 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     )
 
 
-def _named(base: Fit, progress: Progress) -> tuple[Unseen, Naming]:
+def _named_evenly(base: Fit, progress: Progress) -> tuple[Fit, Unseen, Naming]:
+    """Name effects, on top of a model whose random force grows with speed or thrust where the recordings show that.
+
+    A random force that is the same at all times takes errors that grow with speed for evidence of what acts at speed.
+    Whether it is the same is asked of the model with all its effects, since one that is missing grows with speed too;
+    only then the search begins again.
+    """
+    unseen, naming = _named(base, progress, Shares(0.25, 0.45, 0.5))
+    grown = with_growing_force(base, naming.fit, smoothed_tracks(naming.fit))
+    if grown is None:
+        return base, unseen, naming
+    return grown, *_named(grown, progress, Shares(0.5, 0.65, 0.7))
+
+
+class Shares(NamedTuple):
+    """Shares of the whole work that are done when effects begin to be named, are named once, and at last."""
+
+    begin: float
+    once: float
+    end: float
+
+
+def _named(base: Fit, progress: Progress, done: Shares) -> tuple[Unseen, Naming]:
     """Name effects, with free runs that are as long as the found vehicle coasts.
 
     A recalibrated model that lacks an effect may coast for a third of the time, as a blimp does whose drag has to stand
@@ -118,11 +143,16 @@ def _named(base: Fit, progress: Progress) -> tuple[Unseen, Naming]:
     its length: one that began with the found model would take these too.
     """
     unseen = unseen_parts(base)
-    naming = name_effects(base, lambda words, share: progress(words, 0.25 + 0.3 * share), unseen)
+    naming = name_effects(base, _between(progress, done.begin, done.once), unseen)
     if naming.named and (seconds := seconds_of_free_runs(naming.fit)) != unseen.seconds:
         unseen = unseen_parts(base, seconds)
-        naming = name_effects(base, lambda words, share: progress(words, 0.55 + 0.15 * share), unseen)
+        naming = name_effects(base, _between(progress, done.once, done.end), unseen)
     return unseen, naming
+
+
+def _between(progress: Progress, low: float, high: float) -> Progress:
+    """Make a progress of a part of the work, which takes the share done of this part."""
+    return lambda words, share: progress(words, low + (high - low) * share)
 
 
 def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:

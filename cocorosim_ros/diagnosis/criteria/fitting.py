@@ -61,6 +61,29 @@ class RecalibrationCriteria:
 
 
 @dataclass(frozen=True)
+class GrowingForceCriteria:
+    """Random force that grows with speed or thrust (`fitting.growing_force`)."""
+
+    usual: float = 1.0
+    """[of the random force at rest] what is added to it at the highest speed or thrust, where the fit begins. Chosen,
+    not measured."""
+    prior: float = 1.5
+    """[1] standard deviation of the logarithm of that. Chosen, not measured."""
+    farthest: float = 4.0
+    """[1] largest change of that logarithm: from 0.02 to 55 times. Chosen, not measured."""
+    highest: float = 0.95
+    """[quantile] of speed and thrust that is taken as the highest one. Chosen, not measured."""
+    worth: float = 3.0
+    """[nats] the growth of one robot's random force with one quantity has to gain. Chosen, not measured."""
+    rounds: int = 4
+    """[steps] of the random forces' numbers, in which a growth has to show. Chosen, not measured: a made boat needs
+    three."""
+    trace: float = 1e-3
+    """[of the full force] a random force below is none: exact recordings differ from the filter's steps by less, which
+    grow with speed too. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class DragFormCriteria:
     """The comparison of forms of the drag that a platform's file does not say (`fitting.drag_forms`)."""
 
@@ -214,6 +237,7 @@ class HeldOutCriteria:
 
 
 DRAG_FORMS = DragFormCriteria()
+GROWING_FORCE = GrowingForceCriteria()
 CONVERGENCE = ConvergenceCriteria()
 RANDOMNESS = RandomForceCriteria()
 RECALIBRATION = RecalibrationCriteria()

@@ -39,7 +39,7 @@ from cocorosim_ros.diagnosis.filter.motion import (
     responses,
     write_slopes,
 )
-from cocorosim_ros.diagnosis.filter.random_force import Fading, fading
+from cocorosim_ros.diagnosis.filter.random_force import fading
 from cocorosim_ros.diagnosis.filter.reading import (
     deviation,
     expected,
@@ -99,7 +99,7 @@ class NewVariance(NamedTuple):
 
 
 @allocating_kernel
-def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
+def _make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
     """Start the covariance from the standard deviation of the state (8,) and from the random force (WATER_NOISE)."""
     wide, high = np.zeros(HORIZONTAL * HORIZONTAL), np.zeros(VERTICAL * VERTICAL)
     places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
@@ -117,7 +117,7 @@ def _make_spread(deviation: Floats, noise: Floats, fade: Fading) -> Spread:
         np.zeros(VERTICAL * VERTICAL),
         np.zeros(4),
     )
-    _add_force(parts, noise, NewVariance(1.0, fade.common, 1.0))
+    _add_force(parts, noise, new)
     return parts
 
 
@@ -138,6 +138,14 @@ def _add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
     _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[RMS_LEVEL], new)
     _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[RMS_YAW], new)
     _add_pair(parts.high, VFZ, VERTICAL, 1, noise[RMS_UPRIGHT], new)
+
+
+@kernel
+def _swollen(new: NewVariance, swell: Floats, point: int) -> NewVariance:
+    """The variance that comes in over the step from `point` on, by what the random force is greater there."""
+    if swell.shape[0] == 0:
+        return new
+    return NewVariance(new.force * swell[point], new.both * swell[point], new.gust * swell[point])
 
 
 @outlined_kernel
@@ -213,7 +221,7 @@ def _filter(
         time = readings.begin + point * readings.step
         _move(motion, parts, Clock(time, readings.step, fade), drive, point, body)
         if point > 0:
-            _add_force(parts, noise, grown)
+            _add_force(parts, noise, _swollen(grown, numbers.swell, point - 1))
         if keep:
             _remember(motion, body, parts, point, belief.history)
         for index in range(readings.first[point], readings.first[point + 1]):
@@ -247,7 +255,7 @@ def filter_pass(
     """The whole filter over a recording; results are in `belief`."""
     noise = numbers.random_force
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
-    parts = _make_spread(start.spread, noise, fade)
+    parts = _make_spread(start.spread, noise, _swollen(NewVariance(1.0, fade.common, 1.0), numbers.swell, 0))
     _filter(readings, drive, make_motion(start.mean, body), parts, body, numbers, belief)
 
 

@@ -93,6 +93,7 @@ class PassNumbers(NamedTuple):
     sensor: Floats  # by SENSOR_COLUMNS
     random_force: Floats  # by WATER_NOISE, no logarithms
     reading_variance: Floats  # (KINDS,) of a single reading of each kind
+    swell: Floats  # (points,) factors of the random force's variance; empty if it is the same at all times
 
 
 class SlopeNumbers(NamedTuple):

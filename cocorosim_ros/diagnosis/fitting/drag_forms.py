@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.fitting.climbing import improved, settled, with_noi
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_RANDOM
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME, TOTAL_SPEED
@@ -61,7 +61,7 @@ def _trial(base: Fit, form: float) -> Fit:
     ratios = _ratios(base.tracks)
     q = np.concatenate([base.q, np.zeros(len(ratios))])
     start = evaluated(replace(base, rows=_rows(base, form), unknowns=(*base.unknowns, *ratios), q=q))
-    return improved(with_noise(improved(start, DRAG_FORMS.steps), 1, WATER_NOISE), DRAG_FORMS.steps)
+    return improved(with_noise(improved(start, DRAG_FORMS.steps), 1, WATER_RANDOM), DRAG_FORMS.steps)
 
 
 def _rows(base: Fit, form: float) -> Floats:

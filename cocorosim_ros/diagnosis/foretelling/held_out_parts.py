@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
-from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import WATER_RANDOM
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -103,7 +103,7 @@ def fitted_to_the_rest(fit: Fit, splits: Sequence[Split]) -> Floats:
     unknowns, known = _of_pieces(fit.unknowns, owners)
     noise, heard = _of_pieces(fit.noise, owners)
     start = Fit(tuple(pieces), fit.rows[owners], unknowns, noise, fit.q[known], fit.q_noise[heard], ())
-    found = improved(with_noise(improved(evaluated(start), 2), 1, WATER_NOISE), 3)
+    found = improved(with_noise(improved(evaluated(start), 2), 1, WATER_RANDOM), 3)
     q, q_noise = fit.q.copy(), fit.q_noise.copy()
     q[known], q_noise[heard] = found.q, found.q_noise
     return write_values(write_values(fit.rows, fit.unknowns, q), fit.noise, q_noise)

@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.fitting.starts import best_start
 from cocorosim_ros.diagnosis.fitting.unknowns import prior_precision
-from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_RANDOM
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
 
@@ -89,7 +89,7 @@ def refine(begun: Begun, base_evidence: float) -> Refined:
 
     base_evidence: logarithm of the evidence of the fit without the candidate [nats].
     """
-    trial = improved(with_noise(begun.fit, 1, WATER_NOISE), 3)
+    trial = improved(with_noise(begun.fit, 1, WATER_RANDOM), 3)
     if trial.objective - begun.fit.objective + begun.gain > SEARCH.last_steps:
-        trial = improved(with_noise(trial, 2, (*WATER_NOISE, *_readings_of(begun.candidate))), 2)
+        trial = improved(with_noise(trial, 2, (*WATER_RANDOM, *_readings_of(begun.candidate))), 2)
     return Refined(begun.candidate, trial, log_evidence(trial) - base_evidence)

@@ -21,7 +21,7 @@ from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.residual import scene_of
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_RANDOM
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
@@ -50,4 +50,4 @@ def _without(base: Fit, candidate: Candidate) -> Fit:
     """Fit the base model anew with the amplitudes of a candidate at their neutral values."""
     neutral = {amplitude.column: amplitude.neutral for amplitude in candidate.entry.amplitudes}
     start = evaluated(replace(base, rows=candidate.write(base.rows, neutral)))
-    return improved(with_noise(start, 2, WATER_NOISE), 2)
+    return improved(with_noise(start, 2, WATER_RANDOM), 2)

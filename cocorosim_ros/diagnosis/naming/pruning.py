@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.naming.choice import harms, moves
 from cocorosim_ros.diagnosis.naming.contest import log_evidence
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, needed_nats
-from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import WATER_RANDOM
 
 Key = tuple[str, str | None, tuple[str, ...]]
 
@@ -32,7 +32,7 @@ def without(fit: Fit, candidate: Candidate, base: Fit) -> Fit:
     smaller = evaluated(replace(fit, unknowns=unknowns, q=fit.q[stays]))
     noisy = evaluated(replace(smaller, q_noise=base.q_noise))
     smaller = improved(max(smaller, noisy, key=lambda each: each.objective), 2)
-    return improved(with_noise(smaller, 2, WATER_NOISE), 2)
+    return improved(with_noise(smaller, 2, WATER_RANDOM), 2)
 
 
 def pruned(stage: Stage, base: Fit, known: tuple[NamedEffect, ...] = (), unseen: Unseen | None = None) -> Stage:

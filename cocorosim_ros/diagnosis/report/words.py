@@ -61,6 +61,8 @@ NOISES = {
     "random.moment": "random yaw moment",
     "random.correlation": "memory of the random forces",
     "random.smoothness": "smoothness of the random forces (0 rough, 1 smooth)",
+    "random.with_speed": "random force that comes with speed (at the highest, over that at rest)",
+    "random.with_thrust": "random force that comes with thrust (at the highest, over that at rest)",
     **{f"reading.{kind.noise or kind.name}": kind.noise_words for kind in KINDS.values() if kind.noise_words},
 }
 

@@ -10,6 +10,7 @@ Source: Breusch and Pagan, Econometrica 47 (1979) 1287; with squares for the var
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -17,12 +18,13 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.showing import UNEVEN
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.growing_force import QUANTITIES, speed_and_thrust
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.state import HEAVE, SURGE
 
-WITH = ("speed", "thrust")
+WITH = tuple(QUANTITIES)
 OF_MOTION = tuple(number for number, name in enumerate(KIND_NAMES) if name.startswith(("pose", "velocity", "gyro")))
 
 
@@ -49,11 +51,22 @@ def uneven_noise(tracks: Sequence[Track], passes: Sequence[Pass], courses: Seque
     )
 
 
+def growth_remarks(fit: Fit) -> tuple[str, ...]:
+    """Sentences on the growth of the random force that a fit reckons with, one for each robot and quantity."""
+    return tuple(
+        f"The random force on {', '.join(unknown.owner.robots)} grows with {quantity}: what comes in at the highest "
+        f"{quantity} is {math.hypot(1.0, math.exp(unknown.value(q))):.2g} times as strong as at rest; evidence is "
+        "weighed with that."
+        for quantity, column in QUANTITIES.items()
+        for unknown, q in zip(fit.noise, fit.q_noise.tolist(), strict=True)
+        if unknown.column == column
+    )
+
+
 def _quantities(track: Track, course: Smoothed, stamp: Floats) -> Floats:
     """Speed and thrust (n, 2) at stamps (n,) [s], each less its mean over its standard deviation."""
-    speed = np.linalg.norm(course.mean[:, SURGE : HEAVE + 1], axis=1)
-    thrust = np.linalg.norm(track.actuation.nominal_force(), axis=1)
-    seen = np.column_stack([np.interp(stamp, course.time, each) for each in (speed, thrust)])
+    along = speed_and_thrust(track, course)
+    seen = np.column_stack([np.interp(stamp, course.time, each) for each in along.T])
     spread = seen.std(axis=0)
     return np.asarray((seen - seen.mean(axis=0)) / np.where(spread > 0.0, spread, np.inf))
 

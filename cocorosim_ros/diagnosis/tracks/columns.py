@@ -15,13 +15,17 @@ from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAME
 
 # Logarithms of numbers in N, N, N m, s and 1.
 WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
+# Logarithms of how many times as strong as at rest what the random force gains at the highest speed or thrust is.
+WATER_GROWTH = ("random.with_speed", "random.with_thrust")
+WATER_RANDOM = (*WATER_NOISE, *WATER_GROWTH)
+NO_GROWTH = -40.0  # a logarithm whose number, squared, is nothing beside 1
 # Kinds of readings of equal quality share one number: log of the standard deviation of a single reading.
 READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values())
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
 # Units of the noise itself; a row holds logarithms.
 NOISE_UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
-    "random.smoothness": "1",
+    "random.smoothness": "1", **dict.fromkeys(WATER_GROWTH, "1"),
     **{f"reading.{name}": kind.unit for name, kind in zip(READING_NOISE_OF_KIND, KINDS.values(), strict=True)},
 }  # fmt: skip
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
@@ -36,7 +40,7 @@ OWN_GAINS = (ALL_THRUSTERS, *(f"own_gain.{number}" for number in range(1, MOST_T
 COLUMN: dict[str, int] = numbered(
     [
         *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS, *OWN_GAINS,
-        COMMAND_DELAY,
+        COMMAND_DELAY, *WATER_GROWTH,
     ]
 )  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
@@ -57,6 +61,7 @@ NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law o
 NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
 NEUTRAL[THRUSTERS] = 1.0
+NEUTRAL[[COLUMN[column] for column in WATER_GROWTH]] = NO_GROWTH
 for _name, _value in READING_LAWS.items():
     NEUTRAL[COLUMN[_name]] = _value
 

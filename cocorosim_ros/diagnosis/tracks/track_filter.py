@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.filter.records import (
 )
 from cocorosim_ros.diagnosis.filter.smoother import smooth
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
+from cocorosim_ros.diagnosis.tracks.agitation import Agitation
 from cocorosim_ros.diagnosis.tracks.columns import READING_COLUMNS, SENSORS, WATER
 from cocorosim_ros.diagnosis.tracks.passes import COURSE_SIZE, Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
@@ -33,6 +34,7 @@ from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.course import Course
 
 NO_PUSH = np.zeros((0, 4))
+NO_SWELL = np.zeros(0)
 
 
 def _blank_history(points: int) -> History:
@@ -46,18 +48,24 @@ class TrackFilter:
     """The extended Kalman filter of filter.filter, given the readings of a timeline and the forces of an actuation.
 
     course: smoothed course along which laws of readings are taken; None: it is made when a row with such laws is first
-    used, under that row without them. Rows are (columns,), SI units, by tracks.columns.
+    used, under that row without them. agitation: what the random force grows with, None for nothing. Rows are
+    (columns,), SI units, by tracks.columns.
     """
 
     def __init__(
-        self, timeline: Timeline, actuation: Actuation, start: Start, course: Course | None = None
+        self, timeline: Timeline, actuation: Actuation, start: Start, course: Course | None = None,
+        agitation: Agitation | None = None,
     ) -> None:  # fmt: skip
         self.timeline, self.actuation, self.start = timeline, actuation, start
-        self._course = course
+        self._course, self._agitation = course, agitation
 
     def over(self, timeline: Timeline, actuation: Actuation, start: Start | None = None) -> TrackFilter:
-        """Copy the filter for other readings and forces of the same robot; the course stays, the start if not given."""
-        return TrackFilter(timeline, actuation, start or self.start, self._course)
+        """Copy the filter for other readings and forces of the same robot; the rest stays, the start if not given."""
+        return TrackFilter(timeline, actuation, start or self.start, self._course, self._agitation)
+
+    def agitated(self, agitation: Agitation) -> TrackFilter:
+        """Copy the filter with what the random force may grow with."""
+        return TrackFilter(self.timeline, self.actuation, self.start, self._course, agitation)
 
     def full(self, row: Floats) -> Pass:
         """Run the filter: likelihood, innovations and gains, in the order of the timeline.
@@ -108,7 +116,8 @@ class TrackFilter:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""
         count = len(self.timeline.kind)
         belief = Belief(np.empty(count), np.empty(count), np.zeros((count, HORIZONTAL)), kept)
-        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(2.0 * row[READING_COLUMNS]))
+        swell = self._agitation.variance(row, self.timeline.grid.moments) if self._agitation else NO_SWELL
+        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(2.0 * row[READING_COLUMNS]), swell)
         body = self.actuation.vehicle.body(row)
         filter_pass(self.readings(row), self.actuation.drive(row), self.start, body, numbers, belief)
         return belief

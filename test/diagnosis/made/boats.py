@@ -50,6 +50,7 @@ class Truth(NamedTuple):
     lag: float = 0.35  # s
     weed: float = 0.0  # N m, of a moment that turns the boat to the left
     rough: float = 0.0  # N s/m: random push by speed, N, and ARM times as much moment; anew in every tick
+    choppy: float = 0.0  # N: such a push that does not depend on speed
 
 
 def platform(folder: Path, more: str = "") -> Any:
@@ -85,7 +86,7 @@ def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0) -> Any:
     moments = np.arange(0.0, TICK + 0.5 * STEP, STEP)
     truths = [truth] * len(commands) if isinstance(truth, Truth) else truth
     for true, command in zip(truths, commands, strict=True):
-        push = true.rough * math.hypot(state[3], state[4]) * rng.standard_normal(3)
+        push = math.hypot(true.choppy, true.rough * math.hypot(state[3], state[4])) * rng.standard_normal(3)
         given = (true, FULL * command, push)
         found = solve_ivp(rate, (0.0, TICK), state, args=given, t_eval=moments, rtol=1e-9, atol=1e-10)
         rows.append(found.y.T[:-1])
