@@ -95,7 +95,7 @@ def test_an_effect_at_the_end_of_what_is_looked_for(sound: Case) -> None:
     assert sentences(hard_stops.effect_at_a_bound, case) == []
     unknowns = (*case.final.unknowns[:-1], replace(case.final.unknowns[-1], bounds=(0.0, float(case.final.q[-1]))))
     (said,) = sentences(hard_stops.effect_at_a_bound, replace(case, final=replace(case.final, unknowns=unknowns)))
-    assert "width stands at the end of what is looked for, 0.2" in said
+    assert "width stands at the end of what is looked for, 0.2." in said
     unknowns = (*case.final.unknowns[:-1], replace(case.final.unknowns[-1], bounds=(0.0, 1.0)))
     q = np.append(case.final.q[:-1], 0.0)
     neutral = replace(case, final=replace(case.final, unknowns=unknowns, q=q))

@@ -71,7 +71,7 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
             name = unknown.owner.parameter.replace("_", " ")
             yield Objection(
                 f"The fit of {name} of {_listed(unknown.owner.robots)} stands at the end of its range, "
-                f"{unknown.value(q):.3g} {_in_text(unknown.owner.unit)}; the recordings ask for a number that the "
+                f"{_in_text(unknown.value(q), unknown.owner.unit)}; the recordings ask for a number that the "
                 "platform's file leaves out.",
                 unknown.owner.robots,
             )
@@ -88,7 +88,7 @@ def effect_at_a_bound(case: Case) -> Iterator[Objection]:
                 ):
                     yield Objection(
                         f"Its {unknown.owner.parameter.replace('_', ' ')} stands at the end of what is looked for, "
-                        f"{unknown.value(q):.3g} {_in_text(unknown.owner.unit)}.",
+                        f"{_in_text(unknown.value(q), unknown.owner.unit)}.",
                         effect=found,
                     )
 
@@ -258,5 +258,5 @@ def _listed(robots: Sequence[str]) -> str:
     return ", ".join(robots)
 
 
-def _in_text(unit: str) -> str:
-    return "" if unit == "1" else unit
+def _in_text(value: float, unit: str) -> str:
+    return f"{value:.3g}" if unit == "1" else f"{value:.3g} {unit}"
