@@ -111,7 +111,7 @@ def marked(state: FloatArray, faults: Faults) -> FloatArray:
     ahead, left = faults.marker
     if ahead == 0.0 and left == 0.0 and faults.marker_turn == 0.0:
         return state
-    out, yaw = state.copy(), state[:, 3]
+    out, yaw = state.copy(), state[:, 3].copy()
     wide = 1.0 + 0.05 * (state[:, 2] - state[:, 2].mean())
     out[:, 0] += wide * (ahead * np.cos(yaw) - left * np.sin(yaw))
     out[:, 1] += wide * (ahead * np.sin(yaw) + left * np.cos(yaw))
