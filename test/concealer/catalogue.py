@@ -169,6 +169,20 @@ def hull_compressibility(_rng: np.random.Generator, amount: float, scene: Scene)
     return Secret("hull_compressibility", {"gradient": amount}, "Boyle; least-squares line through the surface")
 
 
+def density_gradient(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Water that grows denser ever more slowly; the gradient is the straight line's through the surface."""
+    scene.everywhere(denser=amount, denser_scale=rng.uniform(2.0, 6.0))
+    form = "exponential approach; least-squares line through the surface"
+    return Secret("density_gradient", {"gradient": amount}, form, shared=True)
+
+
+def surface_loss(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Thrust that comes back with depth as a tanh."""
+    scale = rng.uniform(0.1, 0.2)
+    scene.own[[at.BUBBLES, at.BUBBLES_REACH]] = amount, scale
+    return Secret("surface_loss", {"loss": amount}, "1 - loss (1 - tanh(depth / scale))")
+
+
 def stratification(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A density layer with a soft edge."""
     depth, force = rng.uniform(0.7, 1.3), amount
@@ -191,6 +205,6 @@ BODY: dict[str, Hide] = {
         linear_drag, anisotropic_drag, added_mass, steady_current, sheared_current, tidal_current, tether, wall_effect,
         neighbour_wake, thruster_lag, thruster_deadband, thruster_asymmetry, torque_bias, reverse_loss, advance_loss,
         battery_sag, thruster_misalignment, buoyancy_trim, pump_lag, hull_compressibility, stratification,
-        payload_shift,
+        payload_shift, density_gradient, surface_loss,
     )
 }  # fmt: skip

@@ -96,10 +96,71 @@ def imu_bias(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     return Secret("imu_bias", {"gyro_z": gyro, "accel_x": x, "accel_y": y, "accel_z": z}, "constant", "imu")
 
 
+def logged(time: FloatArray, speed: FloatArray, faults: Faults) -> FloatArray:
+    """(n, 3) what a log makes of speeds u, v, w: beams that are turned each by itself, a scale that swings."""
+    forward, aside = faults.log_turn
+    period, phase = faults.log_warmth
+    scale = 1.0 + faults.log_scale * (1.0 + 0.3 * np.sin(2.0 * np.pi * time / period + phase))
+    ahead = speed[:, 0] * np.cos(forward) + speed[:, 1] * np.sin(forward)
+    left = speed[:, 1] * np.cos(aside) - speed[:, 0] * np.sin(aside)
+    return np.asarray(np.stack([ahead, left, speed[:, 2]], axis=1) * scale[:, None])
+
+
+def marked(state: FloatArray, faults: Faults) -> FloatArray:
+    """(n, 4) place and yaw of a marker that is put on beside the centre and askew; nearer the camera it looks wider."""
+    ahead, left = faults.marker
+    if ahead == 0.0 and left == 0.0 and faults.marker_turn == 0.0:
+        return state
+    out, yaw = state.copy(), state[:, 3].copy()
+    wide = 1.0 + 0.05 * (state[:, 2] - state[:, 2].mean())
+    out[:, 0] += wide * (ahead * np.cos(yaw) - left * np.sin(yaw))
+    out[:, 1] += wide * (ahead * np.sin(yaw) + left * np.cos(yaw))
+    out[:, 3] += faults.marker_turn * (1.0 + faults.marker_wobble * np.sin(2.0 * yaw))
+    return out
+
+
+def speed_log_scale(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A factor that swings as the water warms and cools; the number is its mean."""
+    fault = scene.fault
+    fault.log_scale = signed(rng, amount)
+    fault.log_warmth = float(scene.own[DURATION] / rng.integers(2, 5)), rng.uniform(-math.pi, math.pi)
+    form = "1 + s (1 + 0.3 sin(2 pi t / T)), whole periods; scale: the mean"
+    return Secret("speed_log_scale", {"scale": 1.0 + fault.log_scale}, form, "velocity")
+
+
+def speed_log_misalignment(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Two beams that are turned nearly alike; the number is the mean of both angles."""
+    angle, apart = signed(rng, amount), rng.uniform(-0.1, 0.1)
+    scene.fault.log_turn = angle * (1.0 + apart), angle * (1.0 - apart)
+    return Secret("speed_log_misalignment", {"angle": angle}, "each beam turned by itself; angle: the mean", "velocity")
+
+
+def pose_heading(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A marker that is put on askew, seen by a camera that is not quite above."""
+    scene.fault.marker_turn, scene.fault.marker_wobble = signed(rng, amount), rng.uniform(-0.15, 0.15)
+    form = "d (1 + e sin(2 yaw)); offset: the mean over a full turn"
+    return Secret("pose_heading", {"offset": scene.fault.marker_turn}, form, "pose")
+
+
+def pose_lever(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A marker beside the centre, which looks the wider apart the nearer the camera it is."""
+    scene.fault.marker = direction(rng, amount)
+    ahead, left = scene.fault.marker
+    form = "R(yaw) (ahead, left) times 1 + 0.05 per metre above the mean height"
+    return Secret("pose_lever", {"ahead": ahead, "left": left}, form, "pose")
+
+
+def motor_field(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Motors whose cables lie nearer to the compass on one side than on the other; the number is that of both."""
+    scene.fault.compass_motor, scene.fault.motor_uneven = signed(rng, amount), rng.uniform(-0.3, 0.3)
+    form = "(c_l |left| + c_r |right|) / 2 of the commands; field: (c_l + c_r) / 2"
+    return Secret("motor_field", {"field": scene.fault.compass_motor}, form, "compass")
+
+
 CATALOGUE: dict[str, Hide] = BODY | {
     hide.__name__: hide
     for hide in (
         compass_distortion, pressure_offset, pressure_drift, sensor_latency, clock_skew, camera_scale, frame_mixup,
-        imu_bias,
+        imu_bias, speed_log_scale, speed_log_misalignment, pose_heading, pose_lever, motor_field,
     )
 }  # fmt: skip

@@ -58,6 +58,7 @@ def charge_rate(command: FloatArray) -> float:
 def one_thrust(p: FloatArray, s: FloatArray, level: float, gain: float, speed: float) -> float:
     """Force of one thruster [N] at a level (fraction) in water that comes at `speed`."""
     force = p[at.THRUST] * gain * level * left_in_battery(p, s[at.CHARGE])
+    force *= 1.0 - p[at.BUBBLES] * (1.0 - math.tanh(-s[at.Z] / p[at.BUBBLES_REACH]))
     if level < 0.0:
         force *= 1.0 - p[at.REVERSE_LOSS]
     ahead = math.copysign(speed, speed * level)
@@ -79,11 +80,12 @@ def thrust(p: FloatArray, s: FloatArray, command: FloatArray, speed: float) -> t
 
 @compiled
 def buoyancy(p: FloatArray, s: FloatArray, t: float) -> float:
-    """Force upward [N]: pump, trim, hull that gives way (Boyle), density layer (tanh), payload that goes."""
+    """Force upward [N]: pump, trim, hull that gives way (Boyle), water that is denser below, payload."""
     depth = -s[at.Z]
     pump = s[at.PUMP_STATE] if p[at.PUMP_LAG] > 0.0 else s[at.PLAY]
     force = p[at.PUMP] * pump + p[at.TRIM]
     force -= p[at.SHRINK] * depth / (1.0 + depth / p[at.SHRINK_SCALE])
+    force += p[at.DENSER] * p[at.DENSER_SCALE] * (1.0 - math.exp(-depth / p[at.DENSER_SCALE]))
     force += 0.5 * p[at.LAYER_FORCE] * (1.0 + math.tanh((depth - p[at.LAYER_DEPTH]) / p[at.LAYER_WIDTH]))
     since = (t - p[at.PAYLOAD_TIME]) / p[at.PAYLOAD_RISE]
     return force + p[at.PAYLOAD_FORCE] * min(max(since, 0.0), 1.0)

@@ -19,6 +19,7 @@ Found = tuple[str, float, dict[str, Any]]  # name, truth, {"value", "ci95", ...}
 PER_MASS = {
     "linear_drag": ("surge", "sway", "heave"), "added_mass": ("sway_minus_surge",), "tether": ("stiffness",),
     "buoyancy_trim": ("force",), "hull_compressibility": ("gradient",), "stratification": ("force",),
+    "density_gradient": ("gradient",),
     "payload_shift": ("force",), "platform": ("drag", "thrust_gain", "buoyancy_gain"),
 }  # fmt: skip
 PER_INERTIA = {

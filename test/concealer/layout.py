@@ -31,8 +31,10 @@ FloatArray = NDArray[np.float64]
     # outside every catalogue
     OSC_X, OSC_Y, OSC_Z, OSC_YAW, OSC_OMEGA, OSC_PHASE, TORQUE_AT_X, TORQUE_AT_Y, FRICTION_YAW, FRICTION_RATE,
     POWER_THREE_HALVES, CUBIC, RATE_SURGE, RATE_HEAVE, RATE_YAW, FIN, LIFT, VANE, PUMP_YAW, ROLL_SWAY,
-) = range(89)  # fmt: skip
-SIZE = 89
+    # later: water that grows denser, thrust lost near the surface
+    DENSER, DENSER_SCALE, BUBBLES, BUBBLES_REACH,
+) = range(93)  # fmt: skip
+SIZE = 93
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
@@ -71,6 +73,15 @@ def nominal_robot() -> FloatArray:
     # Scales that divide: harmless while what they scale is zero.
     for place in (STRIP_LENGTH, WALL_SCALE, WALL_POWER, SHEAR_WIDTH, SHEAR_DEPTH, TIDE_PERIOD, VORTEX_CORE):
         p[place] = 1.0
-    for place in (SHRINK_SCALE, LAYER_WIDTH, PAYLOAD_RISE, TETHER_SOFT, OSC_OMEGA, FRICTION_RATE):
+    for place in (
+        SHRINK_SCALE,
+        DENSER_SCALE,
+        BUBBLES_REACH,
+        LAYER_WIDTH,
+        PAYLOAD_RISE,
+        TETHER_SOFT,
+        OSC_OMEGA,
+        FRICTION_RATE,
+    ):
         p[place] = 1.0
     return p

@@ -136,19 +136,11 @@ def roll_coupling(rng: np.random.Generator, amount: float, scene: Scene) -> Secr
     return _sealed("Y = c |r| r", float(scene.own[at.ROLL_SWAY]), "sway~|r|*r sway~r*|r| sway~r sway~|r|^*r")
 
 
-def motor_field(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
-    """A compass that the motors' current turns."""
-    scene.fault.compass_motor = signed(rng, amount)
-    secret = _sealed("c (|left| + |right|) / 2", scene.fault.compass_motor, "compass~*thrust*")
-    secret.id, secret.topic = "unknown:compass~thrust", "compass"
-    return secret
-
-
 OUTSIDE: dict[str, Hide] = {
     hide.__name__: hide
     for hide in (
         oscillating_x, oscillating_y, oscillating_z, oscillating_yaw, torque_of_place, vortex_patch, dry_friction,
         drag_of_power_three_halves, cubic_drag, pump_jet, pump_kick, trim_fin, lift, weather_vane, pump_torque,
-        roll_coupling, motor_field,
+        roll_coupling,
     )
 }  # fmt: skip

@@ -25,6 +25,13 @@ class Faults:
     scale: float = 1.0  # of the camera
     mixup: str = ""
     gyro_bias: float = 0.0  # rad/s
+    log_scale: float = 0.0  # mean fraction by which the speed log shows too much
+    log_warmth: tuple[float, float] = (1.0, 0.0)  # s, rad: period and phase with which that fraction swings
+    log_turn: tuple[float, float] = (0.0, 0.0)  # rad, of its forward and of its sideways beam
+    marker_turn: float = 0.0  # rad, of the camera's marker
+    marker_wobble: float = 0.0  # fraction of that by which it differs with the heading
+    marker: tuple[float, float] = (0.0, 0.0)  # m ahead and to the left of the centre
+    motor_uneven: float = 0.0  # (left - right) / mean of what the motors do to the compass
     accel_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)  # m/s^2
 
 

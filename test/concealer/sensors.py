@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from concealer import layout as at
-from concealer.catalogue_sensors import compass_reading
+from concealer.catalogue_sensors import compass_reading, logged, marked
 from concealer.layout import FloatArray
 from concealer.scene import Faults
 
@@ -81,6 +81,7 @@ class Observer:
         same = np.flatnonzero(np.diff(time) == 0.0) + 1
         noise[same] = noise[same - 1]
         state = state + noise
+        state = marked(state, self.faults)
         place, yaw = state[:, :3] * self.faults.scale, state[:, 3]
         if self.faults.mixup == "pose_millimetres":
             place = place * 1000.0
@@ -97,7 +98,8 @@ class Observer:
         tick = np.minimum((shown / at.TICK).astype(int), len(commands) - 1)
         sigma = self.between(n["noise"])
         reading = compass_reading(self.seen(shown, at.YAW)[:, 0], self.faults)
-        reading = reading + self.faults.compass_motor * np.abs(commands[tick, :2]).mean(axis=1)
+        uneven = 1.0 + 0.5 * self.faults.motor_uneven * np.array([1.0, -1.0])
+        reading = reading + self.faults.compass_motor * (np.abs(commands[tick, :2]) * uneven).mean(axis=1)
         reading = reading + sigma * self.rng.standard_normal(time.size)
         if self.faults.mixup == "compass_clockwise":
             reading = 0.5 * np.pi - reading
@@ -144,7 +146,7 @@ class Observer:
         n = self.numbers["velocity"]
         time = self.beats(n["rate"])
         values = np.zeros((time.size, 6))
-        values[:, :3] = self.seen(time, at.THROUGH_U, at.THROUGH_V, at.W)
+        values[:, :3] = logged(time, self.seen(time, at.THROUGH_U, at.THROUGH_V, at.W), self.faults)
         values[:, 5] = self.seen(time, at.R)[:, 0]
         sigma = self.between(n["noise"])
         values[:, [0, 1, 2, 5]] += sigma * np.array([1.0, 1.0, 1.0, 5.0]) * self.rng.standard_normal((time.size, 4))
@@ -163,7 +165,8 @@ def observe(
     faulty = faults.gyro_bias != 0.0 or faults.mixup == "imu_frd" or "imu" in faults.latency | faults.skew
     if rng.random() >= numbers["imu"]["missing"] or faulty:
         streams.append(eye.imu())
-    if rng.random() < numbers["velocity"]["present"]:
+    # Nor is one of the speed log, by leaving that out.
+    if rng.random() < numbers["velocity"]["present"] or faults.log_scale != 0.0 or faults.log_turn[0] != 0.0:
         streams.append(eye.velocity())
     time = np.arange(len(commands), dtype=np.float64) * at.TICK
     streams.append(Stream("thruster_command", np.asarray(time), time + eye.transport(time.size), commands))

@@ -73,12 +73,20 @@ def hull_compressibility(p: FloatArray, rows: FloatArray, _commands: FloatArray)
     return {"gradient": float((depth * loss).sum() / (depth * depth).sum())}
 
 
+def density_gradient(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Parameters:
+    """Slope of the line through the surface at the depths visited."""
+    depth = -rows[::EVERY, at.Z]
+    gained = p[at.DENSER] * p[at.DENSER_SCALE] * -np.expm1(-depth / p[at.DENSER_SCALE])
+    return {"gradient": float((depth * gained).sum() / (depth * depth).sum())}
+
+
 AFTER: dict[str, After] = {
     "sheared_current": sheared_current,
     "tether": tether_line,
     "advance_loss": advance_loss,
     "battery_sag": battery_sag,
     "hull_compressibility": hull_compressibility,
+    "density_gradient": density_gradient,
 }
 
 

@@ -97,6 +97,8 @@ def test_it_does_something_finite(make_vehicles: Make, make_tank: Make, name: st
     """With parameters of a common size robots swim elsewhere, and all their numbers stay finite."""
     vehicles, rows = make_vehicles(2, 15), random_rows(30).reshape(2, 15, -1)
     rows[:, 1, :3] = rows[:, 0, :3] + 0.05
+    if "side_thrusters" in EFFECTS[name].needs:
+        vehicles.actuator_wrench[..., 0, 1] = 0.5
     changed = with_effect(vehicles, name, some_numbers(name, (2, 15)))
     tank = make_tank(BOUNDS)
     after, before = swum(changed, tank, rows), swum(without_effect(vehicles, name), tank, rows)

@@ -22,12 +22,17 @@ from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, c
 from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS
 from cocorosim_ros.world.sensors.readings import FIELDS
 from cocorosim_ros.world.sensors.sensor import PER_CONE, Elements
+from cocorosim_ros.world.sensors.sensor_error import TAKEN
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
+from cocorosim_ros.world.terms.motors import Motors
 from cocorosim_ros.world.terms.search import Strength
 
 CONES = tuple(BlueLightSensor(name, azimuth, 0.0, 2.0, 0.5, 0.3) for name, azimuth in (("left", 1.0), ("right", -1.0)))
+MOTORS = Motors(np.array([False, False, True]), np.zeros((3, 0)), np.full((3, 2), 0.005))
+OTHERS = {"row": np.full(11, 0.003), "heading": 0.7, "water": np.array([0.3, -0.2, 0.1, 0.5]), "motors": MOTORS}
+"""What errors may depend on beside their own reading, of a robot with two thrusters and a pump."""
 every_sensor = pytest.mark.parametrize("topic", SENSORS)
 every_kind = pytest.mark.parametrize("name", KINDS)
 CHANGES = [(error, change) for error, described in ERRORS.items() for change in described.changes]
@@ -88,7 +93,8 @@ def expected(name: str, state: Any, after: float, numbers: Any) -> float:
 
     still = Rates(np.zeros(STATE_SIZE), np.zeros(STATE_SIZE))
     code = list(KINDS).index(name)
-    return float(expect(code, When(3.0, after, abs(after), 0.0), state, still, numbers, state[4:8].copy()))
+    when, row = When(3.0, after, abs(after), 0.0), np.concatenate([state, [0.004, -0.002, 0.0]])
+    return float(expect(code, when, row, still, numbers, state[4:8].copy(), MOTORS))
 
 
 @every_kind
@@ -119,7 +125,7 @@ def test_neutral_numbers_change_no_bit(error: str, change: Any) -> None:
     given = [neutral[name] for name in change.numbers]
     for value in (0.3, -2.9, 101325.0 + 1234.5):
         for shown in (change.shown, change.foreseen or change.shown):
-            assert shown(value, value, 7.0, *given) == value
+            assert shown(value, value, 7.0, *(OTHERS[name] for name in change.takes), *given) == value
 
 
 @every_change
@@ -127,8 +133,9 @@ def test_simulation_and_filter_agree(error: str, change: Any) -> None:
     """Where they do not share one function the two differ by rounding alone."""
     rng = np.random.default_rng(9)
     for value, stamp, *given in rng.uniform(-3.0, 3.0, (50, 2 + len(change.numbers))):
-        foreseen = (change.foreseen or change.shown)(value, value, stamp, *given)
-        assert change.shown(value, value, stamp, *given) == pytest.approx(foreseen, rel=1e-14, abs=1e-14)
+        taken = [OTHERS[name] for name in change.takes]
+        foreseen = (change.foreseen or change.shown)(value, value, stamp, *taken, *given)
+        assert change.shown(value, value, stamp, *taken, *given) == pytest.approx(foreseen, rel=1e-14, abs=1e-14)
 
 
 @pytest.mark.parametrize("name", ERRORS)
@@ -141,6 +148,12 @@ def test_the_file_of_an_error_says_all_of_it(name: str) -> None:
     assert {number for change in error.changes for number in change.numbers} in (set(), {n.name for n in error.numbers})
     assert all(isinstance(number.search, Strength) and number.example is not None for number in error.numbers)
     assert set(error.beside) <= set(ERRORS)
+
+
+@every_change
+def test_what_an_error_depends_on_is_known(error: str, change: Any) -> None:
+    """Beside its reading it takes what simulation and filter can give."""
+    assert set(change.takes) <= set(TAKEN) == set(OTHERS)
 
 
 def test_no_file_of_an_error_is_left_out() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ SEED = 20261121
 STEP = 0.05  # s, of the simulation
 TICK = 0.5  # s between commands
 NOISE = {"pose": (0.002, 0.002, 0.002, 0.01), "compass": (0.02,), "pressure": (8.0,), "imu": (0.004,)}
+LOG_NOISE = (0.001, 0.001, 0.001)  # m/s
 
 
 def rich_commands(rng: np.random.Generator, seconds: float) -> Any:
@@ -65,6 +67,24 @@ def swim() -> Callable[..., Any]:
             streams[name] = Stream(time, value, noise)
         log = RobotLog("lily_01", np.arange(len(commands)) * TICK, commands, streams)
         return Evidence(base or platform, (RecordingLog("simulated", seconds, (log,)),))
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def swim_with_log(swim: Callable[..., Any]) -> Callable[..., Any]:
+    """Function of (platform, seconds, seed): the same evidence, and a speed log beside it."""
+    from cocorosim_ros.diagnosis.evidence.streams.log import Stream
+
+    def make(platform: Any, seconds: float, seed: int) -> Any:
+        evidence, rng = swim(platform, seconds, seed), np.random.default_rng([SEED, seed])
+        speed = trajectory(platform, rich_commands(rng, seconds), rng, 0.005)[::2, 4:7]
+        noise = np.array(LOG_NOISE)
+        value = speed + noise * np.random.default_rng([SEED, seed, 1]).standard_normal(speed.shape)
+        (recording,) = evidence.recordings
+        (log,) = recording.robots
+        streams = {**log.streams, "velocity": Stream(2 * STEP * np.arange(len(speed)), value, noise)}
+        return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
 
     return make
 

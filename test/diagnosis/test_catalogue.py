@@ -74,10 +74,13 @@ def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
 
     found = expand([entry], short.tracks, short.rows)
     if not found:
-        assert entry.needs_neighbours or entry.needs_above_water or entry.topic == "velocity"
+        assert entry.needs_neighbours or entry.needs_above_water or entry.needs or entry.topic == "velocity"
         return
     scene = scene_of(short.tracks, smoothed_tracks(short))
-    values = next(iter(found[0].settings(scene)))
+    values = next(iter(found[0].settings(scene)), None)
+    if values is None:
+        assert entry.id == "surface_loss"  # the robot kept away from the surface
+        return
     row, change = found[0].write(short.filled, values)[0], np.zeros(len(short.passes[0].innovation))
     short.tracks[0].filter.slope(row, short.passes[0], 1.0, change)
     np.testing.assert_array_equal(change, 0.0)

@@ -184,7 +184,7 @@ def diagnosed(evidence: Any) -> Any:
 
 
 def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> None:
-    """A compass in error by 8 rad/N of what both thrusters deliver together: named, its coefficient in its interval."""
+    """A compass in error by 8 rad/N of what both thrusters deliver together: 0.08 rad at full thrust of 0.01 N."""
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     lily = load_platform("lily")
@@ -196,11 +196,11 @@ def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> Non
     streams = {**log.streams, "compass": replace(compass, value=compass.value + 8.0 * amount[:, None])}
     recording = replace(evidence.recordings[0], robots=(replace(log, streams=streams),))
     diagnosis = diagnosed(replace(evidence, recordings=(recording,)))
-    assert [part.id for part in diagnosis.effects] == ["unknown:compass~|thrust|"]
+    assert [part.id for part in diagnosis.effects] == ["motor_field"]
     (found,) = diagnosis.effects
     assert found.topic == "compass"
-    coefficient = found.parameters["coefficient"]
-    assert abs(coefficient.value - 8.0) <= coefficient.high - coefficient.low
+    field = found.parameters["field"]
+    assert abs(field.value - 0.08) <= field.high - field.low < 0.08
     assert diagnosis.fit["compass"].augmented < diagnosis.fit["compass"].recalibrated
 
 

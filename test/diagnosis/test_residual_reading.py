@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, GYRO, POSE_X, PRESSURE
+from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
@@ -39,10 +40,20 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
     row = NEUTRAL.copy()
     for name, value in numbers.items():
         row[COLUMN[name.replace("__", ".")]] = value
-    timeline = SimpleNamespace(kind=np.full(len(TIME), kind), stamp=TIME, value=values, share=np.full(len(TIME), 0.25))
+    timeline = SimpleNamespace(
+        kind=np.full(len(TIME), kind),
+        stamp=TIME,
+        value=values,
+        share=np.full(len(TIME), 0.25),
+        grid=Grid(0.0, 0.1, 101),
+    )
     log = SimpleNamespace(streams={"compass": SimpleNamespace(noise=np.array([0.02]))})
     without_laws = SimpleNamespace(law_shift=lambda row: np.zeros(len(TIME)))
-    swimming = SimpleNamespace(course_along=swum)
+    vehicle = SimpleNamespace(
+        is_pump=np.zeros(2, dtype=bool), actuator_curve=np.zeros((2, 0)), actuator_limit=np.full((2, 2), 0.05)
+    )
+    drive = SimpleNamespace(force=swum(COURSE, row).force)
+    swimming = SimpleNamespace(course_along=swum, vehicle=vehicle, drive=lambda row: drive)
     track = SimpleNamespace(name="lily_01", timeline=timeline, log=log, filter=without_laws, actuation=swimming)
     return SimpleNamespace(tracks=(track,), filled=row[None])
 
@@ -60,6 +71,8 @@ def effect(name: str, topic: str | None = None, correction: str | None = None) -
 CASES = [
     (effect("compass_distortion"), COMPASS, 0.1 * TIME + 0.05 + 0.2 * np.sin(0.1 * TIME),
      {"compass_distortion__offset": 0.05, "compass_distortion__sin": 0.2}, "yaw"),
+    (effect("motor_field"), COMPASS, 0.1 * TIME + 0.2 * np.maximum(0.003 * (TIME - 0.05), 0.0) / 0.1,
+     {"motor_field__field": 0.2}, "|thrust|"),
     (effect("pressure_drift"), PRESSURE, 101325.0 + 9810.0 + 3.0 * TIME, {"pressure_drift__rate": 3.0}, "t"),
     (effect("imu_bias"), GYRO, 0.13 + 0 * TIME, {"imu_bias__gyro_z": 0.03}, "t"),
     (effect("camera_scale"), POSE_X, 0.22 * TIME, {"camera_scale__scale": 1.1}, "x"),

@@ -54,21 +54,20 @@ def test_the_shortest_coasting_is_that_of_the_strongest_axis(name: str, expected
     assert shortest_coasting(vehicle_model(load_platform(name))) == pytest.approx(expected, rel=1e-6)
 
 
-def measured(force: tuple[float, ...], mass: float, inertia: float, drag: float, yaw_drag: float) -> Any:
-    """A vehicle with these numbers of its platform."""
+def measured(force: tuple[float, ...], mass: float, inertia: float, drag: tuple[float, float], hull: float) -> Any:
+    """A vehicle with these numbers of its platform; drag: along its way and in yaw."""
     row = np.zeros(len(PARAMETER_COLUMNS))
     row[[PARAMETER_COLUMNS[name] for name in ("mass", "yaw_inertia", "drag", "yaw_drag")]] = (
         mass,
         inertia,
-        drag,
-        yaw_drag,
+        *drag,
     )
-    return SimpleNamespace(force_scale=np.array(force), nominal=row, mass=mass, yaw_inertia=inertia)
+    return SimpleNamespace(force_scale=np.array(force), nominal=row, mass=mass, yaw_inertia=inertia, hull=hull)
 
 
 def test_a_lily_has_the_size_of_a_lily() -> None:
     """For every unit; its speed and turn are those of the contract, of three digits."""
-    lily = measured((0.01, 0.0, 0.0981, 2.5e-4), 0.44, 4.05e-4, 1.7778, 1.14e-4)
+    lily = measured((0.01, 0.0, 0.0981, 2.5e-4), 0.44, 4.05e-4, (1.7778, 1.14e-4), 0.13)
     for unit, size in sizes(lily).items():
         assert size == pytest.approx(LILY_SIZES[unit], rel=5e-3), unit
 
@@ -76,12 +75,12 @@ def test_a_lily_has_the_size_of_a_lily() -> None:
 def test_sizes_of_a_ship() -> None:
     """As heavy as 1000 Lilys, as strong as 400, with the drag of 100: twice as fast; sensors are the same."""
     speed, turn = math.sqrt(0.01 / 1.7778), math.sqrt(2.5e-4 / 1.14e-4)
-    ship = sizes(measured((4.0, 0.0, 39.24, 0.1), 440.0, 0.81, 177.78, 4.56e-2))
+    ship = sizes(measured((4.0, 0.0, 39.24, 0.1), 440.0, 0.81, (177.78, 4.56e-2), 1.3))
     twice, as_fast = 2.0 * speed / 0.075, turn / 1.48
     expected = {
         "N": 400.0, "N/s": 400.0, "N/m": 400.0, "N s/m": 400.0 / twice, "kg/m": 400.0 / twice**2, "N m": 400.0,
         "N m/s": 400.0, "N m s": 400.0 / as_fast, "N m s^2": 400.0 / as_fast**2, "kg": 1000.0, "kg m^2": 2000.0,
-        "m/s": twice, "1/s": twice, "s/m": 1.0 / twice, "m/s^2": 0.4, "rad/s": as_fast,
+        "m/s": twice, "1/s": twice, "s/m": 1.0 / twice, "m/s^2": 0.4, "rad/s": as_fast, "m": 10.0,
     }  # fmt: skip
     assert {unit: ship[unit] for unit in expected} == pytest.approx(expected, rel=1e-9)
     assert {unit: ship[unit] for unit in ship if unit not in expected} == dict.fromkeys(UNSCALED, 1.0)

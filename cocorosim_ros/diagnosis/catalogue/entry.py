@@ -66,6 +66,7 @@ class Entry(Standing):
     manoeuvre: str = ""  # a name in catalogue.manoeuvres
     needs_neighbours: bool = False
     needs_above_water: bool = False
+    needs: tuple[str, ...] = ()  # what a vehicle must have, names of fitting.vehicle_needs
     law: str | None = None  # for laws outside the catalogue: the simulator's effect that acts for the law
     opposite: str = ""  # its name where its first amplitude is negative, "" where the name holds for both signs
     form: Law | None = None  # for laws outside the catalogue: equation or reading, and product of regressors
@@ -103,6 +104,7 @@ def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
         manoeuvre=search.manoeuvre,
         needs_neighbours=effect.neighbours,
         needs_above_water=effect.above_water,
+        needs=effect.needs,
         opposite=effect.opposite,
         **standing,
     )

@@ -23,13 +23,17 @@ _TOGETHER: dict[str, tuple[tuple[str, ...], ...]] = {
     "u": _SPEED,
     "v": _SPEED,
     "speed": (("velocity_u", "velocity_v"), *_SPEED),
+    "zero_of_yaw": (("compass",), ("pose_yaw",), ("pose_x", "pose_y", "velocity_u", "velocity_v")),
 }
-_STATES = ("x", "y", "z", "w", "yaw", "sin_yaw", "cos_yaw", "r", "u", "v", "speed")
+_STATES = ("x", "y", "z", "w", "yaw", "sin_yaw", "cos_yaw", "r", "u", "v", "speed", "zero_of_yaw")
 SHOWN_BY: dict[str, tuple[tuple[str, ...], ...]] = {
     state: (*((name,) for name, kind in KINDS.items() if state in kind.shows), *_TOGETHER.get(state, ()))
     for state in _STATES
 }
-"""Sets of kinds of readings, by the state that each of them shows. What is not listed is known without readings."""
+"""Sets of kinds of readings, by the state that each of them shows. What is not listed is known without readings.
+
+A gyroscope shows the yaw but for a constant, a compass `zero_of_yaw` too.
+"""
 
 
 class Told(NamedTuple):
@@ -54,15 +58,18 @@ def own_state(kind: str) -> tuple[str, ...]:
 def told_by(entry: Entry) -> tuple[Told, ...]:
     """Errors of readings that an entry is made of; () for an entry of motion, and for errors in time alone.
 
-    An error of the catalogue is told in terms of what its reading shows where it changes the slope of that reading.
+    An error of the catalogue is told in terms of what it says itself, or of what its reading shows where it changes the
+    slope of that reading.
     """
     if entry.form is not None:
         factors = entry.form.product.factors
         return (Told((entry.form.of,), tuple(factor.name for factor in factors)),) if entry.topic else ()
     if entry.id not in ERRORS:
         return ()
-    changes = ERRORS[entry.id].changes
+    error, changes = ERRORS[entry.id], ERRORS[entry.id].changes
     wrong = tuple(change.kind for change in changes)
+    if error.told_by:
+        return (Told(wrong, error.told_by),)
     return tuple(Told(wrong, own_state(change.kind)) for change in changes if change.slope)
 
 

@@ -74,6 +74,7 @@ from cocorosim_ros.world.terms.blocks import (
     VFZ,
     VW,
 )  # fmt: skip
+from cocorosim_ros.world.terms.motors import Motors
 from cocorosim_ros.world.vehicle_model.vehicles import Body
 
 
@@ -213,6 +214,7 @@ def _filter(
 ) -> None:  # fmt: skip
     sensor, noise, reading_variance = numbers.sensor, numbers.random_force, numbers.reading_variance
     row, seen, gain, water = motion.row, stack_array(12), stack_array(12), stack_array(4)
+    motors = Motors(body.is_pump, body.actuator_curve, body.actuator_limit)
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
     grown = NewVariance(fade.new_force, fade.new_common, fade.new_gust)
     keep = belief.history.after.shape[0] > 0
@@ -229,7 +231,7 @@ def _filter(
             if is_of_water(kind):
                 relative_velocity(row, time, body, water)
             when = When(readings.stamp[index], after, readings.apart[index], readings.side[index])
-            shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water)
+            shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water, motors)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
             if is_upright(kind):
@@ -266,6 +268,7 @@ def _slope(
     sensor, noise, step = numbers.sensor, numbers.random_force, numbers.step
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
     row, water = motion.row, stack_array(4)
+    motors = Motors(body.is_pump, body.actuator_curve, body.actuator_limit)
     for point in range(readings.first.shape[0] - 1):
         time = readings.begin + point * readings.step
         advance(motion, Clock(time, readings.step, fade), drive, point, body)
@@ -274,7 +277,7 @@ def _slope(
             if is_of_water(kind):
                 relative_velocity(row, time, body, water)
             when = When(readings.stamp[index], readings.after[index], readings.apart[index], readings.side[index])
-            shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water)
+            shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water, motors)
             # A reading beyond the gate pulls by the same amount under every model.
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:

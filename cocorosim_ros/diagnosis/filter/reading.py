@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,10 +13,16 @@ from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import changes_of
-from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.sensors.sensor_error import TAKEN
+from cocorosim_ros.world.state.state import STATE_SIZE, YAW, YAW_RATE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
+from cocorosim_ros.world.terms.motors import Motors
 
 Functions = dict[str, Any]
+
+
+_HEADING = f"row[{YAW}] + when.after * row[{YAW_RATE}]"
+_TAKEN = dict(zip(TAKEN, ("row", _HEADING, "water", "motors"), strict=True))
 
 
 def _numbers(columns: list[int]) -> str:
@@ -30,16 +36,17 @@ def _expected_lines() -> tuple[list[str], Functions]:
         lines += [f"if kind == {code}:", f"    shown = truth = foresee_{code}(when, row, rates, water)"]
         for number, (change, columns) in enumerate(changes_of(name)):
             functions[f"shown_{code}_{number}"] = change.foreseen or change.shown
-            lines.append(f"    shown = shown_{code}_{number}(shown, truth, when.stamp, {_numbers(columns)})")
+            taken = "".join(f"{_TAKEN[name]}, " for name in change.takes)
+            lines.append(f"    shown = shown_{code}_{number}(shown, truth, when.stamp, {taken}{_numbers(columns)})")
         lines.append("    return shown")
     return [*lines, "return math.nan"], {**functions, "math": math}
 
 
-expected = compile_lines("expected", "kind, when, row, rates, sensor, water", *_expected_lines())
-"""Expected reading of a kind, in the unit of the kind; `row` is the state at the grid point.
+expected = compile_lines("expected", "kind, when, row, rates, sensor, water, motors", *_expected_lines())
+"""Expected reading of a kind, in the unit of the kind; `row` is the state at the grid point, forces behind it.
 
 when: records.When; rates: records.Rates. sensor: the numbers of the errors, by
-errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone.
+errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone. motors: of the robot.
 """
 
 
@@ -50,13 +57,18 @@ def _sensitivity_lines(upright: bool) -> tuple[list[str], Functions]:
         if kind.upright != upright:
             continue
         functions[f"sensitivity_{code}"] = kind.sensitivity
-        slopes = []
+        slopes: dict[int, str] = {}
         for number, (change, columns) in enumerate(changes_of(name)):
             if change.slope is not None:
                 functions[f"slope_{code}_{number}"] = change.slope
-                slopes.append(f"slope_{code}_{number}(row, {_numbers(columns)})")
-        slope = " * ".join(slopes) or "1.0"
+                slopes[number] = f"slope_{code}_{number}(row, {_numbers(columns)})"
+        slope = " * ".join(slopes.values()) or "1.0"
         lines += [f"if kind == {code}:", f"    sensitivity_{code}(after, row, {slope}, rates, seen)"]
+        for number, (change, columns) in enumerate(changes_of(name)):
+            if change.aside is not None:
+                functions[f"aside_{code}_{number}"] = change.aside
+                behind = " * ".join(each for later, each in slopes.items() if later > number) or "1.0"
+                lines.append(f"    aside_{code}_{number}(after, row, {behind}, seen, {_numbers(columns)})")
     return lines, functions
 
 
@@ -90,12 +102,18 @@ def deviation(kind: int, value: float, expected: float) -> float:
     return difference
 
 
-@allocating_kernel
-def expected_along(kind: int, states: Floats, water: Floats, stamps: Floats, sensor: Floats, shown: Floats) -> None:
-    """Write into `shown` (n,) what readings of one kind show in the states (n, STATE_SIZE or more) at `stamps` [s].
+class Along(NamedTuple):
+    """Moments of a course at which readings are expected."""
 
-    water: velocities through the water (n, 4), for kinds that are `of_water` alone.
-    """
+    stamps: Floats  # (n,) [s]
+    states: Floats  # (n, STATE_SIZE + actuators) states, and forces of the actuators [N]
+    water: Floats  # (n, 4) velocities through the water, for kinds that are `of_water` alone
+
+
+@allocating_kernel
+def expected_along(kind: int, along: Along, motors: Motors, sensor: Floats, shown: Floats) -> None:
+    """Write into `shown` (n,) what readings of one kind show along a course, with the errors of `sensor`."""
     rates = Rates(np.zeros(STATE_SIZE), np.zeros(STATE_SIZE))
-    for index in range(len(stamps)):
-        shown[index] = expected(kind, When(stamps[index], 0.0, 0.0, 0.0), states[index], rates, sensor, water[index])
+    for index in range(len(along.stamps)):
+        when = When(along.stamps[index], 0.0, 0.0, 0.0)
+        shown[index] = expected(kind, when, along.states[index], rates, sensor, along.water[index], motors)

@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.catalogue.shown_by import can_be_told
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.evidence.clocks import has_clock_of_commands
 from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import HAS
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -190,6 +191,8 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
         if entry.needs_neighbours and len(numbers) < 2:
             continue
         if entry.needs_above_water and not any(tracks[0].vehicle.above_water):
+            continue
+        if not all(HAS[need](tracks[0].vehicle) for need in entry.needs):
             continue
         concerned = tuple(name for name in numbers if _shows(entry, [tracks[index] for index in numbers[name]]))
         if not concerned:

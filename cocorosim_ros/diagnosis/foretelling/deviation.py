@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
-from cocorosim_ros.diagnosis.filter.reading import expected_along
+from cocorosim_ros.diagnosis.filter.reading import Along, expected_along
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
@@ -13,6 +13,9 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.motion.dynamics import relative_velocity
 from cocorosim_ros.world.sensors import KINDS, SENSORS
+from cocorosim_ros.world.sensors.errors import NEUTRAL, changes_of
+from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.terms.motors import Motors
 
 RECORDED = {topic: sensor.recorded for topic, sensor in SENSORS.items() if sensor.recorded and sensor.recorded.drawn}
 KIND_OF_TOPIC = {topic: KIND_NAMES.index(recorded.drawn) for topic, recorded in RECORDED.items()}
@@ -36,7 +39,10 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
     water = _through_water(track, kind, moment, state, row)
-    shown = _shown(kind, state, water, stamp, row)
+    motors, forces = _motors(track, kind, moment, row)
+    along = Along(stamp, np.column_stack([state[:, :STATE_SIZE], forces]), water)
+    shown = np.empty(len(stamp))
+    expected_along(kind, along, motors, row[SENSORS_IN_ROW], shown)
     deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - shown
     return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind in ANGLES else deviation
 
@@ -54,8 +60,22 @@ def _through_water(track: Track, kind: int, moment: Floats, state: Floats, row: 
     return water
 
 
-def _shown(kind: int, state: Floats, water: Floats, stamp: Floats, row: Floats) -> Floats:
-    """Readings (n,) of one kind that a sensor with the numbers in `row` shows in the states (n, 8 or more)."""
-    shown = np.empty(len(stamp))
-    expected_along(kind, state, water, stamp, row[SENSORS_IN_ROW], shown)
-    return shown
+def _motors(track: Track, kind: int, moment: Floats, row: Floats) -> tuple[Motors, Floats]:
+    """Make the motors and their forces (n, actuators) [N] at moments (n,) [s]; none where readings do not feel them.
+
+    A force is a mean from each grid point to the next, and belongs to the middle between them.
+    """
+    if not _feels_motors(kind, row[SENSORS_IN_ROW]):
+        return Motors(np.zeros(0, dtype=np.bool_), np.zeros((0, 0)), np.zeros((0, 2))), np.zeros((len(moment), 0))
+    vehicle, middle = track.actuation.vehicle, track.timeline.grid.moments + 0.5 * track.timeline.grid.step
+    forces = track.actuation.drive(row).force.T[: len(vehicle.is_pump)]
+    force = np.array([np.interp(moment, middle, each) for each in forces]).T
+    return Motors(vehicle.is_pump, vehicle.actuator_curve, vehicle.actuator_limit), force
+
+
+def _feels_motors(kind: int, numbers: Floats) -> bool:
+    """Tell whether the errors of a kind of readings, by numbers in the order of NEUTRAL, depend on what motors do."""
+    return any(
+        "motors" in change.takes and any(numbers[column] != NEUTRAL[column] for column in columns)
+        for change, columns in changes_of(KIND_NAMES[kind])
+    )

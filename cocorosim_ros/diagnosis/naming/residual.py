@@ -45,6 +45,8 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
         _driven(tracks, seen),
         drag_form,
         tracks[0].vehicle.above_water,
+        tracks[0].vehicle.height,
+        tracks[0].vehicle.weight,
     )
 
 

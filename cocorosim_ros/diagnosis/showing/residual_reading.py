@@ -77,7 +77,8 @@ def _product(effect: FoundEffect, topic: str) -> Product:
     if effect.id == "sensor_latency":
         # A late stream is off by its rate of change times the delay, a wrong clock ever more as time goes on.
         return Product(Factor(RECORDED[topic].late_with))
-    return Product(Factor(ERRORS[effect.id].against if effect.id in ERRORS else "t"))
+    against = ERRORS[effect.id].against if effect.id in ERRORS else "t"
+    return Product(Factor(against.strip("|"), signed=not against.startswith("|")))
 
 
 def _along(product: Product, stamp: Floats, track: Track, course: Smoothed, row: Floats) -> Floats:

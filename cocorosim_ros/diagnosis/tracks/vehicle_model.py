@@ -55,6 +55,8 @@ class VehicleModel:
     intervals: Ranges  # 95 % intervals of numbers that were measured
     hull: float  # length of the hull [m]
     arm: float  # mean distance of the thrusters before the centre [m]
+    height: float  # of the hull [m]
+    weight: float  # in air [N]
     surroundings: RecordedSurroundings = OPEN_WATER
     tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
 
@@ -163,6 +165,8 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         platform.intervals,
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
+        platform.hull.height,
+        platform.mass * platform.gravity,
     )
 
 

@@ -12,8 +12,8 @@ from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
-# The Lily for which the catalogue gives sizes: N, N m, kg, kg m^2, m/s, rad/s.
-LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48}
+# The Lily for which the catalogue gives sizes: N, N m, kg, kg m^2, m/s, rad/s, m.
+LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48, "length": 0.13}
 SCALED: dict[str, Callable[[Mapping[str, float]], float]] = {
     "N": lambda share: share["force"],
     "N/s": lambda share: share["force"],
@@ -31,13 +31,14 @@ SCALED: dict[str, Callable[[Mapping[str, float]], float]] = {
     "s/m": lambda share: 1.0 / share["speed"],
     "m/s^2": lambda share: share["force"] / share["mass"],
     "rad/s": lambda share: share["turn"],
+    "m": lambda share: share["length"],
 }
 """Factor of an amplitude by its unit, as a function of the vehicle's share of each entry of LILY.
 
-A linear drag [N s/m], for one, grows with full force over full speed. Lengths and times are not scaled.
+A linear drag [N s/m], for one, grows with full force over full speed. Times are not scaled.
 """
-UNSCALED = ("1", "m", "s", "Hz", "rad", "Pa", "Pa/s", "s/s")
-"""Units of amplitudes that are as large for every vehicle: pure numbers, lengths, errors of sensors and clocks."""
+UNSCALED = ("1", "s", "Hz", "rad", "Pa", "Pa/s", "s/s")
+"""Units of amplitudes that are as large for every vehicle: pure numbers, errors of sensors and clocks."""
 LILY_SIZES: Mapping[str, float] = dict.fromkeys((*SCALED, *UNSCALED), 1.0)
 """Factors for a Lily, which are 1, for every unit that an amplitude may have."""
 
@@ -103,6 +104,7 @@ def sizes(vehicle: VehicleModel) -> Mapping[str, float]:
         "mass": vehicle.mass,
         "inertia": vehicle.yaw_inertia,
         "speed": math.sqrt(force / drag) if drag > 0.0 else LILY["speed"],
+        "length": vehicle.hull,
         "turn": math.sqrt(moment / yaw_drag) if yaw_drag > 0.0 else LILY["turn"],
     }
     share = {name: size[name] / LILY[name] if size[name] > 0.0 else 1.0 for name in LILY}

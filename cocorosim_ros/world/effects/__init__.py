@@ -15,8 +15,10 @@ from cocorosim_ros.world.effects.advance_loss import ADVANCE_LOSS
 from cocorosim_ros.world.effects.anisotropic_drag import ANISOTROPIC_DRAG
 from cocorosim_ros.world.effects.battery_sag import BATTERY_SAG
 from cocorosim_ros.world.effects.buoyancy_trim import BUOYANCY_TRIM
+from cocorosim_ros.world.effects.density_gradient import DENSITY_GRADIENT
 from cocorosim_ros.world.effects.eddy import EDDY
 from cocorosim_ros.world.effects.hull_compressibility import HULL_COMPRESSIBILITY
+from cocorosim_ros.world.effects.hull_emergence import HULL_EMERGENCE
 from cocorosim_ros.world.effects.hull_lift import HULL_LIFT
 from cocorosim_ros.world.effects.law import LAW
 from cocorosim_ros.world.effects.linear_drag import LINEAR_DRAG
@@ -30,8 +32,10 @@ from cocorosim_ros.world.effects.quadratic_drag import QUADRATIC_DRAG
 from cocorosim_ros.world.effects.reverse_loss import REVERSE_LOSS
 from cocorosim_ros.world.effects.rudder import RUDDER
 from cocorosim_ros.world.effects.sheared_current import SHEARED_CURRENT
+from cocorosim_ros.world.effects.side_thrust_lever import SIDE_THRUST_LEVER
 from cocorosim_ros.world.effects.steady_current import STEADY_CURRENT
 from cocorosim_ros.world.effects.stratification import STRATIFICATION
+from cocorosim_ros.world.effects.surface_loss import SURFACE_LOSS
 from cocorosim_ros.world.effects.tether import TETHER
 from cocorosim_ros.world.effects.thruster_asymmetry import THRUSTER_ASYMMETRY
 from cocorosim_ros.world.effects.thruster_deadband import THRUSTER_DEADBAND
@@ -76,6 +80,10 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "misplaced_root_drag": MISPLACED_ROOT_DRAG,
     "hull_lift": HULL_LIFT,
     "wind": WIND,
+    "density_gradient": DENSITY_GRADIENT,
+    "hull_emergence": HULL_EMERGENCE,
+    "side_thrust_lever": SIDE_THRUST_LEVER,
+    "surface_loss": SURFACE_LOSS,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

@@ -28,7 +28,7 @@ def hull_compressibility(row: Floats, relative: Floats, moment: Moment, paramete
 
 HULL_COMPRESSIBILITY = Effect(
     summary="hull that shrinks with depth",
-    opposite="water that grows denser with depth, or a hull that swells",
+    opposite="hull that swells with depth",
     equation="Z = -gradient * depth",
     wrench=hull_compressibility,
     parameters=(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP, TURN
+from cocorosim_ros.world.sensors.influences import PLACE, PUMP, TURN
 from cocorosim_ros.world.sensors.pose import by_heading, heading
 from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
@@ -34,7 +34,7 @@ COMPASS = Sensor(
     kinds=(
         Kind("compass", "heading", "rad", heading, by_heading, ("compass", None), angle=True,
              noise_words="a reading of the compass", least_noise=1e-3, least_motion=0.02, large_error=0.05,
-             error_follows=(*MOTORS, *PUMP, *PLACE, "t", "u", "v", "w", "speed", "|r|", "|r|*r",
+             error_follows=("thrust", "yaw_command", *PUMP, *PLACE, "t", "u", "v", "w", "speed", "|r|", "|r|*r",
                             "|thrust|*sin_yaw", "|thrust|*cos_yaw", "sin_yaw*cos_yaw", "cos_yaw*cos_yaw"),
              most_error=MostError(0.5), shows=TURN),  # iron in the hull; more is another frame
     ),

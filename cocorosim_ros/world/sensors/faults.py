@@ -8,10 +8,16 @@ from typing import Any, NamedTuple
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import wrap_angle
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import changes_of
 from cocorosim_ros.world.sensors.readings import Readings
+from cocorosim_ros.world.sensors.sensor_error import TAKEN
+from cocorosim_ros.world.state.state import YAW
+from cocorosim_ros.world.terms.motors import Motors
+
+_TAKEN = dict(zip(TAKEN, ("row", f"row[{YAW}]", "water", "motors"), strict=True))
 
 
 class Faults(NamedTuple):
@@ -34,19 +40,26 @@ def _lines() -> tuple[list[str], dict[str, Callable[..., Any]]]:
         lines.append(f"truth = {place}")
         for number, (change, columns) in enumerate(changes):
             functions[f"shown_{code}_{number}"] = change.shown
-            numbers = ", ".join(f"own[{each}]" for each in columns)
+            numbers = ", ".join((*(_TAKEN[each] for each in change.takes), *(f"own[{each}]" for each in columns)))
             lines.append(f"{place} = shown_{code}_{number}({place}, truth, time, {numbers})")
         if kind.angle:
             lines.append(f"{place} = wrap_angle({place})")
     return lines, functions
 
 
-_add_errors_of = compile_lines("_add_errors_of", "readings, run, robot, time, own", *_lines())
+_add_errors_of = compile_lines("_add_errors_of", "readings, run, robot, time, own, row, water, motors", *_lines())
 
 
 @kernel
-def add_errors(time: float, error: Floats, readings: Readings) -> None:
-    """Change the readings of all robots at `time` [s] by their errors (robots, ERROR_COLUMNS)."""
+def add_errors(time: float, error: Floats, state: Floats, motors: Motors, readings: Readings) -> None:
+    """Change the readings of all robots at `time` [s], in `state`, by their errors (robots, ERROR_COLUMNS).
+
+    motors: of all robots, each array with the leading axes (runs, robots).
+    """
+    water = stack_array(4)
     for run in range(readings.compass.shape[0]):
         for robot in range(error.shape[0]):
-            _add_errors_of(readings, run, robot, time, error[robot])
+            for axis in range(4):
+                water[axis] = readings.velocity[run, robot, axis]
+            own = Motors(motors.is_pump[run, robot], motors.curve[run, robot], motors.limit[run, robot])
+            _add_errors_of(readings, run, robot, time, error[robot], state[run, robot], water, own)

@@ -7,7 +7,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.influences import HEADING, PLACE, TURN
+from cocorosim_ros.world.sensors.influences import PLACE, TURN
 from cocorosim_ros.world.sensors.sensor import Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.blocks import HR, HU, HV, HX, HY, HYAW, VW, VZ
@@ -15,7 +15,7 @@ from cocorosim_ros.world.terms.blocks import HR, HU, HV, HX, HY, HYAW, VW, VZ
 # mypy: disable-error-code="no-any-return"
 When = tuple[float, float, float, float]
 Rates = tuple[Floats, Floats]
-_BENT = (*HEADING, "x*x", "y*y", "x*y")  # a mark off the robot's middle, a lens that bends
+_BENT = ("x*x", "y*y", "x*y")  # a lens that bends
 
 
 @kernel

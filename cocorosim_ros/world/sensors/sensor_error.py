@@ -12,15 +12,21 @@ from cocorosim_ros.world.terms.effect import Description
 from cocorosim_ros.world.terms.search import Search
 
 Hook = Callable[..., Any]
+TAKEN = ("row", "heading", "water", "motors")
+"""What an error may depend on beside its own reading: the state at the grid point or tick next to the reading, the
+heading [rad] at the reading itself, the velocity through the water (4,) [m/s, rad/s; body], and terms.motors.Motors."""
 
 
 @dataclass(frozen=True)
 class Change:
     """How an error changes one number of a reading; `numbers` are those of its parameters that it takes.
 
-    shown(value, truth, stamp, *numbers) returns what is shown in place of `value`, which other errors may have changed,
-    where an ideal sensor would show `truth` at `stamp` [s]. slope(row, *numbers) returns its derivative by the truth
-    at the state `row`; None where that is 1. foreseen: `shown` in the filter, where it needs other functions.
+    shown(value, truth, stamp, *takes, *numbers) returns what is shown in place of `value`, which other errors may have
+    changed, where an ideal sensor would show `truth` at `stamp` [s]. slope(row, *numbers) returns its derivative by the
+    truth at the state `row`; None where that is 1. foreseen: `shown` in the filter, where it needs other functions.
+    takes: what else `shown` is given, names of TAKEN. aside(after, row, slope, seen, *numbers) adds the derivative by
+    other numbers of the state to `seen`, as `sensitivity` of sensors.sensor.Kind does; `slope` is that of the errors
+    behind this one. None where there is none.
     """
 
     kind: str  # of sensors.KINDS
@@ -28,6 +34,8 @@ class Change:
     shown: Hook
     slope: Hook | None = None
     foreseen: Hook | None = None
+    takes: tuple[str, ...] = ()
+    aside: Hook | None = None
 
 
 @dataclass(frozen=True)
@@ -47,7 +55,10 @@ class SensorError(Description):
     """One way in which instruments, cameras or clocks are wrong by a law; what is random is sensors.corruption.
 
     sensor: the topic that it is of; '' for all. beside: errors of the same sensor all numbers of which are fitted with
-    it, because the one does not come without the other. against: the regressor along which the report draws it.
+    it, because the one does not come without the other. against: the regressor, or |its amount|, along which the report
+    draws it.
+    told_by: states that other readings have to show for the error to be told (diagnosis.catalogue.shown_by), where its
+    slopes do not say it.
     """
 
     sensor: str = ""
@@ -55,6 +66,7 @@ class SensorError(Description):
     streams: OfEveryStream | None = None
     beside: tuple[str, ...] = ()
     against: str = "t"
+    told_by: tuple[str, ...] = ()
 
 
 @kernel

@@ -54,6 +54,7 @@ class Description:
     search: Search | None = None
     above_water: bool = False  # whether it acts on what stands above the water, and is nothing without
     neighbours: bool = False  # whether it looks at other robots (Moment.neighbours) and is nothing without them
+    needs: tuple[str, ...] = ()  # what a vehicle must have to show it, names of fitting.vehicle_needs in the diagnosis
 
     @property
     def numbers(self) -> tuple[Number, ...]:

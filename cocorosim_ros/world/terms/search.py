@@ -31,6 +31,8 @@ class Scene(NamedTuple):
     driven: bool
     drag_form: float = 0.0
     above_water: tuple[float, float] = (0.0, 0.0)  # areas as seen from ahead and from the side [m^2]
+    height: float = 0.0  # of the hull [m]
+    weight: float = 0.0  # in air [N]
 
 
 @dataclass(frozen=True, kw_only=True)

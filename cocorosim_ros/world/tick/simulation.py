@@ -21,6 +21,7 @@ from cocorosim_ros.world.state.neighbourhood import Neighbourhood, empty_neighbo
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_SIZE, Inbox
 from cocorosim_ros.world.state.state import YAW, X, row_size
 from cocorosim_ros.world.surroundings.neighbours import Neighbours, NeighbourSearch
+from cocorosim_ros.world.terms.motors import Motors
 from cocorosim_ros.world.tick.deciding import Answers, decide, speak
 from cocorosim_ros.world.tick.divergence import check_motion
 from cocorosim_ros.world.tick.exchange import Exchange
@@ -115,7 +116,9 @@ class Simulation:
             wanted = self._wants.neighbours
             exact_neighbours(self.state, wanted, EXACT_RANGE, self._neighbours, self.neighbourhood)
         if world.faults is not None:
-            add_errors(self.time_ns * 1e-9, world.faults.error, self.readings)
+            vehicles = self.water.vehicles
+            motors = Motors(vehicles.is_pump, vehicles.actuator_curve, vehicles.actuator_limit)
+            add_errors(time, world.faults.error, self.state, motors, self.readings)
             for late in self._late:
                 late.apply(self.readings)
         for channel in self._corruption:

@@ -10,10 +10,15 @@ from cocorosim_ros.world.sensors.errors.compass_distortion import COMPASS_DISTOR
 from cocorosim_ros.world.sensors.errors.frame_mixup import FRAME_MIXUP
 from cocorosim_ros.world.sensors.errors.gyro_scale import GYRO_SCALE
 from cocorosim_ros.world.sensors.errors.imu_bias import IMU_BIAS
+from cocorosim_ros.world.sensors.errors.motor_field import MOTOR_FIELD
+from cocorosim_ros.world.sensors.errors.pose_heading import POSE_HEADING
+from cocorosim_ros.world.sensors.errors.pose_lever import POSE_LEVER
 from cocorosim_ros.world.sensors.errors.pressure_drift import PRESSURE_DRIFT
 from cocorosim_ros.world.sensors.errors.pressure_gain import PRESSURE_GAIN
 from cocorosim_ros.world.sensors.errors.pressure_offset import PRESSURE_OFFSET
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS, SENSOR_LATENCY
+from cocorosim_ros.world.sensors.errors.speed_log_misalignment import SPEED_LOG_MISALIGNMENT
+from cocorosim_ros.world.sensors.errors.speed_log_scale import SPEED_LOG_SCALE
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
 
 ERRORS: dict[str, SensorError] = {
@@ -23,7 +28,12 @@ ERRORS: dict[str, SensorError] = {
     "pressure_drift": PRESSURE_DRIFT,
     "gyro_scale": GYRO_SCALE,
     "imu_bias": IMU_BIAS,
+    "pose_lever": POSE_LEVER,
+    "pose_heading": POSE_HEADING,
     "camera_scale": CAMERA_SCALE,
+    "motor_field": MOTOR_FIELD,
+    "speed_log_misalignment": SPEED_LOG_MISALIGNMENT,
+    "speed_log_scale": SPEED_LOG_SCALE,
     "sensor_latency": SENSOR_LATENCY,
     "clock_skew": CLOCK_SKEW,
     "frame_mixup": FRAME_MIXUP,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError, multiplied, multiplied_slope
 from cocorosim_ros.world.terms.effect import Example, Number
+from cocorosim_ros.world.terms.groups import MEASURE
 from cocorosim_ros.world.terms.search import Search, Strength
 
 CAMERA_SCALE = SensorError(
@@ -25,6 +26,6 @@ CAMERA_SCALE = SensorError(
     sensor="pose",
     changes=tuple(Change(kind, ("scale",), multiplied, multiplied_slope) for kind in ("pose_x", "pose_y", "pose_z")),
     against="x",
-    search=Search(channel="pose", topic="pose", manoeuvre="ruler"),
+    search=Search(channel="pose", group=MEASURE, topic="pose", manoeuvre="ruler"),
     check="Measure a known length in the camera's picture, at the depth where the robots swim.",
 )

@@ -1,0 +1,103 @@
+"""Denser water, a hull that leaves the water, thrust lost at the surface and to the side: named with their numbers.
+
+The swims are the simulator's; what an effect does is compared with closed forms in test/world/motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.fitting.candidate import expand
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import HAS
+from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+
+SECONDS = 150.0
+
+
+def lily() -> Any:
+    """A Lily as she is."""
+    return load_platform("lily")
+
+
+def tall() -> Any:
+    """A Lily with a mast: 0.3 m from keel to top."""
+    plain = load_platform("lily")
+    return replace(plain, hull=replace(plain.hull, height=0.3))
+
+
+def sideways() -> Any:
+    """A Lily with a thruster to the side, 30 mm before the middle, in place of the pump."""
+    plain = load_platform("lily")
+    bow = Thruster("bow", (0.03, 0.0, 0.0), (0.0, 1.0, 0.0), 0.05)
+    return replace(plain, actuators=(*plain.actuators[:2], bow))
+
+
+def hiding(platform: Any, effect: str, numbers: dict[str, float]) -> Any:
+    """The platform with an effect."""
+    from cocorosim_ros.world.effects import EFFECTS
+
+    units = {part.name: part.unit for part in EFFECTS[effect].parameters}
+    hidden = {name: Quantity(value, units[name], dimension_of(units[name])) for name, value in numbers.items()}
+    return replace(platform, effect_quantities={effect: hidden})
+
+
+CASES = [
+    pytest.param(lily, "density_gradient", {"gradient": 2e-3}, {"gradient": 2e-3}, 31, id="density_gradient"),
+    pytest.param(
+        tall, "hull_emergence", {"share": 0.06, "height": 0.3, "weight": 0.44 * 9.81}, {"share": 0.06}, 46, id="hull"
+    ),
+    pytest.param(sideways, "side_thrust_lever", {"lever": 0.006}, {"lever": 0.006}, 31, id="side_thrust_lever"),
+    pytest.param(lily, "surface_loss", {"loss": 0.5, "reach": 0.26}, {"loss": 0.5}, 46, id="surface_loss"),
+]
+
+
+@pytest.mark.parametrize(("make", "effect", "hidden", "numbers", "seed"), CASES)
+def test_it_is_named_with_its_number(
+    swim: Any, make: Any, effect: str, hidden: dict[str, float], numbers: dict[str, float], seed: int
+) -> None:
+    """It alone; the truth lies in the 95 % interval, which is narrower than the number itself."""
+    platform = make()
+    found = diagnose(
+        swim(hiding(platform, effect, hidden), SECONDS, seed=seed, base=platform), lambda words, share: None
+    )
+    assert [each.id for each in found.effects] == [effect]
+    for name, true in numbers.items():
+        estimate = found.effects[0].parameters[name]
+        assert estimate.holds(true) and estimate.high - estimate.low < true, estimate
+
+
+@pytest.mark.parametrize(("make", "seed"), [(tall, 46), (sideways, 31)])
+def test_nothing_is_named_where_nothing_is_wrong(swim: Any, make: Any, seed: int) -> None:
+    """The same swims without the effects."""
+    found = diagnose(swim(make(), SECONDS, seed=seed), lambda words, share: None)
+    assert [each.id for each in found.effects] == []
+
+
+def test_denser_water_and_a_hull_that_swells_are_named_together(swim: Any) -> None:
+    """One robot's recording cannot tell them: the other one is among what it is confused with."""
+    hidden = hiding(lily(), "density_gradient", {"gradient": 2e-3})
+    found = diagnose(swim(hidden, SECONDS, seed=31, base=lily()), lambda words, share: None)
+    assert "hull_compressibility" in [rival.id for rival in found.effects[0].ambiguous_with]
+
+
+def test_what_a_vehicle_cannot_show_is_not_looked_for(swim: Any) -> None:
+    """A Lily has no thruster to the side, and a hull of 70 mm; what drifts has no motor."""
+    tracks = make_tracks(swim(lily(), 30.0))
+    asked = {candidate.entry.id for candidate in expand(ENTRIES, tracks, tracks[0].vehicle.row[None])}
+    assert not {"side_thrust_lever", "hull_emergence", "speed_log_scale", "speed_log_misalignment"} & asked
+    assert {"density_gradient", "surface_loss", "motor_field", "pose_heading", "pose_lever"} <= asked
+    drifting = replace(lily(), actuators=lily().actuators[2:])
+    for make, having in (
+        (lily, {"thrusters"}), (tall, {"thrusters", "tall_hull"}), (sideways, {"thrusters", "side_thrusters"}),
+        (lambda: drifting, set()),
+    ):  # fmt: skip
+        assert {name for name, has in HAS.items() if has(vehicle_model(make()))} == having
