@@ -24,3 +24,14 @@ def parts(count: int, wanted: list[str]) -> list[Part]:
         Part("medium_3", round(0.15 * count), ("--kind", "single", "--size", "0.5", "--noise", "0.03")),
     ]
     return [part for part in every if part.count and (not wanted or part.name in wanted)]
+
+
+def families_parts(count: int, word: str) -> list[Part]:
+    """Parts of a trial of families: what the prior draws, and more of what a small trial would have too few of."""
+    words = ("--families", word)
+    every = [
+        Part("families", count, words),
+        Part("families_medium_1", round(0.3 * count), (*words, "--kind", "single", "--size", "0.5", "--noise", "0.01")),
+        Part("families_outside", round(0.2 * count), (*words, "--kind", "outside")),
+    ]
+    return [part for part in every if part.count]
