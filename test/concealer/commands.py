@@ -21,6 +21,9 @@ def _conceal(options: argparse.Namespace) -> int:
     numbers = prior.load(options.prior)
     if options.families:
         numbers["families"] = families.table_of(options.families)
+    if options.formed:
+        formed = numbers["families"]["forms_of"]
+        numbers["effects"] = {name: spec for name, spec in numbers["effects"].items() if name in formed}
     indices = range(options.first, options.first + options.count)
     begun = time.monotonic()
     for name in conceal(options.out, numbers, options.seed, indices, wish, options.jobs):
@@ -78,6 +81,7 @@ def parser() -> argparse.ArgumentParser:
         "--families", default="", help="public word that gives the numbers of sealed families; none if left out"
     )
     one.set_defaults(run=_conceal)
+    one.add_argument("--formed", action="store_true", help="with --families: only effects whose form is drawn")
     table = commands.add_parser("families", help="the table of families that a public word gives, and its hash")
     table.add_argument("word")
     table.set_defaults(run=_families)

@@ -27,11 +27,12 @@ def parts(count: int, wanted: list[str]) -> list[Part]:
 
 
 def families_parts(count: int, word: str) -> list[Part]:
-    """Parts of a trial of families: what the prior draws, and more of what a small trial would have too few of."""
+    """Parts of a trial of families of a public word: what the prior draws, medium effects whose form is drawn, laws."""
     words = ("--families", word)
+    medium = ("--kind", "single", "--formed", "--size", "0.5", "--noise", "0.01")
     every = [
         Part("families", count, words),
-        Part("families_medium_1", round(0.3 * count), (*words, "--kind", "single", "--size", "0.5", "--noise", "0.01")),
-        Part("families_outside", round(0.2 * count), (*words, "--kind", "outside")),
+        Part("families_forms", round(0.5 * count), (*words, *medium)),
+        Part("families_outside", round(0.25 * count), (*words, "--kind", "outside")),
     ]
     return [part for part in every if part.count]
