@@ -68,14 +68,19 @@ def fit_gain(p: FloatArray, rows: FloatArray, commands: FloatArray, k: int) -> f
     """The gain with which the plain force, fitted to what the form makes of it, has the coefficient 1."""
     plain = force_series(p, rows, commands, k, True) / UNIT
     made = force_series(p, rows, commands, k, False) / UNIT
-    return float(np.sum(plain**2) / np.sum(plain * made))
+    return float(np.sum(plain**2) / np.sum(plain * made)) if plain.any() else 1.0
 
 
 def nearest(
     effect: str, p: FloatArray, rows: FloatArray, commands: FloatArray, k: int
 ) -> tuple[dict[str, float], float]:
-    """Parameters of the table's law that are fitted, and the share of the concealed force's rms that they leave."""
+    """Parameters of the table's law that are fitted, and the share of the concealed force's rms that they leave.
+
+    None where the recording never feels the force: then the numbers that were put in are as good as any.
+    """
     hidden = force_series(p, rows, commands, k, False) / UNIT
+    if not hidden.any():
+        return {}, 0.0
     wide, begin = p.copy(), at.SIZE + k * BLOCK
     for place, value in LIMITS.get(effect, {}).items():
         wide[begin + place] = value

@@ -138,6 +138,19 @@ def test_the_nearest_drag_of_a_fractional_one_is_a_quotient_of_beta_functions() 
     assert fit_gain(p, rows, commands, 0) == pytest.approx(1.0 / quotient, rel=1e-4)
 
 
+def test_a_force_that_is_never_felt_keeps_its_numbers() -> None:
+    """A loss in reverse of a robot that never goes backwards: nothing to fit, a gain of 1."""
+    from concealer import layout as at
+    from concealer.forms import BLOCK, KINDS, NUMBER
+    from concealer.nearest import fit_gain, nearest
+
+    p, rows, commands = _wide(reverse_loss=0.1), np.zeros((501, at.ROW)), np.full((100, 3), 0.5)
+    form = p[2 * at.SIZE : at.SIZE + BLOCK]
+    form[0], form[NUMBER] = KINDS["saturating"], 1.5
+    assert fit_gain(p, rows, commands, 0) == 1.0
+    assert nearest("reverse_loss", p, rows, commands, 0) == ({}, 0.0)
+
+
 def test_laws_of_the_grammar_are_new_and_are_what_their_names_say(table: dict[str, Any]) -> None:
     """Names are read as laws, none is one of the table; the force is the product that the name says, over scales."""
     from concealer import layout as at

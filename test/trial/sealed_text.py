@@ -93,7 +93,7 @@ TITLES = {
 }
 FAMILIES = (
     "Forms of laws, noise of sensors, programmes of commands and tanks are drawn from families, laws outside the",
-    "catalogue by a grammar. The numbers of half of the members follow from the seed word, which nobody could choose",
+    "catalogue by a grammar. The numbers of half of the members follow from the seed word, which could not be chosen",
     "before the code was frozen; the hash of the table with all numbers (`families` below) was printed before the tool",
     "ran, and the table is in [trial_families.json](trial_families.json). What is asked for below is what is asked of",
     "the trial without families.",
