@@ -42,7 +42,7 @@ def typestore() -> Any:
     return store
 
 
-def blank(topic: str, frame: str) -> Any:
+def blank(topic: str, frame: str, actuators: list[str]) -> Any:
     """A message of a topic in which all numbers are zero."""
     types = typestore().types
     stamp = types["builtin_interfaces/msg/Time"](0, 0)
@@ -58,16 +58,17 @@ def blank(topic: str, frame: str) -> Any:
         nine = np.zeros(9)
         return kind(header, turn, nine, vector, nine, vector, nine)
     if topic == "thruster_command":
-        return kind(header, ACTUATORS, np.zeros(3))
+        return kind(header, actuators, np.zeros(len(actuators)))
     return kind(header, 0.0, 0.0)
 
 
-def encoded(stream: Stream, robot: str, epoch_ns: int) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
+def encoded(
+    stream: Stream, robot: str, epoch_ns: int, actuators: list[str]
+) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
     """Log times (n,) [ns] and messages (n, bytes) of a stream whose time counts from epoch_ns, in CDR."""
     frame = "world" if stream.topic == "pose" else f"{robot}/base_link"
-    template = np.frombuffer(
-        bytes(typestore().serialize_cdr(blank(stream.topic, frame), TYPES[stream.topic])), np.uint8
-    )
+    empty = blank(stream.topic, frame, actuators)
+    template = np.frombuffer(bytes(typestore().serialize_cdr(empty, TYPES[stream.topic])), np.uint8)
     count, numbers = stream.values.shape
     data = np.tile(template, (count, 1))
     stamps = epoch_ns + np.rint(stream.stamp * 1e9).astype(np.int64)
@@ -84,7 +85,9 @@ def new_writer(path: Path) -> Writer:
     return writer
 
 
-def write(path: Path, robots: dict[str, list[Stream]], epoch_ns: int = EPOCH_NS) -> None:
+def write(
+    path: Path, robots: dict[str, list[Stream]], epoch_ns: int = EPOCH_NS, actuators: list[str] = ACTUATORS
+) -> None:
     """Writes a new recording that begins at epoch_ns; robots by namespace. Raises WriterError if the folder exists."""
     with new_writer(path) as writer:
         times: list[NDArray[np.int64]] = []
@@ -93,7 +96,7 @@ def write(path: Path, robots: dict[str, list[Stream]], epoch_ns: int = EPOCH_NS)
         for robot, streams in robots.items():
             for stream in streams:
                 link = writer.add_connection(f"/{robot}/{stream.topic}", TYPES[stream.topic], typestore=typestore())
-                logged, data = encoded(stream, robot, epoch_ns)
+                logged, data = encoded(stream, robot, epoch_ns, actuators)
                 order += [(link, len(bodies), k) for k in range(len(data))]
                 times.append(logged)
                 bodies.append(data)

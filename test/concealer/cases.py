@@ -112,6 +112,16 @@ class Case:
         right = {name for truth in self.truth["effects"] for name in (truth["id"], *truth.get("twins", []))}
         return bool(right & self.ambiguity_set())
 
+    def right(self) -> bool:
+        """There is a diagnosis, and it says what it should of a recording of this kind."""
+        if self.diagnosis is None:
+            return False
+        if self.kind in ("nothing", "recalibration"):
+            return not self.false_alarm()
+        if self.kind == "outside":
+            return self.flagged() and not self.named_wrongly()
+        return not self.effects if self.kind == "cannot_tell" else self.exact()
+
     def unknowns(self) -> list[str]:
         """Named effects outside the catalogue."""
         return [name for name in self.named if name.startswith("unknown:")]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 import time
 from pathlib import Path
 
-from concealer import prior
+from concealer import families, prior
 from concealer.conceal import conceal
 from concealer.prior import KINDS, Wish
 from concealer.seal import LEDGER, broken_seals
@@ -18,10 +19,21 @@ def _conceal(options: argparse.Namespace) -> int:
     kind = options.kind or (("several" if len(effects) > 1 else "single") if effects else None)
     wish = Wish(kind, effects, options.size, options.noise, options.robots, options.manoeuvre, options.duration)
     numbers = prior.load(options.prior)
+    if options.families:
+        numbers["families"] = families.table_of(options.families)
+    if options.formed:
+        formed = numbers["families"]["forms_of"]
+        numbers["effects"] = {name: spec for name, spec in numbers["effects"].items() if name in formed}
     indices = range(options.first, options.first + options.count)
     begun = time.monotonic()
     for name in conceal(options.out, numbers, options.seed, indices, wish, options.jobs):
         print(f"{name}  {time.monotonic() - begun:.1f} s", flush=True)
+    return 0
+
+
+def _families(options: argparse.Namespace) -> int:
+    table = families.table_of(options.word)
+    print(json.dumps({"sha256": families.digest(table), "table": table}, indent=1))
     return 0
 
 
@@ -65,7 +77,14 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--robots", type=int)
     one.add_argument("--manoeuvre")
     one.add_argument("--duration", type=float, help="s")
+    one.add_argument(
+        "--families", default="", help="public word that gives the numbers of sealed families; none if left out"
+    )
     one.set_defaults(run=_conceal)
+    one.add_argument("--formed", action="store_true", help="with --families: only effects whose form is drawn")
+    table = commands.add_parser("families", help="the table of families that a public word gives, and its hash")
+    table.add_argument("word")
+    table.set_defaults(run=_families)
     two = commands.add_parser("verify", help="check envelopes and recordings against the ledger")
     two.add_argument("trial", type=Path)
     two.set_defaults(run=_verify)

@@ -11,11 +11,14 @@ from typing import Any
 
 from concealer.prior import Wish
 from concealer.recording import make
+from concealer.rov.recording import make as make_rov
 from concealer.seal import publish
 
 
 def conceal(out: Path, numbers: dict[str, Any], seed: int, indices: range, wish: Wish, jobs: int = 1) -> Iterator[str]:
     """Names of the recordings as they are finished; the ledger is written after the last one.
+
+    Numbers are those of a prior: of the second vehicle if they say so by `robot: rov`.
 
     Raises FileExistsError if the folder holds a trial already.
     """
@@ -23,13 +26,14 @@ def conceal(out: Path, numbers: dict[str, Any], seed: int, indices: range, wish:
         (out / folder).mkdir(parents=True)
     entries: dict[str, dict[str, str]] = {}
     fixed = (repeat(seed), repeat(out), repeat(numbers), repeat(wish))
+    make_one = make_rov if numbers.get("robot") == "rov" else make
     if jobs == 1:
-        for entry in map(make, indices, *fixed):
+        for entry in map(make_one, indices, *fixed):
             entries.update([entry])
             yield entry[0]
     else:
         with ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn")) as pool:
-            for entry in pool.map(make, indices, *fixed):
+            for entry in pool.map(make_one, indices, *fixed):
                 entries.update([entry])
                 yield entry[0]
     publish(out, entries)

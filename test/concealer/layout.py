@@ -40,7 +40,9 @@ SIZE = 93
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
     16
 )
-STATE = 16
+FORMED = 3  # laws with a form of their own that a robot may have (forms.py); the state remembers each on four axes
+MEMORY = 16
+STATE = MEMORY + 4 * FORMED
 ACCEL = STATE  # three more columns in a trajectory: specific force without gravity [m/s^2]
 THROUGH_U, THROUGH_V = STATE + 3, STATE + 4  # and two: speeds through the water [m/s]
 ROW = STATE + 5

@@ -22,6 +22,8 @@ class Pool(NamedTuple):
     duration: float  # s
     margin: float  # m, kept from walls
     follow: bool  # others swim behind the first robot
+    # Of rich programmes: factors of durations and thruster commands, spread of the log weights of manoeuvres.
+    style: tuple[float, float, float] = (1.0, 1.0, 0.0)
 
 
 Segment = tuple[float, float, float, float, float]  # duration [s], left and right command, first and last
@@ -117,11 +119,14 @@ def _merged(pool: Pool, moves: list[Segment], pumps: list[tuple[float, float, fl
 def rich(rng: np.random.Generator, pool: Pool) -> FloatArray:
     """Coasts, spins, reverse, turns, zigzags, ramps through zero; depths, pulses and ramps of the pump."""
     weights = np.array([weight for _, weight in RICH])
+    stretch, level, taste = pool.style
+    if taste > 0.0:
+        weights = weights * np.exp(taste * rng.standard_normal(len(RICH)))
     moves: list[Segment] = []
     total = 0.0
     while total < pool.duration:
         kind = RICH[int(rng.choice(len(RICH), p=weights / weights.sum()))][0]
-        moves += kind(rng)
+        moves += [(stretch * time, level * a, level * b, level * c, level * d) for time, a, b, c, d in kind(rng)]
         total = sum(move[0] for move in moves)
     return _merged(pool, moves, _depths(rng, pool))
 

@@ -21,6 +21,7 @@ from concealer import layout as at
 from concealer.compiled import compiled
 from concealer.drives import buoyancy, charge_rate, slowed, stage_rates, thrust
 from concealer.fluid import current, oddities, resist
+from concealer.forms import formed, remember
 from concealer.layout import FloatArray
 from concealer.pilot import decide
 
@@ -44,6 +45,9 @@ def derivative(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArr
     sway += drag[1] + odd[1] - sin * fx + cos * fy
     heave += drag[2] + odd[2] + push[2]
     yaw += drag[3] + odd[3] + push[3]
+    if p.shape[0] > at.SIZE:
+        more = formed(p, s, command, t)
+        surge, sway, heave, yaw = surge + more[0], sway + more[1], heave + more[2], yaw + more[3]
     m, a_u, a_v = p[at.MASS], p[at.ADDED_SURGE], p[at.ADDED_SWAY]
     rate[at.U] = (surge + m * r * s[at.V] + a_v * r * v_r + a_u * r * v_c) / (m + a_u)
     rate[at.V] = (sway - m * r * s[at.U] - a_u * r * u_r - a_v * r * u_c) / (m + a_v)
@@ -94,6 +98,8 @@ def advance(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArray,
         pushed[i, :3] += wake(p, s, i)
     for i in range(s.shape[0]):
         play(p[i], s[i], command[i])
+        if p.shape[1] > at.SIZE:
+            remember(p[i], s[i], command[i], time)
         half = s[i] + 0.5 * at.STEP * derivative(p[i], s[i], command[i], pushed[i], time)
         s[i] += at.STEP * derivative(p[i], half, command[i], pushed[i], time + 0.5 * at.STEP)
         s[i, at.Z] = min(max(s[i, at.Z], p[i, at.FLOOR]), 0.0)
@@ -107,6 +113,8 @@ def keep(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArray, ti
         pushed = push[i].copy()
         pushed[:3] += wake(p, s, i)
         play(p[i], s[i], command[i])  # the linkage moves with the command, before anybody feels it
+        if p.shape[1] > at.SIZE:
+            remember(p[i], s[i], command[i], time)
         rate = derivative(p[i], s[i], command[i], pushed, time)
         row[i, : at.STATE] = s[i]
         row[i, at.ACCEL] = rate[at.U] - s[i, at.R] * s[i, at.V]

@@ -40,6 +40,8 @@ class Plot:
     manoeuvre: str = "rich"
     duration: float = 600.0
     side: float = 5.0
+    arena: tuple[float, float, float] = (1.0, 1.0, 1.0)  # factors of the side along x and y, and of the depth
+    style: tuple[float, float, float] = (1.0, 1.0, 0.0)  # of the programmes: manoeuvres.py
 
 
 def load(path: Path = PRIOR) -> dict[str, Any]:

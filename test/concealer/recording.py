@@ -8,42 +8,25 @@ from typing import Any
 
 import numpy as np
 
-from concealer import bag, oracle, prior, water
+from concealer import bag, oracle, prior
 from concealer import layout as at
 from concealer.catalogue_sensors import CATALOGUE
+from concealer.disguise import Disguise
 from concealer.layout import FloatArray
-from concealer.manoeuvres import MANOEUVRES, Pool
 from concealer.outside import OUTSIDE
-from concealer.physics import drive
 from concealer.prior import Plot, Wish
-from concealer.scene import Faults, Scene, Secret
+from concealer.scene import Secret
 from concealer.seal import canonical, file_digest, seal
 from concealer.sensors import observe
+from concealer.staging import move, stage
 from concealer.truth_after import settle
 from concealer.twins import twins
 
-SPREAD = (at.MASS, at.INERTIA, at.DRAG, at.YAW_DRAG, at.THRUST, at.LEVER, at.PUMP)
 EXPECTED = {
     "nothing": ["consistent", "recalibrate"],
     "recalibration": ["recalibrate"],
     "cannot_tell": ["insufficient", "consistent", "recalibrate"],
 }
-
-
-def vehicle(rng: np.random.Generator, numbers: dict[str, Any], kind: str) -> FloatArray:
-    """(SIZE,) a robot off nominal: a little everywhere, or by much in a few places, or not at all."""
-    p = at.nominal_robot()
-    width = float(rng.uniform(*numbers["spread"]))
-    factors = 1.0 + rng.uniform(-width, width, len(SPREAD))
-    exact = rng.random() < numbers["exact_when_nothing"]
-    far = rng.choice([-1.0, 1.0], len(SPREAD)) * rng.uniform(*numbers["recalibration_spread"], size=len(SPREAD))
-    chosen = rng.permutation(len(SPREAD))[: rng.integers(2, 5)]
-    if kind == "nothing" and exact:
-        factors[:] = 1.0
-    if kind == "recalibration":
-        factors[chosen] = 1.0 + far[chosen]
-    p[list(SPREAD)] *= factors
-    return p
 
 
 def vehicle_in_words(p: FloatArray) -> dict[str, float]:
@@ -56,55 +39,6 @@ def vehicle_in_words(p: FloatArray) -> dict[str, float]:
         "thrust_gain": float(thrust), "yaw_torque_gain": float(thrust * torque),
         "buoyancy_gain": float(p[at.PUMP] / nominal[at.PUMP]),
     }  # fmt: skip
-
-
-def stage(rng: np.random.Generator, numbers: dict[str, Any], plot: Plot) -> tuple[Scene, list[Secret]]:
-    """Robots and water with everything hidden that the plot wants."""
-    robots = np.array([vehicle(rng, numbers["vehicle"], plot.kind) for _ in range(plot.robots)])
-    scene = Scene(robots, [Faults() for _ in robots], int(rng.integers(plot.robots)))
-    scene.everywhere(half_x=0.5 * plot.side, half_y=0.5 * plot.side, floor=-numbers["tank"]["depth"])
-    scene.everywhere(duration=plot.duration)
-    secrets = []
-    for name, share in plot.hidden.items():
-        hide = CATALOGUE.get(name) or OUTSIDE[name]
-        large = (numbers["effects"] | numbers["outside"])[name]["large"]
-        secrets.append(hide(rng, share * large, scene))
-    if plot.kind == "cannot_tell":
-        # Behind a dead zone without a jump every level of thrust is a little lower, which any recording shows.
-        scene.own[at.DEAD_JUMP] = max(scene.own[at.DEAD_JUMP], scene.own[at.DEAD_CONTINUOUS])
-        scene.own[at.DEAD_CONTINUOUS] = 0.0
-    return scene, secrets
-
-
-def start(rng: np.random.Generator, plot: Plot, depth: float) -> FloatArray:
-    """(robots, STATE) at rest around the middle of the tank."""
-    s = np.zeros((plot.robots, at.STATE))
-    s[:, at.X], s[:, at.Y] = 0.3 * plot.side * rng.uniform(-1.0, 1.0, (2, plot.robots))
-    s[:, at.Z] = -0.5 * depth + rng.uniform(-0.2, 0.2, plot.robots)
-    s[:, at.YAW] = rng.uniform(-np.pi, np.pi, plot.robots)
-    return s
-
-
-def forces(rng: np.random.Generator, plot: Plot, ticks: int) -> FloatArray:
-    """Knots (2 ticks + 2, robots, 4) of the water's random forces."""
-    knots = water.matern(rng, (2 * ticks + 2, 4 * plot.robots), 0.5 * at.TICK, plot.correlation)
-    scale = plot.noise * np.array([at.FULL_THRUST, at.FULL_THRUST, at.FULL_THRUST, at.FULL_TORQUE])
-    return knots.reshape(-1, plot.robots, 4) * scale
-
-
-def move(rng: np.random.Generator, plot: Plot, scene: Scene) -> tuple[FloatArray, FloatArray]:
-    """Trajectory (rows, robots, ROW) and commands (ticks, robots, 3)."""
-    ticks, depth = round(plot.duration / at.TICK), -float(scene.own[at.FLOOR])
-    margin = 0.25 if "wall_effect" in plot.hidden else 0.5
-    pool = Pool(0.5 * plot.side, depth, plot.duration, margin, "neighbour_wake" in plot.hidden)
-    plans = [MANOEUVRES[plot.manoeuvre](rng, pool) for _ in range(plot.robots)]
-    padded = np.zeros((plot.robots, max(map(len, plans)), plans[0].shape[1]))
-    for row, plan in zip(padded, plans, strict=True):
-        row[: len(plan)] = plan
-        row[len(plan) :] = plan[-1]
-        row[len(plan) :, 0] = 2.0 * plot.duration  # never reached
-    rows, commands = drive(scene.robots, start(rng, plot, depth), padded, forces(rng, plot, ticks), ticks)
-    return rows, commands
 
 
 def instruments(sensors: dict[str, Any], plot: Plot) -> dict[str, Any]:
@@ -120,26 +54,38 @@ def described(secret: Secret, share: float, spec: dict[str, Any], names: list[st
     return asdict(secret) | {"size": share, "large": spec["large"], "unit": spec["unit"], "robots": names}
 
 
+def spec_of(numbers: dict[str, Any], name: str) -> dict[str, Any]:
+    """Large and unit of an entry of the prior; a law of the grammar is as large as forces that swing."""
+    return dict((numbers["effects"] | numbers["outside"]).get(name, {"large": 1.0, "unit": "of the grammar's large"}))
+
+
 def make(index: int, seed: int, out: Path, numbers: dict[str, Any], wish: Wish) -> tuple[str, dict[str, str]]:
-    """Writes recording and envelope number `index` of a trial; returns its name and its entry in the ledger."""
+    """Writes recording and envelope number `index` of a trial; returns its name and its entry in the ledger.
+
+    Where the numbers hold a table of `families`, members of it are drawn.
+    """
     name = f"r{index:04d}"
     plotting, hiding, moving, sensing = np.random.default_rng([seed, index]).spawn(4)
     plot = prior.draw(plotting, numbers, wish)
-    scene, secrets = stage(hiding, numbers, plot)
-    rows, commands = move(moving, plot, scene)
+    disguise = Disguise(np.random.default_rng([seed, index, 2]), numbers, plot) if "families" in numbers else None
+    scene, secrets = disguise.stage(hiding) if disguise else stage(hiding, numbers, plot)
+    rows, commands = disguise.move(moving, scene) if disguise else move(moving, plot, scene)
     robots = [f"lily_{i + 1:02d}" for i in range(plot.robots)]
+    sensors = instruments(disguise.sensors if disguise else numbers["sensors"], plot)
     streams = {
-        robot: observe(rows[:, i], commands[:, i], scene.faults[i], instruments(numbers["sensors"], plot), sensing)
-        for i, robot in enumerate(robots)
+        robot: observe(rows[:, i], commands[:, i], scene.faults[i], sensors, sensing) for i, robot in enumerate(robots)
     }
     bag.write(out / "recordings" / name, streams)
     hidden = []
     own_rows, own_commands = rows[:, scene.victim], commands[:, scene.victim]
     for secret, (key, share) in zip(secrets, plot.hidden.items(), strict=True):
-        settle(secret, scene.own, own_rows, own_commands)
-        secret.twins = tuple(twins(secret, scene.own, own_rows, own_commands, (plot.noise, plot.correlation)))
-        spec = (numbers["effects"] | numbers["outside"])[key]
-        hidden.append(described(secret, share, spec, robots if secret.shared else [robots[scene.victim]]))
+        told = disguise.settle(key, secret, scene, own_rows, own_commands) if disguise else {}
+        if "concealed" not in told and key in CATALOGUE | OUTSIDE:
+            settle(secret, scene.own, own_rows, own_commands)
+        found = twins(secret, scene.own, own_rows, own_commands, (plot.noise, plot.correlation))
+        secret.twins = (*secret.twins, *found)
+        where = robots if secret.shared else [robots[scene.victim]]
+        hidden.append(described(secret, share, spec_of(numbers, key), where) | told)
     truth = {
         "recording": name, "kind": plot.kind, "effects": hidden, "robots": robots, "manoeuvre": plot.manoeuvre,
         "expected_verdicts": EXPECTED.get(plot.kind, ["mismatch"]), "duration": plot.duration, "side": plot.side,
@@ -148,6 +94,8 @@ def make(index: int, seed: int, out: Path, numbers: dict[str, Any], wish: Wish) 
         "oracle": oracle.oracle(scene.robots, rows, commands, [stream[0] for stream in streams.values()]),
         "salt": np.random.default_rng([seed, index, 1]).bytes(16).hex(),
     }  # fmt: skip
+    if disguise:
+        truth["families"] = disguise.described()
     envelope = out / "envelopes" / f"{name}.json"
     envelope.write_bytes(canonical(truth))
     return name, {"envelope": seal(truth), "recording": file_digest(out / "recordings" / name / f"{name}.mcap")}

@@ -12,6 +12,7 @@ from concealer.calibration import calibration
 from concealer.cases import Case, load
 from concealer.estimates import of_effects, of_platform
 from concealer.figures import power_curve, rate, spread
+from concealer.score_families import by_family, form_in_words, members_in_words
 from concealer.score_text import as_text
 from concealer.seal import LEDGER, broken_seals
 from concealer.table import grouped, of_kind, table
@@ -91,23 +92,17 @@ def failures(cases: list[Case]) -> list[str]:
     """One line for every answer that is not what it should be."""
     lines = []
     for case in cases:
-        good = {
-            "nothing": not case.false_alarm(),
-            "recalibration": not case.false_alarm(),
-            "outside": case.flagged() and not case.named_wrongly(),
-            "cannot_tell": not case.effects,
-        }.get(case.kind, case.exact())
-        if good and case.diagnosis is not None:
+        if case.right():
             continue
         hidden = " + ".join(
-            f"{e['id']}{' of ' + e['topic'] if e['topic'] else ''} (size {e['size']:.2f})"
+            f"{e['id']}{' of ' + e['topic'] if e['topic'] else ''} (size {e['size']:.2f}{form_in_words(e)})"
             for e in case.truth["effects"]
         )
         said = " + ".join(map(_said, case.effects)) or "none"
         swimmers = len(case.truth.get("robots") or [0])
         lines.append(
             f"{case.name}  {case.kind}, noise {case.truth['noise']:.0%}, {swimmers} robot{'s' * (swimmers > 1)}: "
-            f"{hidden or 'nothing'}; said {case.verdict}: {said}"
+            f"{hidden or 'nothing'}{members_in_words(case)}; said {case.verdict}: {said}"
         )
     return lines
 
@@ -138,6 +133,7 @@ def score(cases: list[Case], window: float = 20.0) -> Scores:
         "intervals": intervals(cases),
         "held_out": held_out(cases, window),
         "probabilities": calibration(cases),
+        "families": by_family(cases),
         "confusion": confusion(cases),
         "failures": failures(cases),
     }

@@ -97,6 +97,8 @@ def as_text(figures: dict[str, Any]) -> str:
     lines += _spreads("Relative error of parameters", relative)
     lines += _spreads("Held-out free runs", figures["held_out"])
     lines += probabilities_text(figures.get("probabilities") or {})
+    for title, rates in (figures.get("families") or {}).items():
+        lines += _rates(f"Families: {title}", rates)
     lines += ["## First named effect by what was hidden", "", "| hidden | first named effect: how often |", "|---|---|"]
     for truth, counts in figures["confusion"].items():
         lines.append(f"| `{truth}` | " + ", ".join(f"`{name}`: {n}" for name, n in counts.items()) + " |")

@@ -10,6 +10,7 @@ import numpy as np
 from concealer import layout as at
 from concealer.catalogue_sensors import compass_reading, logged, marked
 from concealer.layout import FloatArray
+from concealer.noises import in_digits, left_by_holes, noise
 from concealer.scene import Faults
 
 DIGIT = 2.0**-22  # of all readings; what is finer would be noise that no file can be made smaller of
@@ -32,6 +33,7 @@ class Observer:
 
     def __init__(self, rows: FloatArray, faults: Faults, numbers: Numbers, rng: np.random.Generator) -> None:
         self.rows, self.faults, self.numbers, self.rng = rows, faults, numbers, rng
+        self.member = numbers.get("member", {})  # of the family of noises; white noise if there is none
         self.clock = np.arange(len(rows)) * at.ROW_TIME
         self.end = float(self.clock[-1])
 
@@ -52,7 +54,17 @@ class Observer:
     def stream(self, topic: str, time: FloatArray, values: FloatArray) -> Stream:
         """The stream as it is logged: its clock's stamps, the recorder's log times."""
         stamp = time[0] + (1.0 + self.faults.skew.get(topic, 0.0)) * (time - time[0])
-        return Stream(topic, stamp, time + self.transport(time.size), DIGIT * np.rint(values / DIGIT))
+        whole = Stream(topic, stamp, time + self.transport(time.size), DIGIT * np.rint(values / DIGIT))
+        keep = left_by_holes(self.rng, time, self.member)
+        return Stream(topic, whole.stamp[keep], whole.logged[keep], whole.values[keep])
+
+    def noise(self, time: FloatArray, *columns: int) -> FloatArray:
+        """Noise of standard deviation 1 in one column, or in so many, of readings at these times."""
+        return noise(self.rng, (time.size, *columns), self.member, time)
+
+    def digits(self, kind: str, values: FloatArray) -> FloatArray:
+        """Readings of a kind of instrument in its digits; exact ones where nothing is coarse."""
+        return in_digits(values, self.member.get("digits", 0.0) * self.numbers.get("digit", {}).get(kind, 0.0))
 
     def transport(self, count: int) -> FloatArray:
         """Delays between measurement and log [s]."""
@@ -76,13 +88,14 @@ class Observer:
             keep &= (time < start) | (time > start + self.between(n["gap"]))
         time = np.sort(np.concatenate([time[keep], time[keep][self.rng.random(keep.sum()) < 0.001]]))
         state = self.seen(self.shown("pose", time), at.X, at.Y, at.Z, at.YAW)
-        noise = self.between(n["noise"]) * self.rng.standard_normal((time.size, 4))
-        noise[:, 3] = self.between(n["heading"]) * self.rng.standard_normal(time.size)
+        noise = self.between(n["noise"]) * self.noise(time, 4)
+        noise[:, 3] = self.between(n["heading"]) * self.noise(time)
         same = np.flatnonzero(np.diff(time) == 0.0) + 1
         noise[same] = noise[same - 1]
         state = state + noise
         state = marked(state, self.faults)
-        place, yaw = state[:, :3] * self.faults.scale, state[:, 3]
+        place = self.digits("pose", state[:, :3] * self.faults.scale)
+        yaw = self.digits("compass", state[:, 3])
         if self.faults.mixup == "pose_millimetres":
             place = place * 1000.0
         if self.faults.mixup == "pose_ned":
@@ -100,7 +113,7 @@ class Observer:
         reading = compass_reading(self.seen(shown, at.YAW)[:, 0], self.faults)
         uneven = 1.0 + 0.5 * self.faults.motor_uneven * np.array([1.0, -1.0])
         reading = reading + self.faults.compass_motor * (np.abs(commands[tick, :2]) * uneven).mean(axis=1)
-        reading = reading + sigma * self.rng.standard_normal(time.size)
+        reading = self.digits("compass", reading + sigma * self.noise(time))
         if self.faults.mixup == "compass_clockwise":
             reading = 0.5 * np.pi - reading
         if self.faults.mixup == "compass_negative":
@@ -118,8 +131,8 @@ class Observer:
         depth = -self.seen(self.shown("pressure", time), at.Z)[:, 0]
         drift = np.expm1(-time / self.faults.drift_time) / np.expm1(-self.end / self.faults.drift_time)
         reading = at.SURFACE_PRESSURE + at.RHO * at.GRAVITY * depth
-        reading = reading + self.between(n["noise"]) * self.rng.standard_normal(time.size)
-        reading = reading + self.faults.pressure_offset + self.faults.pressure_drift * drift
+        reading = reading + self.between(n["noise"]) * self.noise(time)
+        reading = self.digits("pressure", reading + self.faults.pressure_offset + self.faults.pressure_drift * drift)
         if self.faults.mixup == "pressure_hectopascal":
             reading = reading / 100.0
         return self.stream("pressure", time, np.stack([reading, np.zeros(time.size)], axis=1))
@@ -130,10 +143,10 @@ class Observer:
         time = self.beats(float(self.rng.choice(n["rate"])))
         turn = np.zeros((time.size, 3))
         turn[:, 2] = self.seen(self.shown("imu", time), at.R)[:, 0] + self.faults.gyro_bias
-        turn += self.between(n["gyro"]) * self.rng.standard_normal(turn.shape)
+        turn = self.digits("gyro", turn + self.between(n["gyro"]) * self.noise(time, 3))
         force = self.held(self.shown("imu", time), at.ACCEL, at.ACCEL + 1, at.ACCEL + 2)
         force = force + np.array([0.0, 0.0, at.GRAVITY]) + np.array(self.faults.accel_bias)
-        force = force + self.between(n["accel"]) * self.rng.standard_normal(force.shape)
+        force = self.digits("accel", force + self.between(n["accel"]) * self.noise(time, 3))
         if self.faults.mixup == "imu_frd":
             turn, force = turn * [1.0, -1.0, -1.0], force * [1.0, -1.0, -1.0]
         values = np.zeros((time.size, 37))
@@ -149,7 +162,8 @@ class Observer:
         values[:, :3] = logged(time, self.seen(time, at.THROUGH_U, at.THROUGH_V, at.W), self.faults)
         values[:, 5] = self.seen(time, at.R)[:, 0]
         sigma = self.between(n["noise"])
-        values[:, [0, 1, 2, 5]] += sigma * np.array([1.0, 1.0, 1.0, 5.0]) * self.rng.standard_normal((time.size, 4))
+        values[:, [0, 1, 2, 5]] += sigma * np.array([1.0, 1.0, 1.0, 5.0]) * self.noise(time, 4)
+        values = self.digits("velocity", values)
         return self.stream("velocity", time, values)
 
 

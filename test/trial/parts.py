@@ -24,3 +24,15 @@ def parts(count: int, wanted: list[str]) -> list[Part]:
         Part("medium_3", round(0.15 * count), ("--kind", "single", "--size", "0.5", "--noise", "0.03")),
     ]
     return [part for part in every if part.count and (not wanted or part.name in wanted)]
+
+
+def families_parts(count: int, word: str) -> list[Part]:
+    """Parts of a trial of families of a public word: what the prior draws, medium effects whose form is drawn, laws."""
+    words = ("--families", word)
+    medium = ("--kind", "single", "--formed", "--size", "0.5", "--noise", "0.01")
+    every = [
+        Part("families", count, words),
+        Part("families_forms", round(0.5 * count), (*words, *medium)),
+        Part("families_outside", round(0.25 * count), (*words, "--kind", "outside")),
+    ]
+    return [part for part in every if part.count]

@@ -1,4 +1,4 @@
-"""Proof that `cocorosim diagnose` keeps its word: `prove.py sealed | tampered | real | against | fleet`.
+"""Proof that `cocorosim diagnose` keeps its word: `prove.py sealed | families | tampered | real | against | fleet`.
 
 `prove.py weights` fits the weights of its probabilities.
 """
@@ -12,12 +12,14 @@ import shlex
 import sys
 from dataclasses import asdict, replace
 from pathlib import Path
+from typing import Any
 
 FOLDER = str(Path(__file__).resolve().parents[1])
 if FOLDER not in sys.path:
     sys.path.append(FOLDER)
 
 from trial.examiner import Terms  # noqa: E402
+from trial.parts import Part  # noqa: E402
 
 
 def terms_of(options: argparse.Namespace) -> Terms:
@@ -36,11 +38,9 @@ def _sets(options: argparse.Namespace) -> list[str]:
     return options.sets.split(",") if options.sets else []
 
 
-def _sealed(options: argparse.Namespace) -> int:
-    from trial import sealed
-    from trial.parts import parts
+def _seeded(options: argparse.Namespace) -> dict[str, Any]:
+    """Provenance of a trial, with the seed of a public word. Raises ValueError if there is none."""
     from trial.provenance import note, noted, seed_of
-    from trial.sealed_text import page
 
     source = noted(options.out, _command(options))
     if "seed" not in source:
@@ -49,10 +49,39 @@ def _sealed(options: argparse.Namespace) -> int:
             raise ValueError("there is no commit to take the seed from; give a public word with --seed-word")
         source |= {"seed_word": word, "seed": seed_of(word)}
     note(options.out, source)
-    folders = [
-        sealed.conceal(options.out, part, source["seed"], options.jobs)
-        for part in parts(options.count, options.parts.split(",") if options.parts else [])
-    ]
+    return source
+
+
+def _sealed(options: argparse.Namespace) -> int:
+    from trial.parts import parts
+
+    source = _seeded(options)
+    return _trial(options, source, parts(options.count, options.parts.split(",") if options.parts else []), {})
+
+
+def _families(options: argparse.Namespace) -> int:
+    from concealer import families
+    from trial.parts import families_parts
+    from trial.provenance import note
+
+    source = _seeded(options)
+    table = families.table_of(source["seed_word"])
+    source["families"] = families.digest(table)
+    print(f"families: {source['families']}", flush=True)
+    note(options.out, source)
+    parts = families_parts(options.count, source["seed_word"])
+    return _trial(options, source, parts, {"families_table": table}, "trial_families")
+
+
+def _trial(
+    options: argparse.Namespace, source: dict[str, Any], parts: list[Part], facts: dict[str, Any], name: str = "trial"
+) -> int:
+    """Makes, seals, diagnoses, opens and scores parts of a trial, and writes the page of this name and its figures."""
+    from trial import sealed
+    from trial.provenance import note
+    from trial.sealed_text import page
+
+    folders = [sealed.conceal(options.out, part, source["seed"], options.jobs) for part in parts]
     source["ledgers"] = sealed.digests(folders)
     print(json.dumps(source["ledgers"]), flush=True)
     note(options.out, source)
@@ -63,15 +92,17 @@ def _sealed(options: argparse.Namespace) -> int:
     outcomes = sealed.diagnose(todo, terms)
     source["recordings"], source["tried"] = len(todo), len(outcomes)
     score = sealed.score(options.out, outcomes, options.window)
-    text = page(score, source, outcomes)
+    text = page(score, source, outcomes, name)
     options.pages.mkdir(parents=True, exist_ok=True)
-    (options.pages / "trial.md").write_text(text, encoding="utf-8")
+    (options.pages / f"{name}.md").write_text(text, encoding="utf-8")
     if score["figures"]["probabilities"]:
         from trial.reliability_picture import draw
 
-        draw(score["figures"]["probabilities"], options.pages / "reliability.svg")
-    facts = {"source": source, "outcomes": [asdict(o) for o in sorted(outcomes, key=lambda o: o.name)]}
-    (options.pages / "trial.json").write_text(json.dumps(facts | score["figures"], indent=1) + "\n", encoding="utf-8")
+        picture = "reliability.svg" if name == "trial" else f"reliability_{name}.svg"
+        draw(score["figures"]["probabilities"], options.pages / picture)
+    facts |= {"source": source, "outcomes": [asdict(o) for o in sorted(outcomes, key=lambda o: o.name)]}
+    told = json.dumps(facts | score["figures"], indent=1) + "\n"
+    (options.pages / f"{name}.json").write_text(told, encoding="utf-8")
     print(text)
     return 0
 
@@ -132,15 +163,18 @@ def parser() -> argparse.ArgumentParser:
     common.add_argument("--limit", type=float, default=120.0, help="time for one diagnosis [s]")
     common.add_argument("--minutes", type=float, default=math.inf, help="after which no diagnosis is begun")
     common.add_argument("--reports", action="store_true", help="keep report.html of every diagnosis")
-    one = commands.add_parser("sealed", parents=[common], help="concealed effects")
-    one.add_argument("--count", type=int, default=400, help="recordings of the main part")
-    one.add_argument("--parts", default="", help="main, nothing, recalibration, medium_1, medium_3; all if left out")
-    one.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
-    one.add_argument(
+    concealed = argparse.ArgumentParser(add_help=False)
+    concealed.add_argument("--count", type=int, default=400, help="recordings of the main part")
+    concealed.add_argument("--seed-word", default="", help="public word that gives the seed; the commit if left out")
+    concealed.add_argument(
         "--warm", action="store_true", help="load the tool once for each job instead of once for each recording"
     )
-    one.add_argument("--window", type=float, default=20.0, help="length of the tool's free runs [s]")
+    concealed.add_argument("--window", type=float, default=20.0, help="length of the tool's free runs [s]")
+    one = commands.add_parser("sealed", parents=[common, concealed], help="concealed effects")
+    one.add_argument("--parts", default="", help="main, nothing, recalibration, medium_1, medium_3; all if left out")
     one.set_defaults(run=_sealed)
+    two = commands.add_parser("families", parents=[common, concealed], help="concealed effects in forms of families")
+    two.set_defaults(run=_families)
     for name, run, words in (("tampered", _tampered, "altered logs"), ("real", _real, "recordings as they are")):
         other = commands.add_parser(name, parents=[common], help=f"real recordings: {words}")
         other.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")

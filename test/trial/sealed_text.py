@@ -87,15 +87,32 @@ def endings(outcomes: Sequence[Outcome]) -> list[str]:
     return [*lines, *([f"Failed: {'; '.join(broken)}."] if broken else []), ""]
 
 
-def page(score: dict[str, Any], source: dict[str, Any], outcomes: Sequence[Outcome]) -> str:
-    """The whole page in Markdown."""
+TITLES = {
+    "trial": "The sealed trial",
+    "trial_families": "The sealed trial, with families of forms",
+}
+FAMILIES = (
+    "Forms of laws, noise of sensors, programmes of commands and tanks are drawn from families, laws outside the",
+    "catalogue by a grammar. The numbers of half of the members follow from the seed word, which could not be chosen",
+    "before the code was frozen; the hash of the table with all numbers (`families` below) was printed before the tool",
+    "ran, and the table is in [trial_families.json](trial_families.json). What is asked for below is what is asked of",
+    "the trial without families.",
+    "",
+)
+
+
+def page(score: dict[str, Any], source: dict[str, Any], outcomes: Sequence[Outcome], name: str = "trial") -> str:
+    """The whole page in Markdown; name: of its file."""
     figures = score["figures"]
-    lines = ["# The sealed trial", ""]
+    lines = [f"# {TITLES[name]}", ""]
     lines += [
         "Recordings in which something is concealed by a program that shares no code with the tool; the truth was"
     ]
     lines += ["sealed by salted hashes before the tool ran. [How it works](../test/trial/README.md).", ""]
-    lines += ["| | |", "|---|---|", *(f"| {key.replace('_', ' ')} | `{value}` |" for key, value in source.items()), ""]
+    lines += FAMILIES if name == "trial_families" else ()
+    facts = [f"| {key.replace('_', ' ')} | `{value}` |" for key, value in source.items()]
+    lines += ["| | |", "|---|---|", *facts, ""]
     lines += [*endings(outcomes), "## What is asked for", "", *asked_table(figures)]
     text = score["text"].replace("\n### ", "\n#### ").replace("\n## ", "\n### ").replace("# ", "## ", 1)
-    return "\n".join(lines) + "\n" + text.replace(_PROBABILITIES, f"{_PROBABILITIES}\n{_PICTURE}\n", 1)
+    picture = _PICTURE if name == "trial" else _PICTURE.replace("reliability", f"reliability_{name}")
+    return "\n".join(lines) + "\n" + text.replace(_PROBABILITIES, f"{_PROBABILITIES}\n{picture}\n", 1)

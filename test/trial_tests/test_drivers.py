@@ -65,6 +65,53 @@ def test_a_trial_is_sealed_diagnosed_and_scored(tool: Tool, tmp_path: Path) -> N
     assert "main/r0000  single" in text
 
 
+def test_families_are_sealed_before_the_tool_runs(tool: Tool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The hash of the families is written down before the tool is asked; page and figures have it, and its table."""
+    from trial import parts, prove
+
+    out, pages = tmp_path / "out", tmp_path / "pages"
+    answer = json.dumps({"verdict": "consistent", "effects": []})
+    runs = tool(
+        f'grep -q families {out}/provenance.json && mkdir -p "$out" && echo \'{answer}\' > "$out/diagnosis.json"'
+    )
+    short = ("--families", "a word", "--duration", "40", "--robots", "1")
+    monkeypatch.setattr(parts, "families_parts", lambda _count, _word: [parts.Part("families", 2, short)])
+    words = [
+        "families",
+        "--count",
+        "2",
+        "--seed-word",
+        "a word",
+        "--jobs",
+        "1",
+        "--out",
+        str(out),
+        "--pages",
+        str(pages),
+    ]
+    options = prove.parser().parse_args(words)
+    assert options.run(options) == 0
+    assert runs.read_text().split() == ["ran"] * 2
+    told = json.loads((pages / "trial_families.json").read_text())
+    digest = hashlib.sha256(json.dumps(told["families_table"], sort_keys=True).encode()).hexdigest()
+    assert digest == told["source"]["families"]
+    assert digest in (pages / "trial_families.md").read_text()
+    envelopes = [json.loads(path.read_text()) for path in (out / "trial" / "families" / "envelopes").glob("*.json")]
+    assert [envelope["families"]["table"] for envelope in envelopes] == [digest] * 2
+    assert told["families"]["right answers of all kinds, sealed or open"]
+
+
+def test_parts_of_families_share_a_word() -> None:
+    """Half as many with drawn forms, a quarter outside the catalogue; each part is given the word."""
+    from trial.parts import families_parts
+
+    parts = families_parts(16, "a word")
+    assert [(part.name, part.count) for part in parts] == [
+        ("families", 16), ("families_forms", 8), ("families_outside", 4),
+    ]  # fmt: skip
+    assert all(part.words[:2] == ("--families", "a word") for part in parts)
+
+
 def test_parts_are_equally_far_at_any_time(tmp_path: Path) -> None:
     """Of four and two tasks, the first three hold two and one."""
     from trial.examiner import Task

@@ -1,0 +1,119 @@
+"""Six degrees of freedom of a body in water at rest: Kirchhoff's equations with damping, buoyancy and thrust.
+
+    M dv/dt = (M v) x w + F,   I dw/dt = (I w) x w + (M v) x v + N        (Lamb, Hydrodynamics, article 124)
+
+M and I: diagonal, with what the water adds; v, w: velocity and turn rate in body axes; attitude: a quaternion.
+Integrated by the classical fourth-order rule with steps of 5 ms. Thrusters follow their levels between steps.
+"""
+
+# mypy: disable-error-code="no-any-return"
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from concealer.compiled import compiled
+from concealer.layout import FloatArray
+from concealer.rov import vehicle as at
+
+
+@compiled
+def turned(q: FloatArray, vector: FloatArray) -> FloatArray:
+    """(3,) a vector in body axes as the world has it; q: (w, x, y, z)."""
+    w, x, y, z = q
+    out = np.empty(3)
+    out[0] = (1 - 2 * (y * y + z * z)) * vector[0] + 2 * (x * y - w * z) * vector[1] + 2 * (x * z + w * y) * vector[2]
+    out[1] = 2 * (x * y + w * z) * vector[0] + (1 - 2 * (x * x + z * z)) * vector[1] + 2 * (y * z - w * x) * vector[2]
+    out[2] = 2 * (x * z - w * y) * vector[0] + 2 * (y * z + w * x) * vector[1] + (1 - 2 * (x * x + y * y)) * vector[2]
+    return out
+
+
+@compiled
+def turned_back(q: FloatArray, vector: FloatArray) -> FloatArray:
+    """(3,) a vector in world axes as the body has it."""
+    return turned(np.array([q[0], -q[1], -q[2], -q[3]]), vector)
+
+
+@compiled
+def cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    """(3,) the vector product."""
+    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
+@compiled
+def level_of(p: FloatArray, command: float) -> float:
+    """Thrust fraction of a steady command: none within the dead zone, weaker backwards."""
+    if abs(command) <= p[at.DEAD]:
+        return 0.0
+    return command * (1.0 - p[at.REVERSE]) if command < 0.0 else command
+
+
+@compiled
+def world_force(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> FloatArray:
+    """(3,) buoyancy less weight, load, tether, random and swinging forces in world axes [N]."""
+    out = push[:3].copy()
+    out[0] += p[at.TETHER] * (p[at.TETHER_X] - s[at.X])
+    out[1] += p[at.TETHER] * (p[at.TETHER_Y] - s[at.Y])
+    out[0] += p[at.SWING] * math.sin(p[at.SWING_OMEGA] * t + p[at.SWING_PHASE])
+    out[2] += p[at.LIFT] + (p[at.LOAD_FORCE] * min(max(t - p[at.LOAD_TIME], 0.0), 1.0))
+    return out
+
+
+@compiled
+def loads(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> tuple[FloatArray, FloatArray]:
+    """Force (3,) [N] and moment (3,) [N m] on the body, in its axes."""
+    q, v, w = s[at.QUATERNION : at.QUATERNION + 4], s[at.VELOCITY : at.VELOCITY + 3], s[at.RATE : at.RATE + 3]
+    force = turned_back(q, world_force(p, s, push, t))
+    up = turned_back(q, np.array([0.0, 0.0, 1.0]))
+    # Buoyancy acts above the origin, where the mass is.
+    moment = cross(np.array([0.0, 0.0, p[at.RIGHTING]]), up)
+    moment[2] += push[3] + p[at.SWING_YAW] * math.sin(p[at.SWING_OMEGA] * t + p[at.SWING_PHASE])
+    for axis in range(3):
+        force[axis] -= (p[at.LINEAR + axis] + p[at.QUADRATIC + axis] * abs(v[axis])) * v[axis]
+        moment[axis] -= (p[at.LINEAR + 3 + axis] + p[at.QUADRATIC + 3 + axis] * abs(w[axis])) * w[axis]
+    left = p[at.THRUST] * (1.0 - p[at.BATTERY] * t / p[at.DURATION])
+    for k in range(8):
+        thrust = left * s[at.LEVEL + k] * at.DIRECTIONS[k]
+        force += thrust
+        moment += cross(at.PLACES[k], thrust)
+    return force, moment
+
+
+@compiled
+def rate_of(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> FloatArray:
+    """(STATE,) rate of the state; levels of thrusters are held."""
+    q, v, w = s[at.QUATERNION : at.QUATERNION + 4], s[at.VELOCITY : at.VELOCITY + 3], s[at.RATE : at.RATE + 3]
+    mass, inertia = p[at.MASS : at.MASS + 3], p[at.INERTIA : at.INERTIA + 3]
+    force, moment = loads(p, s, push, t)
+    out = np.zeros(at.STATE)
+    out[:3] = turned(q, v)
+    out[at.QUATERNION] = -0.5 * (q[1] * w[0] + q[2] * w[1] + q[3] * w[2])
+    out[at.QUATERNION + 1 : at.QUATERNION + 4] = 0.5 * (q[0] * w + cross(q[1:], w))
+    out[at.VELOCITY : at.VELOCITY + 3] = (cross(mass * v, w) + force) / mass
+    out[at.RATE : at.RATE + 3] = (cross(inertia * w, w) + cross(mass * v, v) + moment) / inertia
+    return out
+
+
+@compiled
+def advance(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArray, t: float) -> None:
+    """Moves the state by one step, in place; thrusters follow with the exact decay of a first-order lag."""
+    keep = math.exp(-at.STEP / p[at.LAG]) if p[at.LAG] > 0.0 else 0.0
+    for k in range(8):
+        wanted = level_of(p, command[k])
+        s[at.LEVEL + k] = wanted + keep * (s[at.LEVEL + k] - wanted)
+    h = at.STEP
+    one = rate_of(p, s, push, t)
+    two = rate_of(p, s + 0.5 * h * one, push, t + 0.5 * h)
+    three = rate_of(p, s + 0.5 * h * two, push, t + 0.5 * h)
+    s += h / 6.0 * (one + 2.0 * two + 2.0 * three + rate_of(p, s + h * three, push, t + h))
+    s[at.QUATERNION : at.QUATERNION + 4] /= math.sqrt(np.sum(s[at.QUATERNION : at.QUATERNION + 4] ** 2))
+
+
+@compiled
+def felt(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> FloatArray:
+    """(3,) what an accelerometer at the origin shows [m/s^2], body axes."""
+    rate, v, w = rate_of(p, s, push, t), s[at.VELOCITY : at.VELOCITY + 3], s[at.RATE : at.RATE + 3]
+    up = turned_back(s[at.QUATERNION : at.QUATERNION + 4], np.array([0.0, 0.0, at.GRAVITY]))
+    return rate[at.VELOCITY : at.VELOCITY + 3] + cross(w, v) + up

@@ -1,0 +1,80 @@
+"""One recording of the ROV from one seed, and its envelope."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from ruamel.yaml import YAML
+
+from concealer import bag, water
+from concealer.layout import FloatArray
+from concealer.prior import Wish, pick, size
+from concealer.rov import vehicle as at
+from concealer.rov.effects import EFFECTS, Scene
+from concealer.rov.instruments import observed
+from concealer.rov.programme import drawn, drive
+from concealer.seal import canonical, file_digest, seal
+
+PRIOR = Path(__file__).with_name("rov.yaml")
+VERDICTS = {"nothing": ["consistent", "recalibrate"], "recalibration": ["recalibrate"]}
+MOVED = (*range(at.LINEAR, at.LINEAR + 3), at.LINEAR + 5, *range(at.QUADRATIC, at.QUADRATIC + 3), at.QUADRATIC + 5,
+         at.LIFT, at.THRUST)  # fmt: skip
+
+
+def load(path: Path = PRIOR) -> dict[str, Any]:
+    """The prior as plain dictionaries."""
+    return dict(YAML(typ="safe").load(path.read_text(encoding="utf-8")))
+
+
+def vehicle(rng: np.random.Generator, numbers: dict[str, Any], kind: str, duration: float) -> FloatArray:
+    """(SIZE,) an ROV off nominal: a little in drag, lift and thrust, or by much in three of them."""
+    p = at.nominal()
+    width = rng.uniform(*numbers["spread"])
+    factors = 1.0 + rng.uniform(-width, width, len(MOVED))
+    far = 1.0 + rng.choice([-1.0, 1.0], len(MOVED)) * rng.uniform(*numbers["recalibration_spread"], size=len(MOVED))
+    chosen = rng.permutation(len(MOVED))[:3]
+    if kind == "recalibration":
+        factors[chosen] = far[chosen]
+    p[list(MOVED)] *= factors
+    p[at.DURATION] = duration
+    return p
+
+
+def _drawn_secrets(rng: np.random.Generator, numbers: dict[str, Any], kind: str, wish: Wish) -> dict[str, float]:
+    """Sizes by name of what is hidden."""
+    names = list(wish.effects)
+    if not names and kind in ("single", "outside"):
+        names = [str(rng.choice(list(numbers["effects" if kind == "single" else "outside"])))]
+    return {name: wish.size or size(rng, numbers, kind) for name in names}
+
+
+def make(index: int, seed: int, out: Path, numbers: dict[str, Any], wish: Wish) -> tuple[str, dict[str, str]]:
+    """Writes recording and envelope number `index`; returns its name and its entry in the ledger."""
+    name = f"r{index:04d}"
+    plotting, hiding, moving, sensing = np.random.default_rng([seed, index]).spawn(4)
+    kind, noise = pick(plotting, numbers["composition"]), pick(plotting, numbers["noise"])
+    correlation = float(np.exp(plotting.uniform(*np.log(numbers["correlation"]))))
+    kind, noise = wish.kind or kind, float(noise if wish.noise is None else wish.noise)
+    duration = float(wish.duration or numbers["duration"])
+    scene = Scene(vehicle(hiding, numbers, kind, duration))
+    specs, hidden = numbers["effects"] | numbers["outside"], []
+    for key, share in _drawn_secrets(plotting, numbers, kind, wish).items():
+        secret = EFFECTS[key](hiding, share * specs[key]["large"], scene)
+        hidden.append(asdict(secret) | specs[key] | {"size": share, "robots": ["rov_01"]})
+    ticks = round(duration / at.TICK)
+    scale = noise * np.array([at.FULL_THRUST, at.FULL_THRUST, at.FULL_THRUST, at.FULL_TORQUE])
+    knots = water.matern(moving, (ticks + 1, 4), at.TICK, correlation) * scale
+    rows, commands = drive(scene.p, drawn(moving, duration), knots, ticks)
+    streams = {"rov_01": observed(rows, commands, scene, numbers["sensors"], sensing)}
+    bag.write(out / "recordings" / name, streams, actuators=at.NAMES)
+    truth = {
+        "recording": name, "kind": kind, "effects": hidden, "robots": ["rov_01"], "manoeuvre": "rich",
+        "expected_verdicts": VERDICTS.get(kind, ["mismatch"]), "duration": duration, "noise": noise,
+        "correlation": correlation, "seed": [seed, index], "oracle": {},
+        "salt": np.random.default_rng([seed, index, 1]).bytes(16).hex(),
+    }  # fmt: skip
+    (out / "envelopes" / f"{name}.json").write_bytes(canonical(truth))
+    return name, {"envelope": seal(truth), "recording": file_digest(out / "recordings" / name / f"{name}.mcap")}

@@ -1,0 +1,157 @@
+"""The second vehicle: six degrees of freedom against closed forms and what a free body keeps; sealed recordings."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+
+def _moved(p: Any, s: Any, seconds: float, command: Any = None) -> Any:
+    """The state after a time without random forces."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.motion import advance
+
+    commands = np.zeros(8) if command is None else command
+    for step in range(round(seconds / at.STEP)):
+        advance(p, s, commands, np.zeros(4), step * at.STEP)
+    return s
+
+
+def _bare(**places: float) -> Any:
+    """(SIZE,) the vehicle without drag, lift and righting, but for these numbers."""
+    from concealer.rov import vehicle as at
+
+    p = at.nominal()
+    p[at.LINEAR : at.LINEAR + 12] = 0.0
+    p[at.LIFT] = p[at.RIGHTING] = 0.0
+    for name, value in places.items():
+        p[getattr(at, name.upper())] = value
+    return p
+
+
+def test_a_free_body_keeps_energy_and_its_momenta_in_the_world() -> None:
+    """Kirchhoff's equations without forces keep kinetic energy, and linear momentum as the world sees it."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.motion import turned
+
+    p, s = _bare(), np.zeros(at.STATE)
+    s[at.QUATERNION] = 1.0
+    s[at.VELOCITY : at.VELOCITY + 3], s[at.RATE : at.RATE + 3] = (0.4, -0.2, 0.3), (0.5, 0.2, -0.4)
+
+    def kept() -> Any:
+        v, w = s[at.VELOCITY : at.VELOCITY + 3], s[at.RATE : at.RATE + 3]
+        energy = 0.5 * np.sum(p[at.MASS : at.MASS + 3] * v**2) + 0.5 * np.sum(p[at.INERTIA : at.INERTIA + 3] * w**2)
+        return np.array([energy, *turned(s[at.QUATERNION : at.QUATERNION + 4], p[at.MASS : at.MASS + 3] * v)])
+
+    before = kept()
+    _moved(p, s, 20.0)
+    assert np.linalg.norm(s[at.QUATERNION : at.QUATERNION + 4]) == pytest.approx(1.0, abs=1e-12)
+    assert abs(s[at.QUATERNION]) < 0.999
+    assert kept() == pytest.approx(before, rel=1e-6, abs=1e-6)
+
+
+def test_a_tilted_vehicle_swings_as_a_pendulum() -> None:
+    """A small roll swings with the period 2 pi sqrt(I / righting) where nothing damps it."""
+    from concealer.rov import vehicle as at
+
+    p, s = _bare(righting=4.0), np.zeros(at.STATE)
+    s[at.QUATERNION], s[at.QUATERNION + 1] = math.cos(0.01), math.sin(0.01)
+    _moved(p, s, round(math.pi * math.sqrt(0.28 / 4.0) / at.STEP) * at.STEP)
+    assert 2.0 * math.asin(s[at.QUATERNION + 1]) == pytest.approx(-0.02, abs=1e-4)
+
+
+def test_steady_speed_is_where_drag_is_thrust() -> None:
+    """All four vectored thrusters at c: 4 cos(45 deg) 40 N c = d u + q u^2; the vehicle goes straight."""
+    from concealer.rov import vehicle as at
+
+    p, s = at.nominal(), np.zeros(at.STATE)
+    p[at.LIFT], p[at.RIGHTING] = 0.0, 1e3  # as good as level
+    s[at.QUATERNION] = 1.0
+    _moved(p, s, 30.0, 0.1 * at.ALLOCATION[0])
+    u = (-4.03 + math.sqrt(4.03**2 + 4.0 * 18.18 * 0.4 * math.sqrt(0.5) * 40.0)) / (2.0 * 18.18)
+    assert s[at.VELOCITY] == pytest.approx(u, rel=1e-3)
+    assert s[at.VELOCITY + 1] == pytest.approx(0.0, abs=1e-9) and s[at.RATE + 2] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_resting_accelerometer_feels_gravity_and_effects_pull_as_they_are_said_to() -> None:
+    """At rest, without lift: 9.81 m/s^2 upward; a tether of 2 N/m and 1.5 m pulls 3 N, to be shared by the mass."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.motion import felt, level_of
+
+    p, s = _bare(tether=2.0, tether_x=1.5), np.zeros(at.STATE)
+    s[at.QUATERNION] = 1.0
+    assert felt(p, s, np.zeros(4), 0.0) == pytest.approx([3.0 / 17.0, 0.0, 9.81])
+    p = _bare(dead=0.1, reverse=0.2)
+    assert [level_of(p, c) for c in (0.1, -0.1, 0.3, -0.5)] == pytest.approx([0.0, 0.0, 0.3, -0.4])
+
+
+@pytest.fixture(scope="module")
+def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Three sealed recordings of 40 s."""
+    from concealer.conceal import conceal
+    from concealer.prior import Wish
+    from concealer.rov.recording import load
+
+    out = tmp_path_factory.mktemp("rov") / "t"
+    assert list(conceal(out, load(), 9, range(3), Wish("single", noise=0.005, duration=40.0))) == [
+        "r0000", "r0001", "r0002",
+    ]  # fmt: skip
+    return out
+
+
+def test_recordings_of_the_rov_are_sealed_and_the_same_twice(recordings: Path, tmp_path: Path) -> None:
+    """All seals hold; the same seed writes the same bytes."""
+    from concealer.conceal import conceal
+    from concealer.prior import Wish
+    from concealer.rov.recording import load
+    from concealer.seal import broken_seals
+
+    ledger = recordings / "ledger.json"
+    assert broken_seals(ledger, recordings / "envelopes", recordings / "recordings") == []
+    again = tmp_path / "t"
+    assert len(list(conceal(again, load(), 9, range(3), Wish("single", noise=0.005, duration=40.0)))) == 3
+    assert (again / "ledger.json").read_bytes() == ledger.read_bytes()
+
+
+def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: Path) -> None:
+    """rosbags reads names and levels of the thrusters and a quaternion of length 1; the envelope names one effect."""
+    from concealer.bag import typestore
+    from concealer.rov import vehicle as at
+    from rosbags.rosbag2 import Reader
+
+    with Reader(recordings / "recordings" / "r0001") as reader:
+        first = {
+            link.topic.rpartition("/")[2]: typestore().deserialize_cdr(data, link.msgtype)
+            for link, _, data in reader.messages()
+        }
+    assert list(first["thruster_command"].name) == at.NAMES
+    assert len(first["thruster_command"].command) == 8 and np.abs(first["thruster_command"].command).max() <= 1.0
+    q = first["imu"].orientation
+    assert math.hypot(q.x, q.y, q.z, q.w) == pytest.approx(1.0, abs=1e-6)
+    depth = -first["pose"].pose.position.z
+    assert first["pressure"].fluid_pressure == pytest.approx(101325.0 + 998.0 * 9.81 * depth, abs=6000.0)
+    truth = json.loads((recordings / "envelopes" / "r0001.json").read_text())
+    assert len(truth["effects"]) == 1 and truth["kind"] == "single"
+
+
+def test_the_platform_file_is_the_vehicle_that_the_concealer_has() -> None:
+    """The file that the tool is given says the Concealer's own nominal numbers, and the same thrusters."""
+    from concealer.rov import vehicle as at
+    from ruamel.yaml import YAML
+
+    file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
+    told, p = YAML(typ="safe").load(file.read_text(encoding="utf-8")), at.nominal()
+    assert told["mass"]["value"] == pytest.approx(p[at.MASS]) and told["drag"]["value"] == p[at.QUADRATIC]
+    added = told["effects"]["added_mass"]
+    assert [added[key]["value"] for key in ("sway_minus_surge", "heave_minus_surge")] == pytest.approx(
+        list(p[at.MASS + 1 : at.MASS + 3] - p[at.MASS])
+    )
+    assert [actuator["name"] for actuator in told["actuators"]] == at.NAMES
+    for actuator, place, way in zip(told["actuators"], at.PLACES, at.DIRECTIONS, strict=True):
+        assert actuator["position"]["value"] == pytest.approx(list(place))
+        assert actuator["direction"]["value"] == pytest.approx(list(way), abs=1e-6)
