@@ -17,9 +17,10 @@ from concealer import bag, prior
 from concealer import layout as at
 from concealer.layout import FloatArray
 from concealer.prior import Plot
-from concealer.recording import SPREAD, instruments, move
+from concealer.recording import instruments, move
 from concealer.scene import Faults, Scene
 from concealer.sensors import EPOCH_NS, observe
+from concealer.staging import SPREAD
 
 WEEK_NS = 7 * 24 * 3600 * 10**9
 DAY_NS = 24 * 3600 * 10**9

@@ -19,6 +19,12 @@ BEFORE = {
     7: ("several", [0.1034143564970449, -0.8152955552110218, -1.689178299272671, -17.033983427411215]),
 }
 
+# Effects that came into the prior after those numbers were taken.
+LATER = {
+    "density_gradient", "surface_loss", "speed_log_scale", "speed_log_misalignment", "pose_heading", "pose_lever",
+    "motor_field",
+}  # fmt: skip
+
 
 @pytest.fixture(scope="module")
 def table() -> dict[str, Any]:
@@ -33,6 +39,8 @@ def test_earlier_seeds_move_as_they_did(numbers: dict[str, Any]) -> None:
     from concealer.prior import Wish, draw
     from concealer.recording import move, stage
 
+    assert set(numbers["effects"]) >= LATER
+    numbers = numbers | {"effects": {key: each for key, each in numbers["effects"].items() if key not in LATER}}
     for index, (kind, place) in BEFORE.items():
         plotting, hiding, moving, _ = np.random.default_rng([60, index]).spawn(4)
         plot = draw(plotting, numbers, Wish(duration=60.0))
