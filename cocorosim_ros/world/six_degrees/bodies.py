@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -11,10 +12,9 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.errors import CocorosimError
 
-FIN_SIZE = 8
-FIN_PLACE, FIN_NORMAL, FIN_LIFT, FIN_LIMIT = 0, 3, 6, 7
-"""Columns of a fin: place (3) [m; body], normal (3) [body], lift per angle and square of speed [kg/m], largest angle
-[rad]."""
+FIN_SIZE = 7
+FIN_PLACE, FIN_NORMAL, FIN_LIFT = 0, 3, 6
+"""Columns of a fin: place (3) [m; body], normal (3) [body], lift per angle and square of speed [kg/m]."""
 
 
 class Bodies(NamedTuple):
@@ -29,9 +29,11 @@ class Bodies(NamedTuple):
     quadratic: Floats  # (robots, 6, 6) force = -quadratic @ (|nu| nu) [kg/m, kg, N m s^2 and so on]
     lift: Floats  # (robots, 6, 6) force = -|u| lift @ nu [kg/m, kg, kg m]
     hydrostatic: Floats  # (robots, 4) upward force [N], and weight and buoyancy times their places (3) [N m; body]
-    wrench: Floats  # (robots, thrusters, 6) force and moment per newton [1, m; body]
-    limit: Floats  # (robots, thrusters, 2) force at command +1 and -1, both positive [N]
-    fins: Floats  # (robots, fins, FIN_SIZE)
+    wrench: Floats  # (robots, actuators, 6) force and moment per newton of a thruster [1, m; body]; zero for fins
+    limit: Floats  # (robots, actuators, 2) force [N] or angle [rad] at command +1 and -1, both positive
+    curve: Floats  # (robots, actuators, columns) see terms.curve; no columns where all are plain
+    fins: Floats  # (robots, actuators, FIN_SIZE); zero for thrusters
+    gravity: Floats  # (robots,) [m/s^2], which accelerometers show
 
 
 class Body(NamedTuple):
@@ -43,9 +45,10 @@ class Body(NamedTuple):
     quadratic: Floats  # (6, 6)
     lift: Floats  # (6, 6)
     hydrostatic: Floats  # (4,)
-    wrench: Floats  # (thrusters, 6)
-    limit: Floats  # (thrusters, 2)
-    fins: Floats  # (fins, FIN_SIZE)
+    wrench: Floats  # (actuators, 6)
+    limit: Floats  # (actuators, 2)
+    curve: Floats  # (actuators, columns)
+    fins: Floats  # (actuators, FIN_SIZE)
     flow: Floats  # velocity of the water, see water.flow; empty in still water
 
 
@@ -61,7 +64,6 @@ class Fin:
     normal: tuple[float, float, float]
     area: float
     slope: float
-    limit: float
 
 
 @dataclass(frozen=True)
@@ -69,8 +71,9 @@ class Vehicle:
     """A vehicle in words of hydrodynamics; body axes forward-left-up, everything about their origin.
 
     mass [kg]; inertia (3, 3) about the centre of gravity [kg m^2]; added_mass, linear, quadratic, lift: (6, 6), see
-    Bodies; centre_of_gravity, centre_of_buoyancy (3,) [m; body]; weight, buoyancy [N]; wrench (thrusters, 6);
-    limit (thrusters, 2) [N]; density of the water [kg/m^3], which fins feel.
+    Bodies; centre_of_gravity, centre_of_buoyancy (3,) [m; body]; weight, buoyancy [N]; wrench (actuators, 6), limit
+    (actuators, 2) and curve (actuators, columns) as in Bodies; fins: those actuators that are fins, by number;
+    density of the water [kg/m^3], which fins feel; gravity [m/s^2].
     """
 
     mass: float
@@ -85,8 +88,10 @@ class Vehicle:
     lift: Floats = field(default_factory=lambda: np.zeros((6, 6)))
     wrench: Floats = field(default_factory=lambda: np.zeros((0, 6)))
     limit: Floats = field(default_factory=lambda: np.zeros((0, 2)))
-    fins: tuple[Fin, ...] = ()
+    curve: Floats = field(default_factory=lambda: np.zeros((0, 0)))
+    fins: Mapping[int, Fin] = field(default_factory=dict)
     density: float = 1000.0
+    gravity: float = 9.81
 
     def mass_matrix(self) -> Floats:
         """(6, 6) rigid body and added mass about the origin.
@@ -109,14 +114,14 @@ def cross_matrix(arm: Floats) -> Floats:
 
 
 def build_bodies(vehicles: list[Vehicle]) -> Bodies:
-    """The numbers of vehicles for compiled loops; who has fewer thrusters or fins than others gets ones without force.
+    """The numbers of vehicles for compiled loops; who has fewer actuators than others gets ones without force.
 
     Raises CocorosimError where a mass matrix is not symmetric or not positive definite: such a vehicle would give
     energy without end.
     """
     masses = np.array([_checked_mass(vehicle) for vehicle in vehicles])
-    thrusters = max(len(vehicle.wrench) for vehicle in vehicles)
-    count, fins = len(vehicles), max(len(vehicle.fins) for vehicle in vehicles)
+    count, actuators = len(vehicles), max(len(vehicle.wrench) for vehicle in vehicles)
+    columns = max(vehicle.curve.shape[1] for vehicle in vehicles)
     bodies = Bodies(
         masses,
         np.linalg.inv(masses),
@@ -124,16 +129,19 @@ def build_bodies(vehicles: list[Vehicle]) -> Bodies:
         np.array([vehicle.quadratic for vehicle in vehicles], dtype=np.float64),
         np.array([vehicle.lift for vehicle in vehicles], dtype=np.float64),
         np.array([_hydrostatic(vehicle) for vehicle in vehicles]),
-        np.zeros((count, thrusters, 6)),
-        np.zeros((count, thrusters, 2)),
-        np.zeros((count, fins, FIN_SIZE)),
+        np.zeros((count, actuators, 6)),
+        np.zeros((count, actuators, 2)),
+        np.zeros((count, actuators, columns)),
+        np.zeros((count, actuators, FIN_SIZE)),
+        np.array([vehicle.gravity for vehicle in vehicles]),
     )
     for robot, vehicle in enumerate(vehicles):
         bodies.wrench[robot, : len(vehicle.wrench)] = vehicle.wrench
         bodies.limit[robot, : len(vehicle.limit)] = vehicle.limit
-        for row, fin in enumerate(vehicle.fins):
+        bodies.curve[robot, : len(vehicle.curve), : vehicle.curve.shape[1]] = vehicle.curve
+        for number, fin in vehicle.fins.items():
             lift = 0.5 * vehicle.density * fin.area * fin.slope
-            bodies.fins[robot, row] = [*fin.place, *fin.normal, lift, fin.limit]
+            bodies.fins[robot, number] = [*fin.place, *fin.normal, lift]
     return bodies
 
 
@@ -149,6 +157,7 @@ def body_of(bodies: Bodies, robot: int, flow: Floats) -> Body:
         bodies.hydrostatic[robot],
         bodies.wrench[robot],
         bodies.limit[robot],
+        bodies.curve[robot],
         bodies.fins[robot],
         flow,
     )

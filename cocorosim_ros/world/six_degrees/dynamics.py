@@ -70,14 +70,17 @@ def add_damping(relative: Floats, body: Body, total: Floats) -> None:
 
 @kernel
 def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None:
-    """Add the lift of fins (6,) [N, N m; body] at angles (fins,) [rad].
+    """Add the lift of fins (6,) [N, N m; body] at angles (actuators,) [rad]; of thrusters nothing is looked at.
 
     With V = v + omega x r at the fin, ahead V_x and along its normal V_n: rho S c / 2 |V_x| (V_x angle - V_n) along the
     normal. Assumes: small angles of attack, no stall, no drag of the lift, no wash of a propeller.
     Source: Prestero, Verification of a Six-Degree of Freedom Simulation Model for the REMUS AUV (2001), section 4.6.
     """
     for fin in range(body.fins.shape[0]):
-        row, felt, force = body.fins[fin], stack_array(3), stack_array(3)
+        row = body.fins[fin]
+        if row[FIN_LIFT] == 0.0:
+            continue
+        felt, force = stack_array(3), stack_array(3)
         place, normal = row[FIN_PLACE : FIN_PLACE + 3], row[FIN_NORMAL : FIN_NORMAL + 3]
         for axis in range(3):
             felt[axis] = relative[axis]
@@ -94,11 +97,11 @@ def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None
 def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Floats) -> None:
     """Write the derivative (STATE_SIZE,) of the state `row` at `time` [s].
 
-    effort: (thrusters + fins,) forces [N] and angles [rad], which hold while a step lasts.
+    effort: (actuators,) forces [N] and angles [rad], which hold while a step lasts.
     """
     attitude, relative, momentum = row[ATTITUDE:SURGE], stack_array(6), stack_array(6)
-    total, drift, thrusters = stack_array(6), stack_array(3), body.wrench.shape[0]
-    _relative_velocity(row, time, body.flow, drift, relative)
+    total, drift = stack_array(6), stack_array(3)
+    relative_velocity(row, time, body.flow, drift, relative)
     for line in range(6):
         for column in range(6):
             momentum[line] += body.mass_matrix[line, column] * relative[column]
@@ -107,10 +110,10 @@ def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Float
         total[line] = -total[line]
     add_hydrostatics(attitude, body.hydrostatic, total)
     add_damping(relative, body, total)
-    add_fins(relative, effort[thrusters:], body, total)
-    for thruster in range(thrusters):
+    add_fins(relative, effort, body, total)
+    for actuator in range(body.wrench.shape[0]):
         for line in range(6):
-            total[line] += body.wrench[thruster, line] * effort[thruster]
+            total[line] += body.wrench[actuator, line] * effort[actuator]
     for line in range(6):
         answer = 0.0
         for column in range(6):
@@ -123,7 +126,7 @@ def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Float
 
 
 @kernel
-def _relative_velocity(row: Floats, time: float, flow: Floats, drift: Floats, relative: Floats) -> None:
+def relative_velocity(row: Floats, time: float, flow: Floats, drift: Floats, relative: Floats) -> None:
     """Write the water's velocity (3,) [m/s; body] where the vehicle is, and the vehicle's through the water (6,)."""
     if flow.shape[0] > 0:
         water = stack_array(3)

@@ -8,23 +8,34 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.world.motion.motion import Stepping
+from cocorosim_ros.world.surroundings.tank import Tank
+
 Swim = Callable[..., Any]
 STILL = np.zeros(0)
 
 
+def open_water() -> Tank:
+    """A tank whose walls nobody reaches, with neither surface nor floor."""
+    far = np.full(3, 1e4)
+    return Tank(-far, far, np.zeros((0, 4)), np.zeros((0, 6)))
+
+
 @pytest.fixture(scope="session")
 def swim() -> Swim:
-    """Function of (vehicle, row, seconds, step, command, flow): the states (steps + 1, 13) of one vehicle."""
+    """Function of (vehicle, row, seconds, step, command, flow): states (steps + 1, 13) far from walls."""
+    from cocorosim_ros.world.six_degrees import swimming
     from cocorosim_ros.world.six_degrees.bodies import build_bodies
-    from cocorosim_ros.world.six_degrees.stepping import Steps, advance
 
     def run(vehicle: Any, row: Any, seconds: float, step: float, command: Any = (), flow: Any = STILL) -> Any:
-        bodies = build_bodies([vehicle])
+        school = swimming.School(build_bodies([vehicle]), np.zeros(1, dtype=np.int64))
         state = np.array(row, dtype=np.float64).reshape(1, 1, 13)
-        asked = np.array(command, dtype=np.float64).reshape(1, 1, -1)
+        asked, seen = np.array(command, dtype=np.float64).reshape(1, 1, -1), np.zeros((1, 1, 8))
+        around = swimming.Around(flow, open_water(), np.zeros(asked.shape[2]))
         states = [state[0, 0].copy()]
         for index in range(round(seconds / step)):
-            advance(state, asked, bodies, flow, Steps(index * step, 1, step))
+            moment = swimming.Moment(index * step, Stepping(0, 1, step, 0))
+            swimming.swim(state, asked, school, around, moment, seen)
             states.append(state[0, 0].copy())
         return np.array(states)
 

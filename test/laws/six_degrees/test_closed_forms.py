@@ -26,14 +26,17 @@ def plain() -> Any:
 
 
 def rate_of(vehicle: Any, row: Any, command: Any = ()) -> Any:
-    """The derivative (13,) of a state."""
-    from cocorosim_ros.world.six_degrees.bodies import build_bodies
-    from cocorosim_ros.world.six_degrees.stepping import rates
+    """The derivative (13,) of a state, by compiled functions called from Python."""
+    from cocorosim_ros.world.six_degrees.bodies import Body, build_bodies
+    from cocorosim_ros.world.six_degrees.dynamics import state_rate
+    from cocorosim_ros.world.six_degrees.stepping import set_effort
 
-    rate = np.zeros((1, 1, 13))
-    asked = np.array(command, dtype=np.float64).reshape(1, 1, -1)
-    rates(np.array(row).reshape(1, 1, 13), asked, build_bodies([vehicle]), np.zeros(0), 0.0, rate)
-    return rate[0, 0]
+    numbers = build_bodies([vehicle])
+    body = Body(*(getattr(numbers, name)[0] for name in Body._fields[:-1]), np.zeros(0))
+    rate, effort = np.zeros(13), np.zeros(len(command))
+    set_effort(np.array(command, dtype=np.float64), body, effort)
+    state_rate(np.array(row), 0.0, effort, body, rate)
+    return rate
 
 
 @pytest.mark.parametrize(("axis", "inertia"), [("roll", 0.4), ("pitch", 0.7)])
@@ -143,8 +146,9 @@ def test_fin_lifts_by_its_angle_of_attack(start: Make, plain: Any) -> None:
     from cocorosim_ros.world.six_degrees.bodies import Fin
 
     neutral = replace(plain, added_mass=np.zeros((6, 6)))
-    plane = Fin(place=(-0.7, 0.0, 0.0), normal=(0.0, 1.0, 0.0), area=0.01, slope=3.0, limit=math.radians(10.0))
-    vehicle = replace(neutral, fins=(plane,))
+    plane = Fin(place=(-0.7, 0.0, 0.0), normal=(0.0, 1.0, 0.0), area=0.01, slope=3.0)
+    limit = np.full((1, 2), math.radians(10.0))
+    vehicle = replace(neutral, fins={0: plane}, wrench=np.zeros((1, 6)), limit=limit, curve=np.zeros((1, 0)))
     lift = 0.5 * 1000.0 * 0.01 * 3.0 * 4.0 * math.radians(5.0)
     rate = rate_of(vehicle, start([2.0, 0, 0, 0, 0, 0]), [0.5])
     assert rate[8] == pytest.approx(lift / 10.0, rel=1e-13)
