@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.world.six_degrees.vehicle import Vehicle, checked_mass_matrix
 
 FIN_SIZE = 7
 FIN_PLACE, FIN_NORMAL, FIN_LIFT = 0, 3, 6
@@ -52,76 +51,14 @@ class Body(NamedTuple):
     flow: Floats  # velocity of the water, see water.flow; empty in still water
 
 
-@dataclass(frozen=True)
-class Fin:
-    """A control surface with its span across the flow; its lift grows with the angle until its limit.
-
-    place: of its centre of pressure [m; body]. normal: (3,) unit vector of the force that a positive angle gives where
-    water comes from ahead [body]. area: [m^2]. slope: of the lift coefficient [1/rad]. limit: largest angle [rad].
-    """
-
-    place: tuple[float, float, float]
-    normal: tuple[float, float, float]
-    area: float
-    slope: float
-
-
-@dataclass(frozen=True)
-class Vehicle:
-    """A vehicle in words of hydrodynamics; body axes forward-left-up, everything about their origin.
-
-    mass [kg]; inertia (3, 3) about the centre of gravity [kg m^2]; added_mass, linear, quadratic, lift: (6, 6), see
-    Bodies; centre_of_gravity, centre_of_buoyancy (3,) [m; body]; weight, buoyancy [N]; wrench (actuators, 6), limit
-    (actuators, 2) and curve (actuators, columns) as in Bodies; fins: those actuators that are fins, by number;
-    density of the water [kg/m^3], which fins feel; gravity [m/s^2].
-    """
-
-    mass: float
-    inertia: Floats
-    centre_of_gravity: Floats = field(default_factory=lambda: np.zeros(3))
-    centre_of_buoyancy: Floats = field(default_factory=lambda: np.zeros(3))
-    weight: float = 0.0
-    buoyancy: float = 0.0
-    added_mass: Floats = field(default_factory=lambda: np.zeros((6, 6)))
-    linear: Floats = field(default_factory=lambda: np.zeros((6, 6)))
-    quadratic: Floats = field(default_factory=lambda: np.zeros((6, 6)))
-    lift: Floats = field(default_factory=lambda: np.zeros((6, 6)))
-    wrench: Floats = field(default_factory=lambda: np.zeros((0, 6)))
-    limit: Floats = field(default_factory=lambda: np.zeros((0, 2)))
-    curve: Floats = field(default_factory=lambda: np.zeros((0, 0)))
-    fins: Mapping[int, Fin] = field(default_factory=dict)
-    density: float = 1000.0
-    gravity: float = 9.81
-
-    def mass_matrix(self) -> Floats:
-        """(6, 6) rigid body and added mass about the origin.
-
-        M_RB = [m 1, -m S(r_g); m S(r_g), I_g - m S(r_g)^2] (Fossen 2011, eq. 3.44), with S(a) b = a x b.
-        """
-        arm = cross_matrix(self.centre_of_gravity)
-        total = np.array(self.added_mass, dtype=np.float64)
-        total[:3, :3] += self.mass * np.eye(3)
-        total[:3, 3:] -= self.mass * arm
-        total[3:, :3] += self.mass * arm
-        total[3:, 3:] += self.inertia - self.mass * arm @ arm
-        return total
-
-
-def cross_matrix(arm: Floats) -> Floats:
-    """S(a) (3, 3), with S(a) b = a x b for every b."""
-    x, y, z = arm
-    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-
-
-def build_bodies(vehicles: list[Vehicle]) -> Bodies:
+def build_bodies(vehicles: Sequence[Vehicle], curves: Floats | None = None) -> Bodies:
     """The numbers of vehicles for compiled loops; who has fewer actuators than others gets ones without force.
 
-    Raises CocorosimError where a mass matrix is not symmetric or not positive definite: such a vehicle would give
-    energy without end.
+    curves: (robots, actuators, columns), see terms.curve; plain if None. Raises CocorosimError where a mass matrix is
+    not symmetric or not positive definite: such a vehicle would give energy without end.
     """
-    masses = np.array([_checked_mass(vehicle) for vehicle in vehicles])
+    masses = np.array([checked_mass_matrix(vehicle) for vehicle in vehicles])
     count, actuators = len(vehicles), max(len(vehicle.wrench) for vehicle in vehicles)
-    columns = max(vehicle.curve.shape[1] for vehicle in vehicles)
     bodies = Bodies(
         masses,
         np.linalg.inv(masses),
@@ -131,14 +68,13 @@ def build_bodies(vehicles: list[Vehicle]) -> Bodies:
         np.array([_hydrostatic(vehicle) for vehicle in vehicles]),
         np.zeros((count, actuators, 6)),
         np.zeros((count, actuators, 2)),
-        np.zeros((count, actuators, columns)),
+        np.zeros((count, actuators, 0)) if curves is None else curves,
         np.zeros((count, actuators, FIN_SIZE)),
         np.array([vehicle.gravity for vehicle in vehicles]),
     )
     for robot, vehicle in enumerate(vehicles):
         bodies.wrench[robot, : len(vehicle.wrench)] = vehicle.wrench
         bodies.limit[robot, : len(vehicle.limit)] = vehicle.limit
-        bodies.curve[robot, : len(vehicle.curve), : vehicle.curve.shape[1]] = vehicle.curve
         for number, fin in vehicle.fins.items():
             lift = 0.5 * vehicle.density * fin.area * fin.slope
             bodies.fins[robot, number] = [*fin.place, *fin.normal, lift]
@@ -167,16 +103,3 @@ def _hydrostatic(vehicle: Vehicle) -> Floats:
     moment = vehicle.buoyancy * np.asarray(vehicle.centre_of_buoyancy)
     moment = moment - vehicle.weight * np.asarray(vehicle.centre_of_gravity)
     return np.array([vehicle.buoyancy - vehicle.weight, *moment])
-
-
-def _checked_mass(vehicle: Vehicle) -> Floats:
-    mass = vehicle.mass_matrix()
-    if not np.allclose(mass, mass.T, rtol=1e-9, atol=0.0):
-        raise CocorosimError("The mass matrix with added mass is not symmetric; write a symmetric added mass.")
-    least = float(np.linalg.eigvalsh(mass).min())
-    if least <= 0.0:
-        raise CocorosimError(
-            f"The mass matrix with added mass has the eigenvalue {least:.6g}, where all must be greater than zero; "
-            "look at the signs of added mass and inertia."
-        )
-    return mass

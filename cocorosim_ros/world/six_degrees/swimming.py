@@ -62,12 +62,6 @@ def swim(state: Floats, command: Floats, school: School, around: Around, moment:
 
 
 @allocating_kernel
-def show_level(state: Floats, school: School, seen: Floats) -> None:
-    """Write the rows of the vehicles in `seen` (runs, robots, columns), see `levelled`."""
-    _show_all(state, school, seen)
-
-
-@allocating_kernel
 def feel(state: Floats, command: Floats, school: School, around: Around, time: float, felt: Felt) -> None:
     """Write what gyroscope, accelerometer and speed log of every vehicle show at `time` [s] under commands that hold.
 
@@ -92,13 +86,6 @@ def _swim_all(state: Floats, command: Floats, school: School, around: Around, mo
                 keep_in_tank(level, around.tank, stepping.contact)
                 if level[0] != row[0] or level[1] != row[1] or level[2] != row[2]:
                     take_level(level, row)
-
-
-@kernel
-def _show_all(state: Floats, school: School, seen: Floats) -> None:
-    for run in range(state.shape[0]):
-        for vehicle in range(state.shape[1]):
-            write_level(state[run, vehicle], seen[run, school.number[vehicle]])
 
 
 @kernel

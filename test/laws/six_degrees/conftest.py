@@ -56,7 +56,7 @@ def start() -> Callable[..., Any]:
 @pytest.fixture(scope="session")
 def lopsided() -> Any:
     """A vehicle without damping whose mass matrix has every entry: heavy below and behind, with coupled added mass."""
-    from cocorosim_ros.world.six_degrees.bodies import Vehicle
+    from cocorosim_ros.world.six_degrees.vehicle import Vehicle
 
     draw = np.random.default_rng(11)
     root = draw.normal(size=(6, 6))

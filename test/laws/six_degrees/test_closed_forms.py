@@ -17,7 +17,7 @@ Make = Callable[..., Any]
 @pytest.fixture(scope="module")
 def plain() -> Any:
     """A neutral vehicle of 10 kg whose weight is 5 cm below its buoyancy, with diagonal matrices."""
-    from cocorosim_ros.world.six_degrees.bodies import Vehicle
+    from cocorosim_ros.world.six_degrees.vehicle import Vehicle
 
     return Vehicle(
         mass=10.0, inertia=np.diag([0.3, 0.5, 0.6]), added_mass=np.diag([3.0, 8.0, 9.0, 0.1, 0.2, 0.25]),
@@ -143,12 +143,12 @@ def test_mirrored_vehicle_moves_mirrored(swim: Make, start: Make, plain: Any) ->
 
 def test_fin_lifts_by_its_angle_of_attack(start: Make, plain: Any) -> None:
     """A stern plane at 5 deg and 2 m/s gives rho S c u^2 angle / 2 at its lever; in a sideslip it gives way."""
-    from cocorosim_ros.world.six_degrees.bodies import Fin
+    from cocorosim_ros.world.six_degrees.vehicle import Fin
 
     neutral = replace(plain, added_mass=np.zeros((6, 6)))
     plane = Fin(place=(-0.7, 0.0, 0.0), normal=(0.0, 1.0, 0.0), area=0.01, slope=3.0)
     limit = np.full((1, 2), math.radians(10.0))
-    vehicle = replace(neutral, fins={0: plane}, wrench=np.zeros((1, 6)), limit=limit, curve=np.zeros((1, 0)))
+    vehicle = replace(neutral, fins={0: plane}, wrench=np.zeros((1, 6)), limit=limit)
     lift = 0.5 * 1000.0 * 0.01 * 3.0 * 4.0 * math.radians(5.0)
     rate = rate_of(vehicle, start([2.0, 0, 0, 0, 0, 0]), [0.5])
     assert rate[8] == pytest.approx(lift / 10.0, rel=1e-13)

@@ -50,7 +50,7 @@ def test_free_top_turns_by_jacobi_functions(swim: Make, start: Make) -> None:
     """A free rigid body: p, q, r = A cn, -B sn, C dn of Jacobi (Landau and Lifshitz, Mechanics, section 37)."""
     from scipy.special import ellipj
 
-    from cocorosim_ros.world.six_degrees.bodies import Vehicle
+    from cocorosim_ros.world.six_degrees.vehicle import Vehicle
 
     first, second, third = 1.0, 2.0, 3.0  # kg m^2
     p, r = 0.5, 1.0  # rad/s, with no pitch rate at the start
@@ -69,7 +69,7 @@ def test_free_top_turns_by_jacobi_functions(swim: Make, start: Make) -> None:
 
 def test_precession_of_symmetric_top(swim: Make, start: Make) -> None:
     """A body with two equal moments nutates at (I3 - I1) r / I1 in its own axes."""
-    from cocorosim_ros.world.six_degrees.bodies import Vehicle
+    from cocorosim_ros.world.six_degrees.vehicle import Vehicle
 
     states = swim(Vehicle(1.0, np.diag([1.0, 1.0, 1.6])), start([0, 0, 0, 0.2, 0, 1.5]), 20.0, 0.01)
     phase = 0.6 * 1.5 * np.arange(len(states)) * 0.01

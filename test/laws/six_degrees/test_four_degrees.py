@@ -47,7 +47,7 @@ def in_four(platform: Any) -> Any:
 @pytest.fixture(scope="module")
 def vehicle(platform: Any) -> Any:
     """The same numbers as matrices, with the buoyancy 10 cm above the weight, and damped in roll and pitch."""
-    from cocorosim_ros.world.six_degrees.bodies import Vehicle
+    from cocorosim_ros.world.six_degrees.vehicle import Vehicle
 
     drag = platform.effects["linear_drag"]
     weight = platform.mass * platform.gravity
