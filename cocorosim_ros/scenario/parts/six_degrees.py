@@ -92,6 +92,10 @@ def check_couplings(section: Entry, couplings: tuple[Coupling, ...]) -> None:
     met: set[tuple[str, ...]] = set()
     for entry, coupling in zip(section.items(), couplings, strict=True):
         place = entry.mapping()["number"]
+        if coupling.force == coupling.motion and coupling.matrix != "lift":
+            raise entry.problem(
+                f"has '{coupling.matrix}' of {coupling.motion} on itself; write it in the platform's diagonal of it."
+            )
         unit = unit_of(coupling.matrix, coupling.force, coupling.motion)
         if coupling.number.dimension != dimension_of(unit):
             raise place.problem(
@@ -103,10 +107,6 @@ def check_couplings(section: Entry, couplings: tuple[Coupling, ...]) -> None:
         if (coupling.matrix, *axes) in met:
             raise entry.problem(
                 f"has '{coupling.matrix}' between {listed(axes, 'and')} a second time; leave one of them out."
-            )
-        if coupling.force == coupling.motion and coupling.matrix != "lift":
-            raise entry.problem(
-                f"has '{coupling.matrix}' of {coupling.motion} on itself; write it in the platform's diagonal of it."
             )
         met.add((coupling.matrix, *axes))
 
