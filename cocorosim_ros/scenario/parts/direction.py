@@ -8,6 +8,7 @@ from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import quantity_text, read_vector
 from cocorosim_ros.scenario.reading.records import stored
 
+Vector3 = tuple[float, float, float]
 _UNIT_LENGTH_TOLERANCE = 1e-12
 
 
@@ -20,7 +21,7 @@ def _read_direction(entry: Entry) -> tuple[float, ...]:
     return direction if abs(norm - 1) < _UNIT_LENGTH_TOLERANCE else tuple(part / norm for part in direction)
 
 
-def _direction_tree(direction: tuple[float, float, float]) -> list[str]:
+def _direction_tree(direction: Vector3) -> list[str]:
     return [quantity_text(part, "pure number") for part in direction]
 
 

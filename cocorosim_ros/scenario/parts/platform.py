@@ -74,7 +74,7 @@ class Platform(Shown):
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
     file does not say, and then a simulation takes the total speed. `six_degrees`: what motion with roll and pitch takes
-    instead of drag and yaw inertia; a diagnosis keeps to these. `fitted_step`: step [s] of the filter by which the
+    instead of drag and yaw inertia; a diagnosis refuses it. `fitted_step`: step [s] of the filter by which the
     numbers were found, where a diagnosis has found them. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units

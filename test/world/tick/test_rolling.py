@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from rosbags.highlevel import AnyReader
 from scipy.spatial.transform import Rotation
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.graph.runs.between_ticks import steps_of_scenario
+from cocorosim_ros.library.diagnose import diagnose
+from cocorosim_ros.library.record import record
 from cocorosim_ros.library.simulate import simulate, simulate_runs
+from cocorosim_ros.wire.cdr.type_store import type_store
 from cocorosim_ros.world.checks.loading import load_scenario
 
 SCENARIO = """\
@@ -69,6 +75,32 @@ def test_rolling_vehicle_shows_roll_in_pose_and_imu(scenario: Any) -> None:
     world = attitude.apply(run.velocity[:, 0].copy())
     moved = np.diff(run.position[:, 0], axis=0) / 0.1
     assert np.abs(moved - 0.5 * (world[:-1] + world[1:])).max() < 0.02
+
+
+def test_recording_holds_the_whole_quaternion(scenario: Any, tmp_path: Path) -> None:
+    """The poses of a bag are those of the run; its yaw is the bow's heading."""
+    path = scenario("unused", "")
+    bag, run = record(path, tmp_path / "bag", duration="3 s"), simulate(path, duration="3 s")
+    with AnyReader([tmp_path / "bag"], default_typestore=type_store()) as reader:
+        wanted = [each for each in reader.connections if each.topic == "/rov_01/pose"]
+        turns = [reader.deserialize(data, each.msgtype).pose.orientation for each, _, data in reader.messages(wanted)]
+    assert np.array_equal([[turn.x, turn.y, turn.z, turn.w] for turn in turns], run.attitude[:, 0])
+    bow = Rotation.from_quat(run.attitude[:, 0].copy()).apply([1.0, 0.0, 0.0])
+    assert bag.tracks["rov_01"].yaw == pytest.approx(np.arctan2(bow[:, 1], bow[:, 0]), abs=1e-6)
+    assert np.abs(run.attitude[-1, 0, 0]) > 0.1
+
+
+@pytest.mark.parametrize(
+    "refused",
+    [
+        lambda path: diagnose(path, "bluerov2_heavy"),
+        lambda path: steps_of_scenario(load_scenario(path), 20.0, 1.0),
+    ],
+)
+def test_what_knows_four_degrees_alone_says_so(scenario: Any, refused: Callable[[Path], Any]) -> None:
+    """A diagnosis, and poses between ticks."""
+    with pytest.raises(CocorosimError, match="six"):
+        refused(scenario())
 
 
 def test_many_runs_are_as_one(scenario: Any) -> None:
