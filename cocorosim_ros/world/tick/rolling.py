@@ -30,6 +30,7 @@ class Rolling:
         self.state[..., : six.ATTITUDE] = start[..., X : Z + 1]
         for run, vehicle in np.ndindex(*start.shape[:2]):
             self.state[run, vehicle, six.ATTITUDE : six.SURGE] = attitude_of(0.0, 0.0, start[run, vehicle, YAW])
+        self._yaw: Floats = start[..., YAW].copy()  # (runs, vehicles) [rad], not wrapped
         self._command: Floats = np.zeros((*seen.shape[:2], self._around.effort.shape[0]))  # that held in the last tick
 
     def feel(self, time: float, readings: Readings) -> None:
@@ -40,7 +41,9 @@ class Rolling:
     def move(self, command: Floats, begin: float, stepping: Stepping, seen: Floats) -> None:
         """Advance by a tick that begins at `begin` [s], under `command` (runs, robots, actuators), and show it."""
         self._command[...] = command[..., : self._command.shape[2]]
+        seen[:, self._school.number, YAW] = self._yaw  # motion in four degrees has turned these rows as well
         swim(self.state, self._command, self._school, self._around, Moment(begin, stepping), seen)
+        self._yaw = seen[:, self._school.number, YAW].copy()
 
     def put_attitudes(self, attitude: Floats) -> None:
         """Write the quaternions of these robots into `attitude` (runs, robots, 4)."""
