@@ -17,7 +17,7 @@ from cocorosim_ros.commands.missing_package import check_installed, check_ros
 from cocorosim_ros.commands.progress import RunProgress
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.graph.runs.between_ticks import steps_of_tick
+from cocorosim_ros.graph.runs.between_ticks import steps_of_scenario
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
@@ -83,7 +83,7 @@ def check_startable(scenario: Scenario, choices: RunChoices) -> None:
             f"The controller of {scenario.external[0]} is left to you, which needs nodes in processes of their own; "
             "leave out --composed and --in-process, or take it out of --external and the scenario's 'external'."
         )
-    steps_of_tick(choices.smooth, choices.rate, scenario.tick)
+    steps_of_scenario(scenario, choices.smooth, choices.rate)
     if choices.foxglove is not None:
         foxglove_port(choices.foxglove)
     if choices.view:

@@ -17,12 +17,12 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.seeding.seeding import start_poses
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 from cocorosim_ros.world.sensors.readings import Readings
-from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW, YAW_RATE, X, Z
+from cocorosim_ros.world.state.state import YAW_RATE, X, Z
 from cocorosim_ros.world.tick.assembly import build_world
 from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
 
-_NUMBERS_KEPT = 60  # for each robot and tick, about
+_NUMBERS_KEPT = 67  # for each robot and tick, about
 
 
 def simulate(
@@ -48,7 +48,7 @@ def simulate_runs(
     """Simulate many runs of a scenario at once, which differ in start and random numbers alone.
 
     runs: how many, at least 1. first: the number of the first of them. The other arguments are those of `simulate`.
-    Much faster than one after the other, and bit for bit the same. A run keeps about 60 numbers for each robot and
+    Much faster than one after the other, and bit for bit the same. A run keeps about 70 numbers for each robot and
     tick; for statistics of very many runs `run_design` keeps no arrays.
 
     Returns the runs in their order. Raises CocorosimError as `simulate` does.
@@ -65,11 +65,8 @@ def _simulated(scenario: Scenario, first: int, count: int) -> Iterator[Simulated
     actuators = tuple(robot.platform.actuator_names for robot in scenario.robots)
     for robot, names in enumerate(actuators):
         course.command[:, :, robot, len(names) :] = np.nan
-    half = 0.5 * course.state[..., YAW]
-    zero = np.zeros_like(half)
     # As messages carry it: a recording knows the heading by its quaternion alone.
-    yaw = yaw_of_quaternions(np.stack([zero, zero, np.sin(half), np.cos(half)], axis=-1).reshape(-1, 4))
-    yaw = yaw.reshape(half.shape)
+    yaw = yaw_of_quaternions(course.attitude.reshape(-1, 4)).reshape(course.attitude.shape[:-1])
     platforms = {robot.name: robot.platform for robot in scenario.robots}
     remarks = tuple(not_simulated(platforms))
     for run in range(count):
@@ -81,7 +78,8 @@ def _simulated(scenario: Scenario, first: int, count: int) -> Iterator[Simulated
             read_only(np.arange(scenario.ticks, dtype=np.int64) * scenario.tick_ns),
             read_only(state[..., X : Z + 1]),
             read_only(yaw[run]),
-            read_only(state[..., SURGE : HEAVE + 1]),
+            read_only(course.attitude[run]),
+            read_only(course.velocity[run]),
             read_only(state[..., YAW_RATE]),
             read_only(course.command[run]),
             actuators,
@@ -108,11 +106,14 @@ class _Course:
         starts = np.stack([start_poses(scenario, run) for run in range(first, first + count)])
         simulation = Simulation(build_world(scenario, count, first), starts)
         self.state = self._room(simulation.state[..., : YAW_RATE + 1], scenario.ticks)
+        self.attitude = self._room(simulation.attitude, scenario.ticks)
+        self.velocity = self._room(simulation.velocity, scenario.ticks)
         self.command = self._room(simulation.command, scenario.ticks)
         blank = simulation.readings
         self.readings = {name: self._room(getattr(blank, name), scenario.ticks) for name in Readings._fields}
         for tick in range(scenario.ticks):
             self.state[:, tick] = simulation.state[..., : YAW_RATE + 1]
+            self.attitude[:, tick], self.velocity[:, tick] = simulation.attitude, simulation.velocity
             readings = simulation.sense()
             simulation.decide()
             self.command[:, tick] = simulation.command

@@ -43,10 +43,13 @@ class SimulatedRun(Shown):
     """(ticks, robots, 3) x, y, z [m; world], z negative below the surface."""
     yaw: Floats
     """(ticks, robots) heading [rad; world], counter-clockwise from +x, in [-pi, pi], as a recording gives it."""
+    attitude: Floats
+    """(ticks, robots, 4) unit quaternions x, y, z, w, from the body's axes to the world's; roll and pitch are zero
+    but for platforms with six degrees of freedom."""
     velocity: Floats
     """(ticks, robots, 3) u, v, w over ground [m/s; body]."""
     yaw_rate: Floats
-    """(ticks, robots) [rad/s]."""
+    """(ticks, robots) at which the heading changes [rad/s]."""
     command: Floats
     """(ticks, robots, actuators) fractions of each actuator's maximum, in the order of `actuators`; NaN where a robot
     has fewer."""

@@ -19,7 +19,7 @@ seed: 1
 tick: 0.5 s
 duration: 1 s
 tank: {size: [6 m, 6 m, 2 m]}
-integrator: {name: rk4, step: 0.125 s, contact: inelastic}
+integrator: {name: rk4, step: 0.0625 s, contact: inelastic}
 swarm:
   - {platform: PLATFORM, prefix: robot, controller: idle, start: {poses: [[0 m, 0 m, -1 m, 0 deg]]}}
 """

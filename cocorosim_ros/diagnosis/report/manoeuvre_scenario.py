@@ -9,6 +9,7 @@ from cocorosim_ros.diagnosis.criteria.report import MANOEUVRE, REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
@@ -142,8 +143,8 @@ def _shares(platform: Platform) -> list[tuple[float, float, float]]:
         if isinstance(actuator, BuoyancyPump):
             shares.append((0.0, 0.0, 1.0))
             continue
-        if isinstance(actuator, (Rudder, Azimuth)):  # an azimuth stays where its thruster pushes along its own axis
-            shares.append((0.0, 1.0 if isinstance(actuator, Rudder) else 0.0, 0.0))
+        if isinstance(actuator, (Rudder, Azimuth, Fin)):  # an azimuth stays where its thruster points
+            shares.append((0.0, 1.0 if isinstance(actuator, (Rudder, Fin)) else 0.0, 0.0))
             continue
         ahead, rise = (math.copysign(1.0, part) if abs(part) > REPORT.along_axis else 0.0 for part in wrench[[0, 2]])
         turn = math.copysign(1.0, wrench[3]) if wrench[3] else 0.0

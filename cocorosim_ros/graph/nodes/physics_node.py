@@ -17,7 +17,7 @@ from cocorosim_ros.graph.nodes.physics_shell import PhysicsShell
 from cocorosim_ros.graph.nodes.run_control import RunControl
 from cocorosim_ros.graph.nodes.terms import Terms
 from cocorosim_ros.graph.nodes.wiring import Waiter
-from cocorosim_ros.graph.runs.between_ticks import steps_of_tick
+from cocorosim_ros.graph.runs.between_ticks import steps_of_scenario
 from cocorosim_ros.graph.runs.latency import check_latency
 from cocorosim_ros.graph.runs.warm_up import compile_physics
 from cocorosim_ros.scenario.scenario import Scenario
@@ -100,7 +100,7 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     run_callbacks(node)
     control = RunControl(node, values["rate"], recorded=values["recorded"])
     scenario = scenario_of(values) if supervision is None else supervision.scenario
-    steps = steps_of_tick(values["smooth"], values["rate"], scenario.tick)
+    steps = steps_of_scenario(scenario, values["smooth"], values["rate"])
     if supervision is None:
         check_latency(scenario)
         compile_physics(scenario, node.get_logger().info)

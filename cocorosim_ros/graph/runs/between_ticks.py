@@ -6,9 +6,21 @@ import math
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.state.state import YAW, X, Z
 
 ROUNDING = 1e-9  # of a step; 20 Hz and ticks of 0.5 s are 10 steps, not 11
+
+
+def steps_of_scenario(scenario: Scenario, smooth: float, rate: float) -> int:
+    """What `steps_of_tick` gives for a scenario. Raises CocorosimError, too, where a robot rolls and pitches."""
+    for robot in scenario.robots:
+        if smooth != 0.0 and robot.platform.six_degrees is not None:
+            raise CocorosimError(
+                f"'smooth' has {smooth:g}, and '{robot.name}' has six degrees of freedom, whose roll and pitch are not "
+                "shown between ticks yet; leave it out."
+            )
+    return steps_of_tick(smooth, rate, scenario.tick)
 
 
 def steps_of_tick(smooth: float, rate: float, tick: float) -> int:

@@ -39,7 +39,7 @@ class BodySide:
         `/clock` last, because a controller that sees the new time can take the rest without waiting.
         """
         stamp = simulation.time_ns
-        poses, transforms = self._messages.poses(stamp, simulation.state[0])
+        poses, transforms = self._messages.poses(stamp, simulation.state[0], simulation.attitude[0])
         columns = {"pose": poses, **self._messages.readings(stamp, simulation.sense())}
         self._history.appendleft(list(self._said))
         columns["radio_rx"] = self._inboxes(stamp, simulation, simulation.inbox)

@@ -67,5 +67,5 @@ def _tick(scenario: Scenario, *, decide: bool) -> None:
 
 def _measure(bodies: Sequence[BodyDescription]) -> None:
     """One measurement of a swarm in a heap."""
-    poses = pose_message(bodies).encode(0, np.tile([0.0, 0.0, -1.0, 0.0, 1.0], (len(bodies), 1)))
+    poses = pose_message(bodies).encode(0, np.tile([0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0], (len(bodies), 1)))
     ShoalMonitor(len(bodies)).update(0, *decode_poses(poses))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.thrust_curve import check_ends
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
@@ -13,9 +14,13 @@ MOST_RUDDERS = 2
 _LEVEL = 1e-9  # of a direction of unit length: so little of it may point up
 
 
-def check_actuators(section: Entry, actuators: Sequence[Actuator]) -> None:
-    """Nothing, if all are in order; section: their list in the file. Raises CocorosimError otherwise."""
+def check_actuators(section: Entry, actuators: Sequence[Actuator], six_degrees: bool) -> None:
+    """Nothing, if all are in order; section: their list in the file. Raises CocorosimError otherwise.
+
+    six_degrees: whether the platform rolls and pitches.
+    """
     turned: dict[str, str] = {}
+    _check_degrees(section, actuators, six_degrees)
     for entry, actuator in zip(section.items(), actuators, strict=True):
         if isinstance(actuator, Thruster) and actuator.curve is not None:
             check_ends(entry, actuator.curve, actuator.maximum, actuator.reverse)
@@ -29,6 +34,16 @@ def check_actuators(section: Entry, actuators: Sequence[Actuator]) -> None:
             f"has {len(rudders)} rudders; {MOST_RUDDERS} are the most. Rudders that turn together count as one of all "
             "their area."
         )
+
+
+def _check_degrees(section: Entry, actuators: Sequence[Actuator], six_degrees: bool) -> None:
+    for entry, actuator in zip(section.items(), actuators, strict=True):
+        if six_degrees and not isinstance(actuator, (Thruster, Fin)):
+            raise entry.problem(
+                f"has the kind '{actuator.kind}', and with 'six_degrees' only thrusters and fins are known; replace it."
+            )
+        if not six_degrees and isinstance(actuator, Fin):
+            raise entry.problem("is a fin, which acts in motion with 'six_degrees' alone; add these, or take a rudder.")
 
 
 def _check_propeller(entry: Entry, rudder: Rudder, actuators: Sequence[Actuator]) -> None:

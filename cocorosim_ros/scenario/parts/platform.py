@@ -13,8 +13,10 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
+from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.parameter import Parameter
+from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors, Thruster
 from cocorosim_ros.scenario.reading.arguments import place_text
@@ -65,13 +67,14 @@ def _read_words(entry: Entry) -> dict[str, str]:
 
 @dataclass(frozen=True, repr=False)
 class Platform(Shown):
-    """One kind of robot; SI units, body axes forward-left-up, moves in surge, sway, heave and yaw.
+    """One kind of robot; SI units, body axes forward-left-up, moves in surge, sway, heave and yaw, or in six degrees.
 
     mass [kg], yaw_inertia [kg m^2], drag: rho*A*Cd/2 for the total speed [kg/m], yaw_drag [N m s^2],
     water_density [kg/m^3], gravity [m/s^2]. `thrust_gain`, `yaw_torque_gain`, `buoyancy_gain`: what the thrusters push
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
-    file does not say, and then a simulation takes the total speed. `fitted_step`: step [s] of the filter by which the
+    file does not say, and then a simulation takes the total speed. `six_degrees`: what motion with roll and pitch takes
+    instead of drag and yaw inertia; a diagnosis refuses it. `fitted_step`: step [s] of the filter by which the
     numbers were found, where a diagnosis has found them. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units
@@ -100,6 +103,7 @@ class Platform(Shown):
     yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     drag_form: DragForm | None = field(default=None, metadata=choice(*DRAG_FORMS))
+    six_degrees: SixDegrees | None = field(default=None, metadata=nested(SixDegrees))
     fitted_step: float | None = field(default=None, metadata=quantity("time", "positive"))
     ranges: Ranges = field(
         default_factory=dict,
@@ -189,7 +193,7 @@ class Platform(Shown):
     def _wrench(self, actuator: Actuator) -> tuple[float, float, float, float]:
         if isinstance(actuator, BuoyancyPump):
             return 0.0, 0.0, 1.0, 0.0
-        if isinstance(actuator, Rudder):
+        if isinstance(actuator, (Rudder, Fin)):
             return 0.0, 0.0, 0.0, 0.0
         if isinstance(actuator, Azimuth):
             along, across, _, _ = self._wrench(self._named(actuator.thruster))
@@ -199,7 +203,7 @@ class Platform(Shown):
         return along, across, up, x * across - y * along
 
     def _full_force(self, actuator: Actuator) -> tuple[float, float]:
-        if isinstance(actuator, Rudder):
+        if isinstance(actuator, (Rudder, Fin)):
             return 0.0, 0.0
         if isinstance(actuator, Azimuth):
             force = max(self._limits(self._named(actuator.thruster)))
@@ -251,10 +255,19 @@ def _read_one(entry: Entry) -> Platform:
     section = entry.mapping()
     for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
-    check_actuators(section["actuators"], platform.actuators)
+    check_actuators(section["actuators"], platform.actuators, platform.six_degrees is not None)
+    if platform.six_degrees is not None:
+        check_six_degrees(section["six_degrees"], platform.six_degrees, _of_four_degrees_alone(platform))
     ranges = {**platform.ranges, **collect_ranges(entry)}
     intervals = {**platform.intervals, **collect_ranges(entry, INTERVAL)}
     return replace(platform, ranges=ranges, intervals=intervals, origin=entry.file)
+
+
+def _of_four_degrees_alone(platform: Platform) -> dict[str, Any]:
+    """By key what a platform has that has no part in motion with six degrees of freedom; empty where it has none."""
+    directed = {"sensors.blss": platform.sensors.blss, "sensors.obstacles": platform.sensors.obstacles}
+    gains = {key: getattr(platform, key) for key in ("thrust_gain", "yaw_torque_gain", "buoyancy_gain")}
+    return {"effects": platform.effect_quantities, **gains, **directed}
 
 
 def platform_tree(platform: Platform) -> dict[str, Any]:

@@ -16,8 +16,14 @@ _Factor = float | None
 def _read_rudder_angle(entry: Entry) -> float:
     angle = read_quantity(entry, "angle", "positive")
     if angle >= math.pi / 2:
-        raise entry.problem(f"has {entry.found()}; a rudder turns by less than 90 deg to each side.")
+        raise entry.problem(f"has {entry.found()}; rudders and fins turn by less than 90 deg to each side.")
     return angle
+
+
+ANGLE_OF_SURFACE = stored(
+    _read_rudder_angle, lambda value: quantity_text(value, "angle"), form=form_of("angle", "positive")
+)
+"""The rule of the largest angle of a rudder or fin [rad]."""
 
 
 def _read_share(entry: Entry) -> float:
@@ -44,11 +50,7 @@ class Rudder:
     position: tuple[float, float, float] = field(metadata=vector("length", 3))
     area: float = field(metadata=quantity("area", "positive"))
     aspect_ratio: float = field(metadata=quantity("pure number", "positive"))
-    largest_angle: float = field(
-        metadata=stored(
-            _read_rudder_angle, lambda value: quantity_text(value, "angle"), form=form_of("angle", "positive")
-        )
-    )
+    largest_angle: float = field(metadata=ANGLE_OF_SURFACE)
     propeller: str | None = field(default=None, metadata=TEXT)
     propeller_diameter: float | None = field(default=None, metadata=quantity("length", "positive"))
     gain: _Factor = field(default=None, metadata=quantity("pure number", "positive"))

@@ -7,10 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from cocorosim_ros.scenario.parts.direction import DIRECTION
+from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.thrust_curve import ThrustCurve, read_curve
 from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity, read_vector
+from cocorosim_ros.scenario.reading.quantity import quantity_text, read_quantity
 from cocorosim_ros.scenario.reading.records import (
     FLAG,
     TEXT,
@@ -26,29 +28,12 @@ from cocorosim_ros.scenario.reading.records import (
 )
 
 Vector3 = tuple[float, float, float]
-_UNIT_LENGTH_TOLERANCE = 1e-12
 
 
 def unit_vector(azimuth: float, elevation: float) -> Vector3:
     """The direction at these angles [rad]: azimuth from forward to port, elevation upwards, as in REP 103."""
     level = math.cos(elevation)
     return level * math.cos(azimuth), level * math.sin(azimuth), math.sin(elevation)
-
-
-def _read_direction(entry: Entry) -> tuple[float, ...]:
-    direction = read_vector(entry, ["pure number"] * 3)
-    norm = math.hypot(*direction)
-    if norm == 0:
-        raise entry.problem(f"has {entry.found()}, which points nowhere; write e.g. [1, 0, 0] for forward.")
-    # A vector that is already of unit length stays as it is, bit for bit.
-    return direction if abs(norm - 1) < _UNIT_LENGTH_TOLERANCE else tuple(part / norm for part in direction)
-
-
-def _direction_tree(direction: Vector3) -> list[str]:
-    return [quantity_text(part, "pure number") for part in direction]
-
-
-_DIRECTION = stored(_read_direction, _direction_tree, form="list of 3: a direction in the body, not all zero")
 
 
 def _read_cone(entry: Entry) -> float:
@@ -88,7 +73,7 @@ class Thruster:
 
     name: str = field(metadata=TEXT)
     position: Vector3 = field(metadata=vector("length", 3))
-    direction: Vector3 = field(metadata=_DIRECTION)
+    direction: Vector3 = field(metadata=DIRECTION)
     maximum: float = field(metadata=quantity("force", "positive"))
     maximum_reverse: float | None = field(default=None, metadata=quantity("force", "not negative"))
     curve: ThrustCurve | None = field(
@@ -180,7 +165,8 @@ class Sensors:
         return bool(self.further.get(topic, getattr(self, topic, False)))
 
 
-Actuator = Thruster | BuoyancyPump | Rudder | Azimuth
+Actuator = Thruster | BuoyancyPump | Rudder | Azimuth | Fin
 ACTUATORS: dict[str, type[Actuator]] = {
     "thruster": Thruster, "buoyancy": BuoyancyPump, "rudder": Rudder, "azimuth": Azimuth,
+    "fin": Fin,
 }  # fmt: skip

@@ -26,7 +26,7 @@ def _templates(bodies: Sequence[BodyDescription], type_name: str, extra: Mapping
 
 
 def pose_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`pose`: x, y, z [m; world], then z and w of the attitude quaternion."""
+    """`pose`: x, y, z [m; world], then the attitude quaternion x, y, z, w."""
     header = {"header": {"frame_id": WORLD_FRAME}}
     return PackedMessage([type_store.build(POSE.message, header) for _ in bodies], POSE.layout(()).places)
 
@@ -45,7 +45,7 @@ def command_message(body: BodyDescription) -> PackedMessage:
 
 
 def transform_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
-    """`/tf`: per robot x, y, z [m; world], then z and w of the attitude quaternion."""
+    """`/tf`: per robot x, y, z [m; world], then the attitude quaternion x, y, z, w."""
     transforms = [
         {
             "header": {"frame_id": WORLD_FRAME},
@@ -54,7 +54,7 @@ def transform_message(bodies: Sequence[BodyDescription]) -> PackedMessage:
         }
         for body in bodies
     ]
-    parts = ("translation.x", "translation.y", "translation.z", "rotation.z", "rotation.w")
+    parts = (*(f"translation.{axis}" for axis in "xyz"), *(f"rotation.{axis}" for axis in "xyzw"))
     fields = [f"transforms[#{index}].transform.{part}" for index in range(len(bodies)) for part in parts]
     return PackedMessage([type_store.build("tf2_msgs/msg/TFMessage", {"transforms": transforms})], fields)
 
@@ -104,23 +104,21 @@ class SwarmMessages:
         """The bytes of `/clock`."""
         return self._clock.encode(stamp_ns)[0]
 
-    def poses(self, stamp_ns: int, state: Floats) -> tuple[list[bytes], bytes]:
-        """The bytes of every robot's `pose`, and of `/tf`; `state` (robots, columns)."""
-        columns = _pose_columns(state)
+    def poses(self, stamp_ns: int, state: Floats, attitude: Floats) -> tuple[list[bytes], bytes]:
+        """The bytes of every robot's `pose`, and of `/tf`; `state` (robots, columns), `attitude` (robots, 4)."""
+        columns = np.column_stack([state[:, X : Z + 1], attitude])
         return self._pose.encode(stamp_ns, columns), self._transforms.encode(stamp_ns, columns)[0]
 
     def transforms(self, stamp_ns: int, state: Floats) -> bytes:
-        """The bytes of `/tf` alone."""
-        return self._transforms.encode(stamp_ns, _pose_columns(state))[0]
+        """The bytes of `/tf` alone, of robots that neither roll nor pitch."""
+        half = 0.5 * state[:, YAW]
+        zero = np.zeros_like(half)
+        columns = np.column_stack([state[:, X : Z + 1], zero, zero, np.sin(half), np.cos(half)])
+        return self._transforms.encode(stamp_ns, columns)[0]
 
     def readings(self, stamp_ns: int, readings: Readings, run: int = 0) -> dict[str, list[bytes]]:
         """The bytes of the sensors that some robot publishes: topic name to one message per robot."""
         return {topic: messages.encode(stamp_ns, readings, run) for topic, messages in self._sensors.items()}
-
-
-def _pose_columns(state: Floats) -> Floats:
-    half = 0.5 * state[:, YAW]
-    return np.column_stack([state[:, X : Z + 1], np.sin(half), np.cos(half)])
 
 
 def _robots_by_sensors(bodies: Sequence[BodyDescription]) -> dict[tuple[BlueLightSensor, ...], list[int]]:

@@ -15,6 +15,7 @@ from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks.acoustic_checks import check_acoustic
 from cocorosim_ros.world.checks.fastest_water import fastest_water
+from cocorosim_ros.world.checks.six_degrees_checks import check_six_degrees
 from cocorosim_ros.world.checks.stability import fastest_rate, longest_stable_step
 from cocorosim_ros.world.checks.water_checks import check_water
 from cocorosim_ros.world.controllers.crew_assembly import controller_settings
@@ -34,6 +35,7 @@ def check_scenario(scenario: Scenario, sections: Sections) -> None:
     if "water" in sections:
         check_water(scenario, sections["water"])
     _check_stability(scenario, sections)
+    check_six_degrees(scenario, sections)
     check_acoustic(scenario, sections)
     _check_corruption(scenario, sections)
     for group, entry in zip(scenario.swarm, sections["swarm"].items(), strict=True):
@@ -80,7 +82,8 @@ def _check_stability(scenario: Scenario, sections: Sections) -> None:
     name, step = scenario.integrator.name, scenario.integrator.step_ns / 1e9
     water = fastest_water(scenario)
     swift = f" in water of up to {water:.3g} m/s" if water > 0.0 else ""
-    for platform in dict.fromkeys(group.platform for group in scenario.swarm):
+    platforms = [group.platform for group in scenario.swarm if group.platform.six_degrees is None]
+    for platform in dict.fromkeys(platforms):
         longest = longest_stable_step(name, platform, water)
         if step > longest:
             rate = fastest_rate(platform, water)

@@ -28,6 +28,7 @@ from cocorosim_ros.world.motion.integrators import INTEGRATOR_CODE
 from cocorosim_ros.world.motion.motion import Stepping
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.instruments import Instruments
+from cocorosim_ros.world.six_degrees.assembly import build_school
 from cocorosim_ros.world.surroundings.lamps import Lamps
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.tick.wants import Wants
@@ -49,6 +50,7 @@ def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
         tank=build_tank(scenario),
         stepping=_stepping(scenario),
         vehicles=build_vehicles(platforms, runs),
+        school=build_school(platforms),
         instruments=build_instruments(scenario.robots),
         faults=build_faults(platforms),
         crew=build_crew(scenario.robots),

@@ -27,6 +27,7 @@ from cocorosim_ros.world.tick.divergence import check_motion
 from cocorosim_ros.world.tick.exchange import Exchange
 from cocorosim_ros.world.tick.perception import Perception
 from cocorosim_ros.world.tick.plain_deciding import PlainCrew
+from cocorosim_ros.world.tick.rolling import Rolling, level_attitudes, level_velocities
 from cocorosim_ros.world.tick.sensing import Afloat, Shown, sense
 from cocorosim_ros.world.tick.wants import nothing
 from cocorosim_ros.world.tick.water import MovingWater
@@ -58,6 +59,8 @@ class Simulation:
         self.readings: Readings = blank_readings(runs, robots, world.instruments.axis.shape[1])
         self.water = MovingWater(world.water, world.vehicles)
         self.water.begin(self.state)
+        school = world.school
+        self._rolling = None if school is None else Rolling(school, self.state, world.water.flow, world.tank)
         self.nearest = np.full((runs, robots, world.instruments.axis.shape[1]), -1, dtype=np.int64)
         self._wants = world.wants or nothing(robots)
         at_a_time = ROBOTS_OF_A_PART if runs == 1 and robots >= ROBOTS_FOR_THREADS else robots
@@ -75,6 +78,22 @@ class Simulation:
         self._neighbours: Neighbours | None = None  # of the present state, once somebody has looked
         self.command: Floats = np.zeros((runs, robots, self.actuators))
         self.said: Floats = np.zeros((runs, robots, MESSAGE_SIZE))
+
+    @property
+    def attitude(self) -> Floats:
+        """(runs, robots, 4) unit quaternions x y z w, from the body's axes to the world's; a copy."""
+        attitude = level_attitudes(self.state)
+        if self._rolling is not None:
+            self._rolling.put_attitudes(attitude)
+        return attitude
+
+    @property
+    def velocity(self) -> Floats:
+        """(runs, robots, 3) u, v, w over ground [m/s; body]; a copy."""
+        velocity = level_velocities(self.state)
+        if self._rolling is not None:
+            self._rolling.put_velocities(velocity)
+        return velocity
 
     @property
     def inbox(self) -> Inbox:
@@ -109,6 +128,8 @@ class Simulation:
         afloat = Afloat(self.water.vehicles, world.tank, flow, self._neighbours, self._cones, lamps, smell)
         shown, time = Shown(self.readings, self.nearest), self.time_ns * 1e-9
         self._side_by_side.do(lambda robots: sense(self.state, time, afloat, world.instruments, shown, robots))
+        if self._rolling is not None:
+            self._rolling.feel(time, self.readings)
         if world.water.waves:
             weight = world.instruments.water_density * world.instruments.gravity
             self.water.press(self.state, self.time_ns * 1e-9, weight, self.readings.pressure)
@@ -152,6 +173,8 @@ class Simulation:
         self._neighbours = None
         world = self.world
         self._move()
+        if self._rolling is not None:
+            self._rolling.move(self.command, self.time_ns * 1e-9, world.stepping, self.state)
         self.water.advance(self.tick, self.state, world.tank, world.tick_ns)
         self.tick += 1
         check_motion(self.state, world, self.tick)

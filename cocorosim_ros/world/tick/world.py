@@ -15,6 +15,7 @@ from cocorosim_ros.world.motion.motion import Stepping
 from cocorosim_ros.world.sensors.exact_neighbours import EXACT_RANGE
 from cocorosim_ros.world.sensors.faults import Faults
 from cocorosim_ros.world.sensors.instruments import Instruments
+from cocorosim_ros.world.six_degrees.swimming import School
 from cocorosim_ros.world.surroundings.lamps import Lamps, darkness
 from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.tick.wants import Wants
@@ -44,6 +45,7 @@ class World:
     seed: int = 0  # of what is random while the run goes on
     first_run: int = 0  # the number of the first of the runs, by which their random numbers differ
     water: Water = field(default_factory=Water)
+    school: School | None = None  # of the robots that roll and pitch
     plain: Mapping[int, RobotDescription] = field(default_factory=dict)  # robots with a plain Python controller
 
     @property

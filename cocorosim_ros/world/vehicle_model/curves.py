@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
@@ -60,7 +61,7 @@ def _turn_all(force: Floats, curves: Floats) -> None:
 
 
 def _row(actuator: Actuator, platform: Platform) -> tuple[float, ...]:
-    if isinstance(actuator, Rudder):
+    if isinstance(actuator, (Rudder, Fin)):
         return ANGLE, 0.0
     if isinstance(actuator, Azimuth):
         return AZIMUTH, float(platform.actuator_names.index(actuator.thruster))
