@@ -37,10 +37,10 @@ def compile_once(part: str, case: str, work: Callable[[], None], tell: Tell) -> 
     """
     mark = folder_of_text(f"{part}: {case}", [Path(work.__code__.co_filename)]) / MARK
     if mark.exists():
-        with _telling(part, tell):
+        with telling(part, tell):
             work()
         return
-    with _alone(part, tell), _telling(part, tell):
+    with _alone(part, tell), telling(part, tell):
         work()
         mark.touch()
 
@@ -51,7 +51,7 @@ def somebody_compiles() -> bool:
 
 
 @contextmanager
-def _telling(part: str, tell: Tell) -> Iterator[None]:
+def telling(part: str, tell: Tell) -> Iterator[None]:
     """Within, the first function that has to be compiled is told of, and at the end how long all took."""
     listener = _FirstOfAll(lambda: tell(f"compiling {part} ({DURATION})"))
     start = time.monotonic()
