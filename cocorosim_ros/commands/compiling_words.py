@@ -12,8 +12,8 @@ from cocorosim_ros.commands.terminal import say
 
 @contextmanager
 def compiling_told(console: Console, part: str) -> Iterator[None]:
-    """Within, a sentence says that `part` is being compiled, and at the end how long that took; none if nothing is."""
-    from cocorosim_ros.foundation.compiling.once import telling  # loads the compiler
+    """Within, which is work as well, a sentence says that `part` is being compiled; none if nothing is."""
+    from cocorosim_ros.foundation.compiling.once import said_when_compiling  # loads the compiler
 
-    with telling(part, lambda words: say(console, words)):
+    with said_when_compiling(part, lambda words: say(console, words)):
         yield
