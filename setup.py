@@ -7,7 +7,8 @@ from pathlib import Path
 
 from setuptools import find_packages, setup
 
-PACKAGE = "cocorosim_ros"
+PACKAGE = "cocorosim_ros"  # as Python imports it and as ROS and colcon know it
+DISTRIBUTION = "cocorosim"  # as pip knows it: `uvx --from cocorosim cocorosim diagnose ...`
 INSTALLED_FOLDERS = ("config", f"{PACKAGE}/graph/launch", "msg_defs/msg")  # recordings need the texts of messages
 
 # What each package is for stands in requirements.in.
@@ -61,7 +62,7 @@ def shared_files() -> list[tuple[str, list[str]]]:
 
 
 setup(
-    name=PACKAGE,
+    name=DISTRIBUTION,
     version=version(),
     description="Swarms of underwater robots on ROS 2, and a diagnosis of where recordings and models differ",
     long_description=Path("README.md").read_text(encoding="utf-8"),

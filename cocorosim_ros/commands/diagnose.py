@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, TypeVar, get_args
@@ -12,6 +12,7 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
+from cocorosim_ros.commands.compiling_words import compiling_told
 from cocorosim_ros.commands.completion import config_or_file, several_of
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.fleet import FleetChoices, check_fleet_options, diagnose_all
@@ -190,8 +191,18 @@ def _show_remarks(console: Console, remarks: Sequence[str]) -> None:
 
 @contextmanager
 def shown_progress(console: Console) -> Iterator[ShowProgress]:
-    """A function of what is done and how much of all (0..1): on a terminal a bar with the time gone and left."""
+    """A function of what is done and how much of all (0..1): on a terminal a bar with the time gone and left.
+
+    From the first call on it is also said when functions are compiled.
+    """
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task("", total=1.0)
-        yield lambda words, share: bar.update(task, description=words, completed=share)
+    bar = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
+    with bar, ExitStack() as compiling:
+        task = bar.add_task("", total=None)
+
+        def show(words: str, share: float) -> None:
+            if bar.tasks[task].total is None:
+                compiling.enter_context(compiling_told(console, "the diagnosis"))
+            bar.update(task, description=words, completed=share, total=1.0)
+
+        yield show

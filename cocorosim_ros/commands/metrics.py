@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from cocorosim_ros.commands.compiling_words import compiling_told
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.reading_bar import ReadingBar
@@ -41,7 +42,8 @@ def command(
         from cocorosim_ros.library.recording import Recording
 
         recording = Recording(opened)
-        statistics = recording.measure(seconds)
+        with compiling_told(console, "the statistics"):
+            statistics = recording.measure(seconds)
     show_table(console, metrics_table(statistics, paper_only=not all_metrics))
     for sentence in statistics.findings:
         say(console, sentence, "yellow")

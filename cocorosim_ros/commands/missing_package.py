@@ -7,20 +7,20 @@ import sys
 from collections.abc import Sequence
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.foundation.installation import PACKAGE
+from cocorosim_ros.foundation.installation import DISTRIBUTION
 
 _GENERATED = "build msg_defs with colcon and source it, or use the environment that 'make demo' builds in a checkout"
-_ROS = f"source a ROS 2 Jazzy installation, or 'pip install \"{PACKAGE}[ros]\"' on Linux on x86-64"
+_ROS = f"source a ROS 2 Jazzy installation, or 'pip install \"{DISTRIBUTION}[ros]\"' on Linux on x86-64"
 _REMEDIES = {
     **dict.fromkeys(("cocorosim_msgs", "tf2_msgs"), _GENERATED),
     **dict.fromkeys(("rclpy", "rcl_interfaces", "builtin_interfaces", "rosgraph_msgs"), _ROS),
     **dict.fromkeys(
         ("std_msgs", "std_srvs", "geometry_msgs", "sensor_msgs", "diagnostic_msgs", "visualization_msgs"), _ROS
     ),
-    **dict.fromkeys(("dask", "distributed"), f"'pip install \"{PACKAGE}[dask]\"'"),
-    **dict.fromkeys(("xarray", "h5netcdf", "h5py"), f"'pip install \"{PACKAGE}[netcdf]\"'"),
-    "foxglove": f"'pip install \"{PACKAGE}[foxglove]\"'",
-    "rerun": f"'pip install \"{PACKAGE}[view]\"'",
+    **dict.fromkeys(("dask", "distributed"), f"'pip install \"{DISTRIBUTION}[dask]\"'"),
+    **dict.fromkeys(("xarray", "h5netcdf", "h5py"), f"'pip install \"{DISTRIBUTION}[netcdf]\"'"),
+    "foxglove": f"'pip install \"{DISTRIBUTION}[foxglove]\"'",
+    "rerun": f"'pip install \"{DISTRIBUTION}[view]\"'",
 }
 
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import click
 from rich.console import Console
 
+from cocorosim_ros.commands.compiling_words import compiling_told
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.reading_bar import ReadingBar
@@ -65,8 +66,9 @@ def command(**options: object) -> None:
     check_file(choices.out, force=choices.force)
     with ReadingBar(console) as bar:
         opened = [read_bag(path, bar.watch) for path in (choices.bag, choices.against) if path is not None]
-        recordings = [_with_poses(each) for each in opened]
-        file = _written(recordings, choices)
+        with compiling_told(console, "the statistics"):
+            recordings = [_with_poses(each) for each in opened]
+            file = _written(recordings, choices)
     remarks = [sentence for recording in recordings for sentence in _remarks(recording)]
     for sentence in remarks:
         say(console, sentence, "yellow")

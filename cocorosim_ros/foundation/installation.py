@@ -6,7 +6,8 @@ import os
 import sys
 from pathlib import Path
 
-PACKAGE = "cocorosim_ros"
+PACKAGE = "cocorosim_ros"  # as Python imports it and as ROS knows it
+DISTRIBUTION = "cocorosim"  # as pip knows it, so that `uvx --from cocorosim cocorosim` is the command
 _HERE = Path(__file__).resolve()
 # From `site-packages` to the prefix: none below `pip install --target`, two on Windows, three elsewhere.
 _DEEPEST = 4

@@ -16,12 +16,16 @@ KINDS = {"platform": ".yaml", "controller": ".py", "scenario": ".yaml", "map": "
 _NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 
-def begin_file(kind: str, name: str, out: Place | None = None, *, force: bool = False) -> Path:
+def begin_file(
+    kind: str, name: str, out: Place | None = None, *, recording: Place | None = None, force: bool = False
+) -> Path:
     """Write a commented file to begin with, which passes the checks as it is.
 
     kind: one of KINDS. name: in small letters, digits and single underscores. out: the file; NAME with the kind's
-    ending in the working folder if left out. Returns the path of the file. Raises CocorosimError for a kind that there
-    is not, for another kind of name, and if the file exists (without `force`) or cannot be written.
+    ending in the working folder if left out. recording: for a platform, a recording of the robot, whose commands tell
+    the names of its actuators and whose readings its sensors. Returns the path of the file. Raises CocorosimError for a
+    kind that there is not, for another kind of name, for a recording that tells no actuators, and if the file exists
+    (without `force`) or cannot be written.
     """
     if kind not in KINDS:
         raise ArgumentError(f"'{kind}' is nothing that can be begun{nearest(kind, KINDS)}.", "kind")
@@ -34,6 +38,12 @@ def begin_file(kind: str, name: str, out: Place | None = None, *, force: bool = 
     file = Path(f"{name}{KINDS[kind]}" if out is None else place_text(out, "out"))
     check_file(file, force=force)
     text = shipped_file(f"templates/{kind}{KINDS[kind]}").read_text("utf-8")
+    if recording is not None:
+        from cocorosim_ros.library.platform_for import with_the_parts_of
+
+        if kind != "platform":
+            raise ArgumentError(f"A {kind} does not follow from a recording; leave it out, or begin a platform.", "for")
+        text = with_the_parts_of(text, recording)
     text = text.replace("NAME", name).replace("CLASS", class_name(name))
     write_text(file, text)
     return file

@@ -17,7 +17,7 @@ from typing import Literal
 from cocorosim_ros import __version__
 from cocorosim_ros.foundation.compiling.cache_place import cache_base
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.foundation.installation import PACKAGE
+from cocorosim_ros.foundation.installation import DISTRIBUTION
 from cocorosim_ros.foundation.processors import processors
 from cocorosim_ros.scenario.reading.config_files import config_names, shipped_file
 
@@ -43,7 +43,7 @@ def examine() -> tuple[Finding, ...]:
     return (
         _python(),
         Finding("cocorosim", "good", f"{__version__} in {Path(__file__).parents[1]}"),
-        *packages(importlib.metadata.requires(PACKAGE) or () if _is_installed(PACKAGE) else ()),
+        *packages(importlib.metadata.requires(DISTRIBUTION) or () if _is_installed(DISTRIBUTION) else ()),
         _shipped(),
         Finding("processors", "good", f"{processors()} for this process, of {os.cpu_count()}"),
         _cache(),
@@ -52,11 +52,12 @@ def examine() -> tuple[Finding, ...]:
 
 
 def _python() -> Finding:
+    """A Python that is newer than those tested works if numba has a wheel for it, which its own row says."""
     least, most = PYTHONS
-    fits = least <= sys.version_info[:2] <= most
+    version = sys.version_info[:2]
     words = f"{platform.python_version()}, {sys.executable}, {platform.system()} on {platform.machine()}"
-    allowed = f"; {'.'.join(map(str, least))} to {'.'.join(map(str, most))} are tested"
-    return Finding("python", "good" if fits else "bad", words + ("" if fits else allowed))
+    tested = f"; {'.'.join(map(str, least))} to {'.'.join(map(str, most))} are tested"
+    return Finding("python", "bad" if version < least else "good", words + ("" if least <= version <= most else tested))
 
 
 def _is_installed(name: str) -> bool:
@@ -73,7 +74,7 @@ def packages(requirements: tuple[str, ...] | list[str]) -> Iterator[Finding]:
     requirements: as `importlib.metadata.requires` gives them. What an extra asks for may be absent.
     """
     if not requirements:
-        yield Finding("packages", "absent", f"{PACKAGE} was not installed by pip here, so what it needs is not told")
+        yield Finding("packages", "absent", f"{DISTRIBUTION} was not installed by pip, so what it needs is not told")
     for requirement in requirements:
         match = _REQUIREMENT.match(requirement)
         if match is None or match[3] in _OF_DEVELOPERS:
@@ -83,7 +84,7 @@ def packages(requirements: tuple[str, ...] | list[str]) -> Iterator[Finding]:
         if _is_installed(name):
             yield Finding(name, "good", importlib.metadata.version(name) + for_what)
         else:
-            target = f"{PACKAGE}[{extra}]" if extra else f"{name}{wanted}"
+            target = f"{DISTRIBUTION}[{extra}]" if extra else f"{name}{wanted}"
             yield Finding(
                 name, "absent" if extra else "bad", f'not installed{for_what}: `pip install "{target}"` brings it'
             )

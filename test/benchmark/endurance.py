@@ -32,6 +32,7 @@ from cocorosim_ros.graph.runs.warm_up import compile_everything
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 from cocorosim_ros.wire.topics.body import describe_body
+from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.checks.loading import load_scenario
 
 LONGEST = "100000 h"  # of simulation; the clock on the wall ends it
@@ -98,8 +99,9 @@ def growth(moments: list[Moment], name: str) -> tuple[float, int]:
 
 def lost(scenario: Scenario, ticks: int, counts: Mapping[str, int]) -> dict[str, int]:
     """How many messages of each topic that speaks every tick are not in the recording."""
-    every_tick = run_topics([describe_body(robot) for robot in scenario.robots])
-    missing = {topic: ticks - counts.get(topic, 0) for topic in every_tick if topic not in WITHOUT_TICKS}
+    bodies = [describe_body(robot) for robot in scenario.robots]
+    silent = WITHOUT_TICKS | {robot_topic(body.name, body.talk) for body in bodies if body.talk and not body.speaks}
+    missing = {topic: ticks - counts.get(topic, 0) for topic in run_topics(bodies) if topic not in silent}
     return {topic: count for topic, count in missing.items() if count > 0}
 
 

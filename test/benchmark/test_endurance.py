@@ -45,6 +45,8 @@ def test_what_is_lost(endurance: ModuleType) -> None:
     assert "/lily_01/pose" in every and set(every.values()) == {10}
     counts = {topic: 10 for topic in every} | {"/lily_01/pose": 7}
     assert endurance.lost(scenario, 10, counts) == {"/lily_01/pose": 3}
+    assert "/lily_01/radio_tx" not in every  # its controller says nothing
+    assert "/lily_01/radio_tx" in endurance.lost(load_scenario("five_lilys"), 10, {})
 
 
 def test_a_process_that_is_gone(endurance: ModuleType) -> None:

@@ -102,7 +102,7 @@ def declared(tmp_path_factory: pytest.TempPathFactory) -> Declared:
     subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
     sections: dict[str, set[str]] = {"": set()}
     section = ""
-    for line in (folder / "cocorosim_ros.egg-info/requires.txt").read_text("utf-8").split():
+    for line in (folder / "cocorosim.egg-info/requires.txt").read_text("utf-8").split():
         if line.startswith("["):
             section = line.strip("[]")
             sections[section] = set()
@@ -200,6 +200,6 @@ def test_what_needs_ros_says_so(refused: str, tmp_path: Path, command: tuple[str
     bag = str(ROOT / "bags/five_lilys")
     done = cocorosim(refused, command[0], command[1].replace("five_lilys", bag), cwd=tmp_path)
     assert done.returncode == 2
-    assert re.search(r"needs the Python package rclpy, which is not installed .*cocorosim_ros\[ros\]", done.stderr)
+    assert re.search(r"needs the Python package rclpy, which is not installed .*cocorosim\[ros\]", done.stderr)
     assert "Traceback" not in done.stderr
     assert list(tmp_path.iterdir()) == []

@@ -53,6 +53,9 @@ def test_pip_installs_what_is_not_code(prefix: Path) -> None:
     share = prefix / "share/cocorosim_ros"
     assert files_below(share / "config") == files_below(ROOT / "config")
     assert {path.name for path in (share / "msg").iterdir()} == {path.name for path in ROOT.glob("msg_defs/msg/*.msg")}
+    assert list(prefix.glob("lib/python3.*/site-packages/cocorosim-*.dist-info/METADATA"))
+    (wheel,) = prefix.glob("lib/python3.*/site-packages/cocorosim-*.dist-info/WHEEL")
+    assert "Tag: py3-none-any" in wheel.read_text("utf-8").splitlines()
     launch = {path.name for path in (share / "launch").glob("*.py")}
     assert launch == {path.name for path in ROOT.glob("cocorosim_ros/graph/launch/*.launch.py")} != set()
     assert (prefix / "share/ament_index/resource_index/packages/cocorosim_ros").is_file()

@@ -15,6 +15,8 @@ from xml.etree import ElementTree
 import pytest
 from ruamel.yaml import YAML
 
+from cocorosim_ros.foundation.installation import DISTRIBUTION
+
 ROOT = Path(__file__).parents[2]
 PIXI = tomllib.loads((ROOT / "pixi.toml").read_text("utf-8"))
 OWN = {"cocorosim_ros", "cocorosim_msgs"}
@@ -26,7 +28,23 @@ def metadata(tmp_path_factory: pytest.TempPathFactory) -> Message:
     folder = tmp_path_factory.mktemp("metadata")
     command = [sys.executable, "setup.py", "-q", "egg_info", "--egg-base", str(folder)]
     subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
-    return message_from_string((folder / "cocorosim_ros.egg-info" / "PKG-INFO").read_text("utf-8"))
+    return message_from_string((folder / "cocorosim.egg-info" / "PKG-INFO").read_text("utf-8"))
+
+
+def test_pip_knows_it_by_the_name_that_is_told(metadata: Message) -> None:
+    """Sentences such as `pip install "cocorosim[view]"` name the distribution that setup.py makes, and its extras."""
+    assert metadata["Name"] == DISTRIBUTION == "cocorosim"
+    extras = set(metadata.get_all("Provides-Extra", []))
+    told = {path: re.findall(r"pip install \S*?(\w+)\[(\w+)\]", path.read_text("utf-8")) for path in speaking()}
+    wrong = [(path, found) for path, names in told.items() for found in names if found[0] != DISTRIBUTION]
+    assert wrong == []
+    assert {extra for names in told.values() for _, extra in names} - extras == set()
+    assert any(told.values())
+
+
+def speaking() -> list[Path]:
+    """Pages and sources that may tell how to install something."""
+    return [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "cocorosim_ros").rglob("*.py")]
 
 
 def requirements(metadata: Message) -> dict[str, str]:

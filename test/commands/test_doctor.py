@@ -33,7 +33,18 @@ def test_packages_are_looked_up_in_the_metadata() -> None:
     ]
     assert found[0].words == importlib.metadata.version("numpy")
     assert 'pip install "elephant>=2"' in found[1].words
-    assert 'pip install "cocorosim_ros[ros]"' in found[2].words
+    assert 'pip install "cocorosim[ros]"' in found[2].words
+
+
+@pytest.mark.parametrize("version, state", [((3, 10, 9), "bad"), ((3, 11, 0), "good"), ((3, 14, 0), "good")])
+def test_a_newer_python_is_told_not_refused(
+    version: tuple[int, int, int], state: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One too old cannot work; one newer than those tested works where numba has a wheel, and is told."""
+    monkeypatch.setattr(health.sys, "version_info", version)
+    found = health.examine()[0]
+    assert (found.name, found.state) == ("python", state)
+    assert ("are tested" in found.words) == (version[1] != 11)
 
 
 def test_it_works_without_ros_and_says_so(cocorosim: Run, monkeypatch: pytest.MonkeyPatch) -> None:

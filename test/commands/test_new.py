@@ -79,3 +79,48 @@ def test_names_that_are_none(cocorosim: Run, tmp_path: Path, monkeypatch: pytest
         assert "is no name of a platform" in done.err
     assert cocorosim("new", "elephant", "boat").status == 2
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_platform_for_the_robot_of_a_recording(cocorosim: Run, tmp_path: Path) -> None:
+    """Its actuators are those that the recording commands, by their names, and its sensors those recorded."""
+    log, table = tmp_path / "map.yaml", tmp_path / "drive.csv"
+    names = ("port_esc", "thr_starboard", "Vertical", "ballast_tank", "rudder")
+    limits = '{column: %s, unit: "1", stop: 0, forward: 1, reverse: -1}'
+    commands = "".join(f"        {name}: {limits % name}\n" for name in names)
+    log.write_text(
+        "name: log\nformat: csv\ntables:\n  - files: drive.csv\n    time: {column: t, unit: s}\n    robot: boat\n"
+        "    streams:\n      compass: {heading: {column: yaw, unit: rad}}\n"
+        f"      thruster_command:\n{commands}"
+    )
+    rows = np.column_stack([np.arange(20) * 0.1, np.linspace(0, 1, 20), np.full((20, len(names)), 0.5)])
+    np.savetxt(table, rows, delimiter=",", header=",".join(("t", "yaw", *names)), comments="")
+    made = cocorosim("convert", log, table, "--out", tmp_path / "bag")
+    assert made.status == 0, made.err
+    done = cocorosim("new", "platform", "boat", "--for", tmp_path / "bag", "--out", tmp_path / "boat.yaml")
+    assert done.status == 0, done.err
+    assert f"diagnose {tmp_path / 'bag'} --platform" in done.out
+    platform = load_platform(str(tmp_path / "boat.yaml"))
+    check_platform(platform)
+    kinds = {each.name: each.kind for each in platform.actuators}
+    assert kinds == dict(zip(names, ("thruster", "thruster", "thruster", "buoyancy", "rudder"), strict=True))
+    port, starboard, vertical = platform.actuators[:3]
+    assert (port.position[1], starboard.position[1]) == (0.15, -0.15)  # y points to the left
+    assert (port.direction, vertical.direction) == ((1, 0, 0), (0, 0, 1))
+    assert (platform.sensors.compass, platform.sensors.pressure, platform.sensors.imu) == (True, False, False)
+
+
+def test_a_recording_that_tells_no_actuators(cocorosim: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One sentence for a recording without commands, and for a kind that no recording tells; nothing is written."""
+    monkeypatch.chdir(tmp_path)
+    table, log = tmp_path / "drive.csv", tmp_path / "map.yaml"
+    table.write_text("t,yaw\n0,0.1\n1,0.2\n2,0.3\n")
+    log.write_text(
+        "name: log\nformat: csv\ntables:\n  - files: drive.csv\n    time: {column: t, unit: s}\n    robot: boat\n"
+        "    streams:\n      compass: {heading: {column: yaw, unit: rad}}\n"
+    )
+    assert cocorosim("convert", log, table, "--out", "bag").status == 0
+    done = cocorosim("new", "platform", "boat", "--for", "bag")
+    assert (done.status, done.err.count("\n")) == (2, 1)
+    assert "holds no thruster_command (it has compass)" in done.err
+    assert "does not follow from a recording" in cocorosim("new", "map", "boat", "--for", "bag").err
+    assert not list(tmp_path.glob("boat*"))

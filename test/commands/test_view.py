@@ -137,7 +137,7 @@ def test_a_scene_without_rerun(cocorosim: Command, tmp_path: Path, monkeypatch: 
     """A sentence with both ways out; two recordings without --3d are refused with one, too."""
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     cases = [
-        (("--3d",), ("package rerun, which is not installed", "cocorosim_ros[view]", "leave out --3d")),
+        (("--3d",), ("package rerun, which is not installed", "cocorosim[view]", "leave out --3d")),
         (("--against", SHIPPED), ("add --3d",)),
     ]
     for options, words in cases:

@@ -17,6 +17,7 @@ import click
 import pytest
 
 from cocorosim_ros.commands.main import cocorosim
+from cocorosim_ros.foundation.installation import DISTRIBUTION
 from cocorosim_ros.graph.nodes import controller_node, metrics_node, physics_node
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 
@@ -30,7 +31,7 @@ ALL = [pytest.param(words, id=" ".join(words)) for text in DOCUMENTS.values() fo
 BIN = Path(sys.prefix, "bin")
 NODES = {"physics_node": physics_node, "controller_node": controller_node, "metrics_node": metrics_node}
 # Programs of a ROS installation, of the shell and of the Python world, which are not looked into.
-TRUSTED = {"export", "cd", "python3", "pip", "python", "rosdep", "rviz2", "."}
+TRUSTED = {"export", "cd", "echo", "python3", "pip", "python", "rosdep", "rviz2", "."}
 
 
 def check_cocorosim(words: list[str]) -> None:
@@ -76,7 +77,19 @@ def _name(node: ast.Assign) -> str:
     return target.id if isinstance(target, ast.Name) else ""
 
 
-CHECKS: dict[str, Callable[[list[str]], None]] = {"cocorosim": check_cocorosim, "make": check_make, "ros2": check_ros2}
+def check_uvx(words: list[str]) -> None:
+    """It takes the distribution by the name that setup.py gives it, and runs a command of it."""
+    assert words[:2] == ["--from", DISTRIBUTION] and words[2] == "--find-links"
+    assert words[4] == "cocorosim"
+    check_cocorosim(words[5:])
+
+
+CHECKS: dict[str, Callable[[list[str]], None]] = {
+    "cocorosim": check_cocorosim,
+    "make": check_make,
+    "ros2": check_ros2,
+    "uvx": check_uvx,
+}
 
 
 @pytest.mark.parametrize("words", ALL)

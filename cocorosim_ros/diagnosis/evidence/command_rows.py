@@ -47,7 +47,8 @@ def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -
     if names and len(strange) == len(names):
         raise CocorosimError(
             f"{topic} commands the actuators {', '.join(names)}, and the platform has none of these but "
-            f"{', '.join(actuators)}; give the platform of this robot, or rename its actuators."
+            f"{', '.join(actuators)}; give the platform of this robot (`cocorosim new platform NAME --for BAG` begins "
+            "one), or rename its actuators."
         )
     if strange and silent:
         raise CocorosimError(

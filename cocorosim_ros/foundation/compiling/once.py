@@ -51,11 +51,18 @@ def somebody_compiles() -> bool:
 
 
 @contextmanager
-def _telling(part: str, tell: Tell) -> Iterator[None]:
-    """Within, the first function that has to be compiled is told of, and at the end how long all took."""
+def said_when_compiling(part: str, tell: Tell) -> Iterator[_FirstOfAll]:
+    """Within, the first function that has to be compiled is told of; gives what knows whether one was."""
     listener = _FirstOfAll(lambda: tell(f"compiling {part} ({DURATION})"))
-    start = time.monotonic()
     with event.install_listener("numba:compile", listener):
+        yield listener
+
+
+@contextmanager
+def _telling(part: str, tell: Tell) -> Iterator[None]:
+    """Within, where the work is compiling alone, the first function is told of, and at the end how long all took."""
+    start = time.monotonic()
+    with said_when_compiling(part, tell) as listener:
         yield
     if listener.happened:
         tell(f"compiled {part} in {time.monotonic() - start:.0f} s")

@@ -11,11 +11,10 @@ from numpy.typing import ArrayLike
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.metrics import METRICS
+from cocorosim_ros.study.metrics.kept_rows import KeptRows
 from cocorosim_ros.study.metrics.kernel import measure_tick
 from cocorosim_ros.study.metrics.memory import Memory, new_memory
 from cocorosim_ros.study.metrics.summary import Summary, summarise
-
-_FIRST_CAPACITY = 1024
 
 
 class ShoalMonitor:
@@ -29,9 +28,8 @@ class ShoalMonitor:
     def reset(self) -> None:
         """Forget everything: a new run starts."""
         self._memory: Memory = new_memory(1, self._robots)
-        self._values = np.empty((_FIRST_CAPACITY, 1, len(METRICS)))
-        self._stamps = np.empty(_FIRST_CAPACITY, np.int64)
-        self._ticks = 0
+        self._values = KeptRows((1, len(METRICS)), np.float64)
+        self._stamps = KeptRows((1,), np.int64)
         self._ticks_with_absent = 0
         self._bad_poses = 0
 
@@ -46,11 +44,9 @@ class ShoalMonitor:
         heading = np.ascontiguousarray(yaw, np.float64).reshape(1, self._robots)
         said = np.ones(self._robots, np.bool_) if present is None else np.ascontiguousarray(present, np.bool_)
         elapsed = self._elapsed_ns(stamp_ns)
-        self._make_room()
-        row = self._values[self._ticks]
+        row = self._values.next_row()
         measure_tick(where, heading, said.reshape(1, -1), np.array([elapsed]), self._memory, row)
-        self._stamps[self._ticks] = stamp_ns
-        self._ticks += 1
+        self._stamps.next_row()[0] = stamp_ns
         taking_part = int(self._memory.present.sum())
         self._ticks_with_absent += taking_part < self._robots
         self._bad_poses += int(said.sum()) - taking_part
@@ -60,18 +56,18 @@ class ShoalMonitor:
     @property
     def stamps_ns(self) -> Integers:
         """(ticks,) moments measured so far [ns]."""
-        return self._stamps[: self._ticks].copy()
+        return self._stamps.rows()[:, 0].copy()
 
     @property
     def series(self) -> Floats:
         """(ticks, len(METRICS)) values measured so far."""
-        return self._values[: self._ticks, 0].copy()
+        return self._values.rows()[:, 0].copy()
 
     def summary(self) -> dict[str, Any]:
         """The run so far, ready for JSON: undefined numbers are None."""
-        summary = summarise(self._values[: self._ticks])
+        summary = summarise(self._values.rows())
         return {
-            "ticks": self._ticks,
+            "ticks": self._stamps.count,
             "robots": self._robots,
             "ticks_with_absent_robots": self._ticks_with_absent,
             "poses_not_finite": self._bad_poses,
@@ -80,9 +76,9 @@ class ShoalMonitor:
         }
 
     def _elapsed_ns(self, stamp_ns: int) -> int:
-        if self._ticks == 0:
+        if self._stamps.count == 0:
             return 0
-        before = int(self._stamps[self._ticks - 1])
+        before = int(self._stamps.last()[0])
         if stamp_ns <= before:
             raise CocorosimError(
                 f"The shoal was measured at {before} ns and then at {stamp_ns} ns: stamps must grow; "
@@ -90,16 +86,11 @@ class ShoalMonitor:
             )
         return stamp_ns - before
 
-    def _make_room(self) -> None:
-        if self._ticks == self._stamps.shape[0]:
-            self._values = np.concatenate([self._values, np.empty_like(self._values)])
-            self._stamps = np.concatenate([self._stamps, np.empty_like(self._stamps)])
-
     def _notes(self) -> list[str]:
         notes = []
         if self._ticks_with_absent:
             notes.append(
-                f"At {self._ticks_with_absent} of {self._ticks} ticks a robot was absent: it is left out "
+                f"At {self._ticks_with_absent} of {self._stamps.count} ticks a robot was absent: it is left out "
                 "of every metric, and it is nobody's neighbour, which can add to the lost count."
             )
         if self._bad_poses:

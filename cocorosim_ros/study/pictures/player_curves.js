@@ -86,6 +86,10 @@ function drawCurve(curve) {
   drawMoment(curve);
 }
 
+// The label; without its unit, which the value has as well, where it would touch the value.
+const labelWithin = (curve, room) =>
+  curve.pen.measureText(`${curve.label}  `).width <= room ? curve.label : curve.label.replace(/ \[.*\]$/, "");
+
 function drawMoment(curve) {
   const pen = curve.pen, x = pixelOf(curve, moment), value = valueAt(curve, moment);
   pen.strokeStyle = theme.accent;
@@ -96,9 +100,10 @@ function drawMoment(curve) {
   pen.stroke();
   pen.fillStyle = theme.ink;
   pen.font = "600 12px system-ui, sans-serif";
-  pen.fillText(curve.label, MARGIN.left, 13);
+  const shown = shownValue(curve, value);
+  pen.fillText(labelWithin(curve, curve.size[0] - MARGIN.left - MARGIN.right - pen.measureText(shown).width), MARGIN.left, 13);
   pen.textAlign = "right";
-  pen.fillText(shownValue(curve, value), curve.size[0] - MARGIN.right, 13);
+  pen.fillText(shown, curve.size[0] - MARGIN.right, 13);
   pen.textAlign = "left";
   if (value === null) return;
   pen.beginPath();

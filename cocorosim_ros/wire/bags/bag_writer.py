@@ -12,10 +12,10 @@ import struct
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from types import TracebackType
 
+from cocorosim_ros import __version__
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import bag_metadata
 from cocorosim_ros.wire.bags.bag_folder import PROVISIONAL_NAME, make_room
@@ -73,7 +73,7 @@ class BagWriter:
         make_room(self.folder, force=force)
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            self._mcap = McapWriter(self.file, "ros2", f"cocorosim_ros {_own_version()}", chunk_bytes=chunk_bytes)
+            self._mcap = McapWriter(self.file, "ros2", f"cocorosim_ros {__version__}", chunk_bytes=chunk_bytes)
             self._mcap.add_metadata(METADATA_AT_BEGIN, self._metadata)
         except OSError as error:
             raise CocorosimError(
@@ -226,13 +226,5 @@ class BagWriter:
             return CocorosimError(f"The topic {topic} is not recorded in {self.folder}; give it as a channel first.")
         return CocorosimError(
             f"The recording {self.folder} cannot go on: {self._ended}; make room or choose another folder, "
-            f"and record "
-            "again."
+            "and record again."
         )
-
-
-def _own_version() -> str:
-    try:
-        return version("cocorosim_ros")
-    except PackageNotFoundError:
-        return "from a checkout"

@@ -303,6 +303,16 @@ def test_a_browser_shows_the_page(pages: Pages, tmp_path: Path, browse: Callable
     assert len(np.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 10
 
 
+def test_long_paths_break_on_a_narrow_page(pages: Pages, tmp_path: Path, browse: Callable[..., str]) -> None:
+    """The facts below the headline stay within the page, whatever the platform's file is called."""
+    text, _ = pages("mismatch")
+    measure = """<script>document.body.style.width = "360px";
+document.body.dataset.facts = document.querySelector("table.facts").getBoundingClientRect().width <= 360;</script>"""
+    text = text.replace(", <code>cocorosim diagnose", f", {'a_folder/' * 30}<code>cocorosim diagnose", 1)
+    (tmp_path / "report.html").write_text(text.replace("</body>", f"{measure}</body>"), "utf-8")
+    assert 'data-facts="true"' in browse(tmp_path / "report.html")
+
+
 def test_probabilities_stand_once_and_in_words(example: Example) -> None:
     """Whole percents that add up to 100, without underscores, and what is meant by nothing and by something else."""
     for verdict in ("mismatch", "recalibrate", "consistent", "insufficient"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import json
 import math
 import re
@@ -219,6 +220,20 @@ def test_every_key_that_works_is_explained(two: dict[str, PoseTrack]) -> None:
     words = {"ArrowLeft": "←", "ArrowRight": "→", "ArrowUp": "↑", "ArrowDown": "↓", "Escape": "Esc"}
     explained = set(re.findall("<kbd>(.*?)</kbd>", page)) - {"space", "shift"}
     assert {words.get(key, key) for key in keys} - {"="} == explained
+
+
+def test_a_label_without_room_leaves_its_unit_to_the_value(
+    two: dict[str, PoseTrack], tmp_path: Path, browse: Callable[..., str]
+) -> None:
+    """On a narrow page label and value stand side by side: the unit, which the value has as well, gives way."""
+    labels = "(curve) => [labelWithin(curve, 900), labelWithin(curve, 90)]"
+    asked = f'JSON.stringify(curves.filter((curve) => curve.name === "shoal_speed").map({labels}))'
+    page = tmp_path / "page.html"
+    text = player_page(two, FACTS, (), series_of_10_moments())
+    page.write_text(text.replace("</body>", f"<script>document.body.dataset.said = {asked};</script></body>"), "utf-8")
+    said = re.search('data-said="(.*?)"', browse(page))
+    assert said is not None
+    assert json.loads(html.unescape(said[1])) == [["Shoal speed [m/s]", "Shoal speed"]]
 
 
 def test_a_browser_runs_the_page_to_its_end(

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Protocol
 
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.installation import DISTRIBUTION
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.bags.file_kinds import kind_of, told
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout
@@ -88,5 +89,5 @@ def missing_library(library: str, what: str) -> CocorosimError:
     """The error for a library that an optional format needs."""
     return CocorosimError(
         f"{what} needs the library {library}, which is not installed; install it by `pip install {library}`, or all "
-        "such libraries by `pip install cocorosim_ros[logs]`."
+        f'such libraries by `pip install "{DISTRIBUTION}[logs]"`.'
     )
