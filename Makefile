@@ -3,6 +3,7 @@
 # make bench     how fast the core is, against what the machine can do
 # make docs      the site of the documents, to build/site
 # make prove     the sealed trial of `cocorosim diagnose`, about an hour for its 400 and more recordings
+# make prove-families  the same with forms, noise, programmes and laws drawn from families
 # The set-up lives in .venv alone. PYTHON=... chooses the interpreter, PYTEST_ARGS=... goes to pytest.
 
 SHELL := /bin/sh
@@ -42,10 +43,10 @@ CORE_TESTS := $(filter-out $(ROS_TESTS:%=test/%/),$(sort $(wildcard test/*/)))
 
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test docs bench prove prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
+.PHONY: help demo test docs bench prove prove-families prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
 
 help:
-	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
+	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-families | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
 
 demo: set-up
 	$(BIN)/cocorosim run config/scenarios/eleven_lilys.yaml --out runs/demo --force
@@ -80,6 +81,9 @@ PROVE = $(BIN)/python test/trial/prove.py
 
 prove: set-up
 	$(PROVE) sealed --warm --count $(TRIAL_COUNT) --parts "$(TRIAL_PARTS)" --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT) --pages $(TRIAL_PAGES)
+
+prove-families: set-up
+	$(PROVE) families --warm --count $(TRIAL_COUNT) --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT)-families --pages $(TRIAL_OUT)-families/pages
 
 prove-real: set-up
 	@test -n "$(TRIAL_DATA)" || { echo "Say where the recordings are: make prove-real TRIAL_DATA=FOLDER" >&2; exit 1; }
