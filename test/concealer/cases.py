@@ -130,10 +130,26 @@ class Case:
         """It is said that something outside the catalogue is missing."""
         return bool(self.unknowns()) or (self.verdict == "mismatch" and not self.named)
 
+    def tolerated(self) -> set[str]:
+        """Catalogue entries that have something to do with a law outside it."""
+        return {n for e in self.truth["effects"] for n in [*e["tolerated"], *e.get("twins", [])]}
+
     def named_wrongly(self) -> bool:
         """A catalogue entry is named that has nothing to do with what was hidden."""
-        tolerated = {n for e in self.truth["effects"] for n in [*e["tolerated"], *e.get("twins", [])]}
-        return any(not name.startswith("unknown:") and name not in tolerated for name in self.named)
+        return any(not name.startswith("unknown:") and name not in self.tolerated() for name in self.named)
+
+    def of_tier(self, tier: str) -> list[bool]:
+        """Whether each name of this tier is right, those of several robots once.
+
+        A law outside the catalogue is told by any law, or by an entry that has something to do with it.
+        """
+        named = {(each["id"], each.get("topic")): each for each in self.effects if each.get("tier") == tier}
+        return [self._is_right(each) for each in named.values()]
+
+    def _is_right(self, effect: dict[str, Any]) -> bool:
+        if self.kind == "outside" and (effect["id"].startswith("unknown:") or effect["id"] in self.tolerated()):
+            return True
+        return any(names(effect, truth) for truth in self.truth["effects"])
 
     def rightly_unknown(self) -> bool:
         """The law outside the catalogue has a right name."""

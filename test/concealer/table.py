@@ -49,7 +49,13 @@ def _naming(cases: list[Case]) -> Scores:
             bool(case.effects and not case.first_wrong() and case.spurious()) for case in single
         ),
         "right robots, where several swim and something is named": rate(case.right_robots() for case in several),
+        "names told as confirmed that are right, in all recordings": rate(_of_tier(cases, "confirmed")),
+        "names told as suspected that are right, in all recordings": rate(_of_tier(cases, "suspected")),
     }
+
+
+def _of_tier(cases: Iterable[Case], tier: str) -> list[bool]:
+    return [is_right for case in cases for is_right in case.of_tier(tier)]
 
 
 def _silence(cases: list[Case]) -> Scores:

@@ -60,6 +60,15 @@ def test_a_single_effect_is_exact_only_without_companions() -> None:
     assert [case("single", hidden, answer).exact() for answer in answers] == [True, False, False, False, False]
 
 
+def test_names_are_right_by_tier_and_stream() -> None:
+    """One of several robots counts once; another stream's error is wrong; a suspected one is counted apart."""
+    doubtful = reported("clock_skew") | {"tier": "suspected", "topic": "imu"}
+    late = reported("sensor_latency") | {"topic": "pose"}
+    answer = case("single", [secret("sensor_latency", topic="compass")], [late, doubtful, doubtful])
+    assert (answer.of_tier("confirmed"), answer.of_tier("suspected")) == ([False], [False])
+    assert case("single", [secret("clock_skew", topic="imu")], [doubtful, doubtful]).of_tier("suspected") == [True]
+
+
 def test_the_table_counts_by_hand() -> None:
     """Every row of the table for cases whose answers are plain."""
     from concealer.score import score
@@ -96,6 +105,8 @@ def test_the_table_counts_by_hand() -> None:
         "first named effect wrong, one medium effect": (2, 4),
         "first named effect right but others added, one effect": (0, 4),
         "right robots, where several swim and something is named": (0, 0),
+        "names told as confirmed that are right, in all recordings": (6, 10),
+        "names told as suspected that are right, in all recordings": (0, 0),
         "false alarm, nothing concealed": (1, 2),
         "false alarm, recalibration only": (1, 2),
         "verdict consistent or recalibrate, nothing concealed": (1, 2),
