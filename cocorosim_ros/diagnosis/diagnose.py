@@ -196,10 +196,14 @@ def _of_form(form: ChosenForm | None) -> tuple[str, ...]:
 
 
 def _is_worse(channel: str, row: HeldOut) -> bool:
-    """Tell whether the model with its effects errs clearly more than the model without, and by more than steps make."""
+    """Tell whether the model with its effects errs clearly more than the model without, and by more than steps make.
+
+    A single free run is nothing clear: the interval of its error is a point.
+    """
     if not is_beyond_steps(channel, row.augmented):
         return False
-    clear = row.intervals["augmented"][0] > row.intervals["recalibrated"][1]
+    low, high = row.intervals["augmented"]
+    clear = high > low > row.intervals["recalibrated"][1]
     return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
 
 

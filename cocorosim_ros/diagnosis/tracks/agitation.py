@@ -1,4 +1,4 @@
-"""What the water's random force may grow with, over time: speed and thrust of a robot, as shares of their highest."""
+"""Agitation of the water: speed and thrust of a robot over time, with which its random force may grow."""
 
 from __future__ import annotations
 
