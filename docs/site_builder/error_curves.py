@@ -49,4 +49,4 @@ def _curve(error: SensorError, change: Change, axis: Axis) -> Curve:
     kind = KINDS[change.kind]
     words = error.sensor if kind.column == error.sensor else f"{error.sensor} ({kind.column})"
     caption = f"Reading of {words} less the truth, over {axis.meaning}"
-    return Curve(axis, "reading \u2212 truth", kind.unit, caption, with_it, without)
+    return Curve(axis, "error", kind.unit, caption, with_it, without)
