@@ -38,6 +38,16 @@ def page_text(page: Path) -> str:
     return MARK.sub(lambda mark: MADE[mark[1]](), text)
 
 
+def made_pages(env: Any) -> list[str]:
+    """The pages of an environment of Sphinx that are not their file's text alone: such a file does not tell its age."""
+    pages = {name: Path(env.doc2path(name)) for name in sorted(env.found_docs)}
+    return [name for name, page in pages.items() if page.suffix == ".md" and _is_made(page)]
+
+
+def _is_made(page: Path) -> bool:
+    return text_of(page) != page or MARK.search(page.read_text("utf-8")) is not None
+
+
 def _read(app: Any, name: str, source: list[str]) -> None:
     page = Path(app.env.doc2path(name))
     if page.suffix == ".md":
@@ -54,6 +64,7 @@ def _copy(app: Any, error: Exception | None) -> None:
 
 def setup(app: Any) -> dict[str, bool]:
     """Entry point for Sphinx."""
+    app.connect("env-get-outdated", lambda app, env, added, changed, removed: made_pages(env))
     app.connect("source-read", _read)
     app.connect("build-finished", _copy)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

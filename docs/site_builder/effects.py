@@ -1,4 +1,4 @@
-"""The catalogue of effects: equation, numbers, what shows it, and how it stands in a platform file."""
+"""The catalogue of effects: equation, picture, numbers, what shows it, and how it stands in a platform file."""
 
 from __future__ import annotations
 
@@ -8,14 +8,16 @@ from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.effect import Description, Number
+from site_builder.effect_pictures import picture, what_pictures_show
 from site_builder.markdown import block, plain, table
 
 
 def catalogue() -> str:
     """All effects of the motion and all errors of sensors, a heading each."""
     parts = [
+        what_pictures_show(),
         "## Of every robot\n\nThese are in each simulation; their numbers are top-level keys of the platform.",
-        *(f"- {plain(effect.summary)}: `{effect.equation}`" for effect in BASIC_EFFECTS.values() if effect.equation),
+        *(_basic(name, effect) for name, effect in BASIC_EFFECTS.items() if effect.equation),
         "## Of the motion",
         *(_section(name, effect) for name, effect in CATALOGUE_EFFECTS.items() if effect.numbers),
         "## Of sensors, cameras and clocks",
@@ -29,9 +31,13 @@ def example(name: str, effect: Description) -> str:
     return "\n".join([f"{name}:", *(_stated(number) for number in effect.numbers)])
 
 
+def _basic(name: str, effect: Description) -> str:
+    return f"{plain(effect.summary).capitalize()}: `{effect.equation}`\n\n{picture(name)}"
+
+
 def _section(name: str, effect: Description) -> str:
     rows = [[f"`{each.name}`", each.unit, plain(each.meaning), _neutral(each)] for each in effect.numbers]
-    parts = [f"### {name}", f"{plain(effect.summary).capitalize()}: `{effect.equation}`"]
+    parts = [f"### {name}", f"{plain(effect.summary).capitalize()}: `{effect.equation}`", picture(name)]
     parts.append(table(("number", "unit", "meaning", "neutral"), rows))
     parts.append(_shown(effect))
     parts.append(block(example(name, effect), "yaml"))

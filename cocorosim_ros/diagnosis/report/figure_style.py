@@ -59,19 +59,20 @@ USUAL = Margins()
 class Drawing:
     """A figure in the style of the reports: `with Drawing(rows, columns, height) as drawing: drawing.axes[0, 0]...`.
 
-    height [inches] of the whole figure; after the block `svg` is its text for the page.
+    height and width [inches] of the whole figure; after the block `svg` is its text for the page.
     """
 
-    def __init__(self, rows: int, columns: int, height: float, margins: Margins = USUAL) -> None:
+    def __init__(self, rows: int, columns: int, height: float, margins: Margins = USUAL, width: float = WIDTH) -> None:
         self._context = matplotlib.rc_context(_STYLE)
         self._shape = (rows, columns, height)
+        self._width = width
         self._margins = margins
         self.svg = Markup("")
 
     def __enter__(self) -> Drawing:
         self._context.__enter__()
         rows, columns, height = self._shape
-        self.figure = Figure(figsize=(WIDTH, height))
+        self.figure = Figure(figsize=(self._width, height))
         self.axes = self.figure.subplots(rows, columns, squeeze=False, gridspec_kw=self._grid())
         return self
 
@@ -94,11 +95,11 @@ class Drawing:
         """Margins as shares of the figure; gaps as shares of a panel."""
         rows, columns, height = self._shape
         room = self._margins
-        wide = (WIDTH - room.left - room.right - room.across * (columns - 1)) / columns
+        wide = (self._width - room.left - room.right - room.across * (columns - 1)) / columns
         high = (height - room.top - room.bottom - room.down * (rows - 1)) / rows
         return {
-            "left": room.left / WIDTH,
-            "right": 1.0 - room.right / WIDTH,
+            "left": room.left / self._width,
+            "right": 1.0 - room.right / self._width,
             "top": 1.0 - room.top / height,
             "bottom": room.bottom / height,
             "wspace": room.across / wide,
