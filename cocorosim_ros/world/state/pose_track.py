@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.card import Card, Shown
@@ -11,6 +11,19 @@ from cocorosim_ros.foundation.data_frame import data_frame
 
 if TYPE_CHECKING:
     import pandas as pd
+
+
+class Poses(Protocol):
+    """Poses of one robot, wherever they are kept."""
+
+    @property
+    def stamp_ns(self) -> Integers:
+        """(t,) moment of each pose [ns]."""
+        ...
+
+    def at(self, rows: Integers) -> tuple[Floats, Floats]:
+        """Position (n, 3) [m; world] and yaw (n,) [rad; world] of the poses `rows` (n,)."""
+        ...
 
 
 @dataclass(frozen=True, repr=False)
@@ -23,6 +36,10 @@ class PoseTrack(Shown):
     """(t, 3) position [m; world]."""
     yaw: Floats
     """(t,) heading [rad; world, counter-clockwise from +x]."""
+
+    def at(self, rows: Integers) -> tuple[Floats, Floats]:
+        """Position (n, 3) [m; world] and yaw (n,) [rad; world] of the poses `rows` (n,)."""
+        return self.position[rows], self.yaw[rows]
 
     def to_frame(self) -> pd.DataFrame:
         """One row a pose: stamp_ns [ns], x, y, z [m], yaw [rad]; world."""
