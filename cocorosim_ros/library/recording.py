@@ -97,8 +97,12 @@ class Recording(Shown):
         return "" if self._pose_topics() else self._poses[1]
 
     @cached_property
-    def _kept(self) -> Mapping[str, Poses]:
-        """The poses of `tracks`; those of topics NAMESPACE/pose are looked up when they are asked for."""
+    def poses(self) -> Mapping[str, Poses]:
+        """The poses of `tracks` in little memory, for recordings of days: of each robot `stamp_ns` (n,) [ns].
+
+        Position (k, 3) [m; world] and yaw (k,) [rad; world] of the poses `rows` (k,) are looked up by `at(rows)`; those
+        of topics NAMESPACE/pose lie in a temporary file, unless `tracks` have been asked for.
+        """
         in_memory = "_poses" in vars(self) or not self._pose_topics()
         return self.tracks if in_memory else keep_poses(self.bag)
 
@@ -140,7 +144,7 @@ class Recording(Shown):
         has no poses, or the interval is no time.
         """
         every = None if interval is None else nanoseconds(interval, "interval")
-        tracks = self._kept
+        tracks = self.poses
         if not any(track.stamp_ns.size for track in tracks.values()):
             from cocorosim_ros.graph.runs.results import no_poses
 
@@ -162,7 +166,7 @@ class Recording(Shown):
             one_of(statistics, "statistics", ShoalStatistics)
         check_file(file, force=force)
         measured = statistics or self.measure()
-        draw_picture(file, self.bag, self.tracks, MetricSeries(measured.stamp_ns, measured.series))
+        draw_picture(file, self.bag, self.poses, MetricSeries(measured.stamp_ns, measured.series))
         return file
 
     def to_frame(self, topic: str = "pose") -> pd.DataFrame:

@@ -15,9 +15,9 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.study.metrics.sampling import POSES_AT_ONCE, SampledTracks, Sampling, beside_moments
+from cocorosim_ros.study.metrics.sampling import SampledTracks, Sampling, beside_moments
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
-from cocorosim_ros.world.state.pose_track import Poses
+from cocorosim_ros.world.state.pose_track import Poses, poses_in_parts
 
 _SHORTEST_GAP_LIMIT_NS = 1_000_000_000
 _INTERVALS_IN_GAP_LIMIT = 3
@@ -104,9 +104,7 @@ def _cleaned(name: str, track: Poses, findings: list[str]) -> Poses:
 def _finite(track: Poses) -> Flags:
     """(t,) which poses are finite."""
     finite = np.empty(track.stamp_ns.size, np.bool_)
-    for begin in range(0, finite.size, POSES_AT_ONCE):
-        rows = np.arange(begin, min(begin + POSES_AT_ONCE, finite.size))
-        position, yaw = track.at(rows)
+    for rows, position, yaw in poses_in_parts(track):
         finite[rows] = np.isfinite(position).all(axis=1) & np.isfinite(yaw)
     return finite
 

@@ -13,10 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
-from cocorosim_ros.world.state.pose_track import Poses
-
-POSES_AT_ONCE = 16_384
-"""Poses of all robots in one part."""
+from cocorosim_ros.world.state.pose_track import POSES_AT_ONCE, Poses
 
 
 @dataclass(frozen=True)

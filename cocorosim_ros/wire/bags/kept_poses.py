@@ -9,6 +9,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.kept_rows import KeptRows
+from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.bags.tracks import NUMBERS, POSE, is_pose
 from cocorosim_ros.wire.cdr.stamped_numbers import read_stamped_numbers
@@ -55,9 +56,9 @@ class _Gathered:
         """Of several poses with one stamp the first stays."""
         stamps, pieces = np.concatenate(self.stamps), np.array(self.pieces, np.int64).reshape(-1, 2)
         if (np.diff(stamps) > 0).all():
-            return KeptTrack(stamps, None, pieces, rows)
+            return KeptTrack(read_only(stamps), None, read_only(pieces), rows)
         unique, first = np.unique(stamps, return_index=True)
-        return KeptTrack(unique, first, pieces, rows)
+        return KeptTrack(read_only(unique), read_only(first), read_only(pieces), rows)
 
 
 def keep_poses(bag: Bag) -> dict[str, KeptTrack]:
