@@ -67,7 +67,7 @@ def command(**options: object) -> None:
     with ReadingBar(console) as bar:
         opened = [read_bag(path, bar.watch) for path in (choices.bag, choices.against) if path is not None]
         with compiling_told(console, "the statistics"):
-            recordings = [_with_poses(each) for each in opened]
+            recordings = [_with_poses(each, in_memory=choices.in_3d) for each in opened]
             file = _written(recordings, choices)
     remarks = [sentence for recording in recordings for sentence in _remarks(recording)]
     for sentence in remarks:
@@ -88,13 +88,14 @@ def _open(console: Console, file: Path, *, in_3d: bool) -> None:
         say(console, "no browser was found here; open the page in one")
 
 
-def _with_poses(bag: Bag) -> Recording:
+def _with_poses(bag: Bag, *, in_memory: bool) -> Recording:
     from cocorosim_ros.graph.runs.results import no_poses
     from cocorosim_ros.library.recording import Recording
 
     recording = Recording(bag)
-    if not any(track.stamp_ns.size for track in recording.tracks.values()):
-        raise CocorosimError(no_poses(recording.bag, list(recording.tracks)))
+    tracks = recording.tracks if in_memory else recording.poses
+    if not any(track.stamp_ns.size for track in tracks.values()):
+        raise CocorosimError(no_poses(recording.bag, list(tracks)))
     return recording
 
 
@@ -121,7 +122,7 @@ def _write_page(recording: Recording, file: Path) -> None:
         series = MetricSeries(statistics.stamp_ns, statistics.series)
     except CocorosimError as error:  # places alone can be looked at, too
         findings.append(str(error))
-    file.write_text(player_page(recording.tracks, scenario_facts(recording.bag), findings, series), "utf-8")
+    file.write_text(player_page(recording.poses, scenario_facts(recording.bag), findings, series), "utf-8")
 
 
 def _written(recordings: Sequence[Recording], choices: _ViewChoices) -> Path:

@@ -15,7 +15,8 @@ from cocorosim_ros.library.recording import Recording, read_recording
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.library.simulated_run import SimulatedRun
 from cocorosim_ros.scenario.reading.arguments import LARGEST, Place, Time, names, nanoseconds, place_text, refused
-from cocorosim_ros.study.metrics.from_tracks import SampledTracks, sample_tracks
+from cocorosim_ros.study.metrics.from_tracks import plan_samples
+from cocorosim_ros.study.metrics.sampling import SampledTracks
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
@@ -67,10 +68,10 @@ def measure(
     `measure([0.0, 0.5], [[[0, 0, 0], [0.3, 0, 0]]] * 2, [[0, 0]] * 2)["separation"]` is [0.3, 0.3] m.
     """
     if yaw is not None and position is not None:
-        samples = _sampled(source, position, yaw, robots)
-        if interval is not None:
-            samples = sample_tracks(_tracks(samples), nanoseconds(interval, "interval"))
-        return statistics_of(samples, "arrays")
+        given = _sampled(source, position, yaw, robots)
+        if interval is None:
+            return statistics_of(given, "arrays")
+        return statistics_of(plan_samples(_tracks(given), nanoseconds(interval, "interval")), "arrays")
     if position is not None or yaw is not None or robots is not None:
         raise ArgumentError(
             "Arrays are measured by three arguments, 'time', 'position' and 'yaw', and 'robots' names their columns; "
@@ -84,7 +85,7 @@ def measure(
         return source.measure(interval)
     if isinstance(source, Mapping):
         every = None if interval is None else nanoseconds(interval, "interval")
-        return statistics_of(sample_tracks(checked_tracks(source), every), "tracks")
+        return statistics_of(plan_samples(checked_tracks(source), every), "tracks")
     return read_recording(place_text(source, "source")).measure(interval)
 
 

@@ -19,14 +19,16 @@ from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.scenario.reading.arguments import Place, Time, nanoseconds, one_of, place_text, refused
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.study.metrics.from_tracks import sample_tracks
+from cocorosim_ros.study.metrics.from_tracks import plan_samples
 from cocorosim_ros.study.pictures.sketch import tracks_sketch
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.kept_poses import keep_poses
 from cocorosim_ros.wire.bags.readings import READABLE, TopicReadings, read_readings, readable_topics
 from cocorosim_ros.wire.bags.tracks import RecordedTrack, is_pose, read_poses_and_source
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.topics.topics import robot_topic, split_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
+from cocorosim_ros.world.state.pose_track import Poses
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -92,7 +94,17 @@ class Recording(Shown):
     @property
     def source_of_poses(self) -> str:
         """A sentence on where the poses are from if there is no topic NAMESPACE/pose; empty where there is."""
-        return self._poses[1]
+        return "" if self._pose_topics() else self._poses[1]
+
+    @cached_property
+    def poses(self) -> Mapping[str, Poses]:
+        """The poses of `tracks` in little memory, for recordings of days: of each robot `stamp_ns` (n,) [ns].
+
+        Position (k, 3) [m; world] and yaw (k,) [rad; world] of the poses `rows` (k,) are looked up by `at(rows)`; those
+        of topics NAMESPACE/pose lie in a temporary file, unless `tracks` have been asked for.
+        """
+        in_memory = "_poses" in vars(self) or not self._pose_topics()
+        return self.tracks if in_memory else keep_poses(self.bag)
 
     @cached_property
     def _poses(self) -> tuple[Mapping[str, RecordedTrack], str]:
@@ -132,12 +144,13 @@ class Recording(Shown):
         has no poses, or the interval is no time.
         """
         every = None if interval is None else nanoseconds(interval, "interval")
-        if not any(track.stamp_ns.size for track in self.tracks.values()):
+        tracks = self.poses
+        if not any(track.stamp_ns.size for track in tracks.values()):
             from cocorosim_ros.graph.runs.results import no_poses
 
-            raise CocorosimError(no_poses(self.bag, list(self.tracks)))
+            raise CocorosimError(no_poses(self.bag, list(tracks)))
         found = [remark for remark in (self.damage, self.source_of_poses) if remark]
-        return statistics_of(sample_tracks(self.tracks, every), self.path.resolve().name, self.digest, found)
+        return statistics_of(plan_samples(tracks, every), self.path.resolve().name, self.digest, found)
 
     def draw(self, out: Place, statistics: ShoalStatistics | None = None, *, force: bool = False) -> Path:
         """Draw tracks and statistics into a PNG file; returns its path.
@@ -153,7 +166,7 @@ class Recording(Shown):
             one_of(statistics, "statistics", ShoalStatistics)
         check_file(file, force=force)
         measured = statistics or self.measure()
-        draw_picture(file, self.bag, self.tracks, MetricSeries(measured.stamp_ns, measured.series))
+        draw_picture(file, self.bag, self.poses, MetricSeries(measured.stamp_ns, measured.series))
         return file
 
     def to_frame(self, topic: str = "pose") -> pd.DataFrame:

@@ -15,7 +15,8 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.scenario.reading.entry import nearest
 from cocorosim_ros.study.metrics import COLUMN, METRICS, PAPER_METRICS
-from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples
+from cocorosim_ros.study.metrics.from_tracks import measure_samples
+from cocorosim_ros.study.metrics.sampling import SampledTracks, Sampling
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ class ShoalStatistics(Shown):
 
 
 def statistics_of(
-    samples: SampledTracks, name: str, digest: str | None = None, findings: Sequence[str] = ()
+    samples: SampledTracks | Sampling, name: str, digest: str | None = None, findings: Sequence[str] = ()
 ) -> ShoalStatistics:
     """The statistics of robots at common moments; `findings`: what was found before."""
     monitor = measure_samples(samples)

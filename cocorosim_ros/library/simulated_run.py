@@ -16,7 +16,7 @@ from cocorosim_ros.foundation.read_only import read_only
 from cocorosim_ros.library.shoal_statistics import ShoalStatistics, statistics_of
 from cocorosim_ros.scenario.reading.arguments import Time, nanoseconds
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.study.metrics.from_tracks import sample_tracks
+from cocorosim_ros.study.metrics.from_tracks import plan_samples
 from cocorosim_ros.study.pictures.sketch import tracks_sketch
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.world.state.pose_track import PoseTrack
@@ -89,7 +89,7 @@ class SimulatedRun(Shown):
         CocorosimError if it is no time.
         """
         every = None if interval is None else nanoseconds(interval, "interval")
-        return statistics_of(sample_tracks(self.tracks(), every), self.scenario.name)
+        return statistics_of(plan_samples(self.tracks(), every), self.scenario.name)
 
     def to_frame(self) -> pd.DataFrame:
         """One row a robot and tick: time [s], robot, x, y, z, depth [m], yaw [rad], u, v, w [m/s], r [rad/s], commands.

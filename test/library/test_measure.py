@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 import cocorosim_ros as cocorosim
+from cocorosim_ros.study.metrics import sampling
+from cocorosim_ros.wire.bags import kept_poses
 
 TIME = [0.0, 0.5, 1.0]
 ABREAST = [[[0.05 * t, 0.0, -1.0], [0.05 * t, 0.3, -1.0]] for t in TIME]
@@ -49,6 +51,20 @@ def test_tracks_and_arrays_give_the_same_numbers(written: Any, shipped: Path) ->
         measured = cocorosim.measure(*given, robots=names)
         assert measured.robots == tuple(sorted(names))
         assert measured.tree()["metrics"] == written["metrics"]
+
+
+def test_a_recording_is_the_same_in_parts(monkeypatch: pytest.MonkeyPatch, shipped: Path) -> None:
+    """Poses in a file, decoded and measured by the dozen, give the numbers of the poses in memory, to the last bit."""
+    in_memory = cocorosim.read_recording(shipped)
+    assert in_memory.tracks
+    monkeypatch.setattr(kept_poses, "MESSAGES_AT_ONCE", 12)
+    monkeypatch.setattr(sampling, "POSES_AT_ONCE", 12)
+    for interval in (None, "0.3 s"):
+        kept = cocorosim.read_recording(shipped)
+        whole, parts = in_memory.measure(interval), kept.measure(interval)
+        assert "_poses" not in vars(kept)
+        assert parts.tree() == whole.tree()
+        assert parts.series.tobytes() == whole.series.tobytes()
 
 
 def test_two_robots_abreast() -> None:

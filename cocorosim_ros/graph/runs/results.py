@@ -17,7 +17,7 @@ from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
-from cocorosim_ros.world.state.pose_track import PoseTrack
+from cocorosim_ros.world.state.pose_track import Poses
 
 _TOPICS_SHOWN = 5
 _LIBRARIES = ("numpy", "numba", "ros-jazzy-rclpy")
@@ -54,7 +54,7 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
     )
 
 
-def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, PoseTrack], series: MetricSeries) -> None:
+def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, Poses], series: MetricSeries) -> None:
     """The run's picture; the tank's walls are drawn where the recording knows its scenario."""
     draw_shoal(path, tracks, series, scenario_facts(bag), force=True)
 

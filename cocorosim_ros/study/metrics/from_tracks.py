@@ -15,8 +15,9 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.study.metrics.sampling import SampledTracks, Sampling, beside_moments
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
-from cocorosim_ros.world.state.pose_track import PoseTrack
+from cocorosim_ros.world.state.pose_track import Poses, poses_in_parts
 
 _SHORTEST_GAP_LIMIT_NS = 1_000_000_000
 _INTERVALS_IN_GAP_LIMIT = 3
@@ -24,28 +25,18 @@ _MOST_SAMPLES = 10_000_000
 _RATE_TOLERANCE = 0.01
 
 
-@dataclass(frozen=True)
-class SampledTracks:
-    """Poses of all robots at common moments."""
-
-    names: tuple[str, ...]
-    """(n,) robots in alphabetical order."""
-    stamp_ns: Integers
-    """(t,) moments [ns]."""
-    position: Floats
-    """(t, n, 3) position [m; world], NaN where absent."""
-    yaw: Floats
-    """(t, n) heading [rad; world], NaN where absent."""
-    present: Flags
-    """(t, n) robot has a pose at this moment."""
-    findings: tuple[str, ...]
-    """What was found on the way, in sentences: rates, gaps, poses left out."""
-
-
 def sample_tracks(
-    tracks: Mapping[str, PoseTrack], interval_ns: int | None = None, gap_limit_ns: int | None = None
+    tracks: Mapping[str, Poses], interval_ns: int | None = None, gap_limit_ns: int | None = None
 ) -> SampledTracks:
-    """Poses of all robots at common moments, in the alphabetical order of their names.
+    """Poses of all robots at all common moments, as `plan_samples` says."""
+    plan = plan_samples(tracks, interval_ns, gap_limit_ns)
+    return plan.at(plan.stamp_ns)
+
+
+def plan_samples(
+    tracks: Mapping[str, Poses], interval_ns: int | None = None, gap_limit_ns: int | None = None
+) -> Sampling:
+    """The common moments of all robots, in the alphabetical order of their names.
 
     interval_ns: distance of the moments [ns]; left out, the stamps themselves if all robots share them,
     else the median pose interval. gap_limit_ns: longest gap that is interpolated [ns]; left out, per robot
@@ -63,20 +54,39 @@ def sample_tracks(
         interval = _median_interval_ns(known) if interval_ns is None else interval_ns
         moments = _grid(known, interval)
         findings.append(_sampling_sentence(known, interval))
-    return _sampled(clean, moments, gap_limit_ns, findings)
+    limits = {name: _gap_limit_ns(track) if gap_limit_ns is None else gap_limit_ns for name, track in known.items()}
+    for name, track in known.items():
+        findings += _absence_sentences(name, track, moments, limits[name])
+    return Sampling(clean, moments, limits, tuple(findings))
 
 
-def measure_samples(samples: SampledTracks) -> ShoalMonitor:
+def measure_samples(samples: SampledTracks | Sampling) -> ShoalMonitor:
     """A monitor that has seen all moments of the samples."""
     monitor = ShoalMonitor(len(samples.names))
-    for tick, stamp_ns in enumerate(samples.stamp_ns):
-        monitor.update(int(stamp_ns), samples.position[tick], samples.yaw[tick], samples.present[tick])
+    for part in samples.parts():
+        for tick, stamp_ns in enumerate(part.stamp_ns):
+            monitor.update(int(stamp_ns), part.position[tick], part.yaw[tick], part.present[tick])
     return monitor
 
 
-def _cleaned(name: str, track: PoseTrack, findings: list[str]) -> PoseTrack:
+@dataclass(frozen=True, eq=False)
+class _Chosen:
+    """Some poses of a track."""
+
+    track: Poses
+    stamp_ns: Integers
+    """(t,) growing [ns]."""
+    rows: Integers
+    """(t,) which they are."""
+
+    def at(self, rows: Integers) -> tuple[Floats, Floats]:
+        """Position (n, 3) [m; world] and yaw (n,) [rad; world] of the poses `rows` (n,)."""
+        return self.track.at(self.rows[rows])
+
+
+def _cleaned(name: str, track: Poses, findings: list[str]) -> Poses:
     """The track with growing stamps and finite poses; of several poses with one stamp the first stays."""
-    finite = np.isfinite(track.position).all(axis=1) & np.isfinite(track.yaw)
+    finite = _finite(track)
     if not finite.all():
         findings.append(f"{name}: {np.count_nonzero(~finite)} poses that are not finite were left out.")
     stamps = track.stamp_ns[finite]
@@ -86,22 +96,32 @@ def _cleaned(name: str, track: PoseTrack, findings: list[str]) -> PoseTrack:
     unique, first = np.unique(stamps, return_index=True)
     if unique.size < stamps.size:
         findings.append(f"{name}: {stamps.size - unique.size} poses repeated a stamp and were left out.")
-    return PoseTrack(unique.astype(np.int64), track.position[finite][first], track.yaw[finite][first])
+    if late == 0 and unique.size == track.stamp_ns.size:
+        return track
+    return _Chosen(track, unique.astype(np.int64), np.flatnonzero(finite)[first])
 
 
-def _shared_stamps(tracks: Mapping[str, PoseTrack]) -> Integers | None:
+def _finite(track: Poses) -> Flags:
+    """(t,) which poses are finite."""
+    finite = np.empty(track.stamp_ns.size, np.bool_)
+    for rows, position, yaw in poses_in_parts(track):
+        finite[rows] = np.isfinite(position).all(axis=1) & np.isfinite(yaw)
+    return finite
+
+
+def _shared_stamps(tracks: Mapping[str, Poses]) -> Integers | None:
     first, *others = tracks.values()
     if all(np.array_equal(first.stamp_ns, other.stamp_ns) for other in others):
         return first.stamp_ns
     return None
 
 
-def _median_interval_ns(tracks: Mapping[str, PoseTrack]) -> int:
+def _median_interval_ns(tracks: Mapping[str, Poses]) -> int:
     intervals = [np.median(np.diff(track.stamp_ns)) for track in tracks.values() if track.stamp_ns.size > 1]
     return max(1, round(float(np.median(intervals)))) if intervals else _SHORTEST_GAP_LIMIT_NS
 
 
-def _grid(tracks: Mapping[str, PoseTrack], interval_ns: int) -> Integers:
+def _grid(tracks: Mapping[str, Poses], interval_ns: int) -> Integers:
     if interval_ns <= 0:
         raise CocorosimError(f"The interval of {interval_ns} ns between moments must be positive.")
     start = min(int(track.stamp_ns[0]) for track in tracks.values())
@@ -114,7 +134,7 @@ def _grid(tracks: Mapping[str, PoseTrack], interval_ns: int) -> Integers:
     return np.arange(start, end + 1, interval_ns, dtype=np.int64)
 
 
-def _sampling_sentence(tracks: Mapping[str, PoseTrack], interval_ns: int) -> str:
+def _sampling_sentence(tracks: Mapping[str, Poses], interval_ns: int) -> str:
     several = [track.stamp_ns for track in tracks.values() if track.stamp_ns.size > 1]
     rates = [1e9 / float(np.median(np.diff(stamps))) for stamps in several] or [float("nan")]
     slowest, fastest = min(rates), max(rates)
@@ -126,53 +146,15 @@ def _sampling_sentence(tracks: Mapping[str, PoseTrack], interval_ns: int) -> str
     )
 
 
-def _sampled(
-    tracks: Mapping[str, PoseTrack], moments: Integers, gap_limit_ns: int | None, findings: list[str]
-) -> SampledTracks:
-    shape = (moments.size, len(tracks))
-    position, yaw, present = np.full((*shape, 3), np.nan), np.full(shape, np.nan), np.zeros(shape, np.bool_)
-    for column, (name, track) in enumerate(tracks.items()):
-        if not track.stamp_ns.size:
-            continue
-        limit = _gap_limit_ns(track) if gap_limit_ns is None else gap_limit_ns
-        position[:, column], yaw[:, column], present[:, column] = _interpolated(track, moments, limit)
-        findings += _absence_sentences(name, track, present[:, column], limit)
-    return SampledTracks(tuple(tracks), moments, position, yaw, present, tuple(findings))
-
-
-def _gap_limit_ns(track: PoseTrack) -> int:
+def _gap_limit_ns(track: Poses) -> int:
     if track.stamp_ns.size < 2:
         return _SHORTEST_GAP_LIMIT_NS
     median = float(np.median(np.diff(track.stamp_ns)))
     return max(_SHORTEST_GAP_LIMIT_NS, round(_INTERVALS_IN_GAP_LIMIT * median))
 
 
-def _interpolated(track: PoseTrack, moments: Integers, limit_ns: int) -> tuple[Floats, Floats, Flags]:
-    """Position (t, 3), yaw (t,) and presence (t,) of one robot; a moment that has a pose gets just this
-    pose.
-    """
-    last = track.stamp_ns.size - 1
-    after = np.clip(np.searchsorted(track.stamp_ns, moments), 0, last)
-    exact = track.stamp_ns[after] == moments
-    before = np.where(exact, after, np.maximum(after - 1, 0))
-    gap = track.stamp_ns[after] - track.stamp_ns[before]
-    inside = (moments > track.stamp_ns[0]) & (moments < track.stamp_ns[-1])
-    present = exact | (inside & (gap <= limit_ns))
-    share = np.where(exact, 0.0, (moments - track.stamp_ns[before]) / np.maximum(gap, 1))
-    way = track.position[after] - track.position[before]
-    position = np.where(present[:, None], track.position[before] + share[:, None] * way, np.nan)
-    turn = _wrapped(track.yaw[after] - track.yaw[before])
-    yaw = np.where(exact, track.yaw[before], _wrapped(track.yaw[before] + share * turn))
-    return position, np.where(present, yaw, np.nan), present
-
-
-def _wrapped(angle: Floats) -> Floats:
-    """The angle in (-pi, pi]."""
-    wrapped: Floats = np.pi - np.mod(np.pi - angle, 2.0 * np.pi)
-    return wrapped
-
-
-def _absence_sentences(name: str, track: PoseTrack, present: Flags, limit_ns: int) -> list[str]:
+def _absence_sentences(name: str, track: Poses, moments: Integers, limit_ns: int) -> list[str]:
+    present = beside_moments(track.stamp_ns, moments, limit_ns).present
     gaps = np.diff(track.stamp_ns)
     long = gaps > limit_ns
     sentences = []

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Integers
-from cocorosim_ros.study.metrics.from_tracks import SampledTracks
 from cocorosim_ros.study.metrics.memory import new_memory
 from cocorosim_ros.study.metrics.populations import fill_distances, fill_shoals
 from cocorosim_ros.study.metrics.presence import fill_presence
+from cocorosim_ros.study.metrics.sampling import SampledTracks
 from cocorosim_ros.study.metrics.swarms import new_swarms
 
 _MOMENTS_AT_ONCE = 1000  # the distances of all pairs at that many moments are in memory

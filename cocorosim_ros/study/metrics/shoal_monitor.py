@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.foundation.kept_rows import KeptRows
 from cocorosim_ros.study.metrics import METRICS
-from cocorosim_ros.study.metrics.kept_rows import KeptRows
 from cocorosim_ros.study.metrics.kernel import measure_tick
 from cocorosim_ros.study.metrics.memory import Memory, new_memory
 from cocorosim_ros.study.metrics.summary import Summary, summarise
@@ -56,12 +56,12 @@ class ShoalMonitor:
     @property
     def stamps_ns(self) -> Integers:
         """(ticks,) moments measured so far [ns]."""
-        return self._stamps.rows()[:, 0].copy()
+        return self._stamps.copy()[:, 0]
 
     @property
     def series(self) -> Floats:
         """(ticks, len(METRICS)) values measured so far."""
-        return self._values.rows()[:, 0].copy()
+        return self._values.copy()[:, 0]
 
     def summary(self) -> dict[str, Any]:
         """The run so far, ready for JSON: undefined numbers are None."""

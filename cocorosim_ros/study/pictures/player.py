@@ -18,7 +18,7 @@ from cocorosim_ros.study.pictures.decimation import envelope, every_nth, longest
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.metric_panels import BOUNDED, MOST_GROUPS
 from cocorosim_ros.study.pictures.track_views import extent, robot_colours
-from cocorosim_ros.world.state.pose_track import PoseTrack
+from cocorosim_ros.world.state.pose_track import Poses
 
 MOST_POSES = 500_000
 """Poses of all robots beyond which every robot's are thinned; 500 000 make a page of 11 MB."""
@@ -30,7 +30,7 @@ _WATCHED_IN = 60.0  # s that a recording takes at most, at the speed that is off
 
 
 def player_page(
-    tracks: Mapping[str, PoseTrack],
+    tracks: Mapping[str, Poses],
     facts: ScenarioFacts,
     findings: Sequence[str] = (),
     series: MetricSeries | None = None,
@@ -53,7 +53,7 @@ def player_page(
     return template.render(recording=recording, speeds=_SPEEDS, speed=speed, trails=_TRAILS)
 
 
-def _recording(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, findings: list[str]) -> dict[str, Any]:
+def _recording(tracks: Mapping[str, Poses], facts: ScenarioFacts, findings: list[str]) -> dict[str, Any]:
     """What the page plays, ready for JSON; numbers that come in thousands are float32 in base64."""
     low, high = extent(tracks, facts)
     start = min(int(track.stamp_ns[0]) for track in tracks.values())
@@ -68,7 +68,7 @@ def _recording(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, findings: 
         clock = _packed((track.stamp_ns[kept] - start) * 1e-9)
         if clock not in clocks:
             clocks.append(clock)
-        poses = _packed(np.column_stack([track.position, track.yaw])[kept])
+        poses = _packed(np.column_stack(track.at(kept)))
         gap = longest_interval(track.stamp_ns[kept]) * 1e-9
         robots.append(
             {"name": name, "colour": to_hex(colours[name]), "clock": clocks.index(clock), "gap": gap, "poses": poses}

@@ -26,7 +26,7 @@ from cocorosim_ros.study.pictures.track_views import (
     extent,
     robot_colours,
 )
-from cocorosim_ros.world.state.pose_track import PoseTrack
+from cocorosim_ros.world.state.pose_track import Poses
 
 _SIZE_INCHES, _DOTS_PER_INCH = (16.0, 10.0), 125
 _STRONG_NS = 60_000_000_000
@@ -36,7 +36,7 @@ _STYLE: Any = {"font.size": 11, "axes.titlesize": 12, "axes.labelsize": 11, "axe
 
 def draw_shoal(
     path: Path,
-    tracks: Mapping[str, PoseTrack],
+    tracks: Mapping[str, Poses],
     series: MetricSeries,
     scenario_facts: ScenarioFacts,
     force: bool = False,
@@ -61,7 +61,7 @@ def draw_shoal(
             raise CocorosimError(f"{path} cannot be written: {error.strerror}. Is there room?") from error
 
 
-def _figure(tracks: Mapping[str, PoseTrack], series: MetricSeries, facts: ScenarioFacts) -> Figure:
+def _figure(tracks: Mapping[str, Poses], series: MetricSeries, facts: ScenarioFacts) -> Figure:
     figure = Figure(figsize=_SIZE_INCHES, dpi=_DOTS_PER_INCH, facecolor="white")
     view = extent(tracks, facts)
     above, side, panels = _axes(figure, view)
@@ -94,7 +94,7 @@ def _axes(figure: Figure, view: Extent) -> tuple[Axes, Axes, list[Axes]]:
     return above, side, panels
 
 
-def _write_title(figure: Figure, tracks: Mapping[str, PoseTrack], series: MetricSeries, facts: ScenarioFacts) -> None:
+def _write_title(figure: Figure, tracks: Mapping[str, Poses], series: MetricSeries, facts: ScenarioFacts) -> None:
     duration = (int(series.stamp_ns[-1]) - int(series.stamp_ns[0])) / 1e9
     robots = "1 robot" if len(tracks) == 1 else f"{len(tracks)} robots"
     parts = [robots, f"{duration:,.6g} s"] + ([] if facts.seed is None else [f"seed {facts.seed}"])
@@ -102,7 +102,7 @@ def _write_title(figure: Figure, tracks: Mapping[str, PoseTrack], series: Metric
     figure.text(0.985, 0.962, "   ·   ".join(parts), fontsize=14, ha="right", va="center", color="#333333")
 
 
-def _write_legend(figure: Figure, tracks: Mapping[str, PoseTrack]) -> None:
+def _write_legend(figure: Figure, tracks: Mapping[str, Poses]) -> None:
     if len(tracks) > _MOST_IN_LEGEND:
         return
     handles = [Line2D([], [], color=colour, linewidth=4) for colour in robot_colours(list(tracks)).values()]
@@ -119,7 +119,7 @@ def _write_legend(figure: Figure, tracks: Mapping[str, PoseTrack]) -> None:
     )
 
 
-def _caption(tracks: Mapping[str, PoseTrack], series: MetricSeries) -> str:
+def _caption(tracks: Mapping[str, Poses], series: MetricSeries) -> str:
     """What the signs mean, and below what was drawn instead of everything, in words."""
     first_ns = min(int(track.stamp_ns[0]) for track in tracks.values())
     last_ns = max(int(track.stamp_ns[-1]) for track in tracks.values())

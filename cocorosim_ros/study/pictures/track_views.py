@@ -17,7 +17,7 @@ from matplotlib.patches import Rectangle
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.study.pictures.decimation import every_nth, with_breaks
 from cocorosim_ros.study.pictures.facts import ScenarioFacts
-from cocorosim_ros.world.state.pose_track import PoseTrack
+from cocorosim_ros.world.state.pose_track import Poses, poses_in_parts
 from cocorosim_ros.world.state.state import X, Y, Z
 
 MOST_POSES = 4000
@@ -55,11 +55,14 @@ def robot_colours(names: list[str]) -> dict[str, tuple[float, float, float, floa
     return {name: rainbow(0.04 + 0.92 * number / (len(names) - 1)) for number, name in enumerate(names)}
 
 
-def extent(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts) -> Extent:
+def extent(tracks: Mapping[str, Poses], facts: ScenarioFacts) -> Extent:
     """What is to be seen: all poses, and the tank if known."""
-    points = [track.position[np.isfinite(track.position).all(axis=1)] for track in tracks.values()]
-    corners = [np.array([c]) for c in (facts.low_corner, facts.high_corner) if c is not None]
-    everything = np.concatenate([*points, *corners])
+    corners = [np.array(c) for c in (facts.low_corner, facts.high_corner) if c is not None]
+    for track in tracks.values():
+        for _, position, _ in poses_in_parts(track):
+            places = position[np.isfinite(position).all(axis=1)]
+            corners += [places.min(axis=0), places.max(axis=0)] if len(places) else []
+    everything = np.stack(corners)
     low, high = everything.min(axis=0), everything.max(axis=0)
     # A swarm that does not move in some direction still needs an axis to be drawn on.
     margin = np.full(3, _MARGIN_SHARE * np.max(high - low) + 1e-3)
@@ -67,7 +70,7 @@ def extent(tracks: Mapping[str, PoseTrack], facts: ScenarioFacts) -> Extent:
 
 
 def draw_from_above(
-    axes: Axes, tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, view: Extent, strong_from_ns: int
+    axes: Axes, tracks: Mapping[str, Poses], facts: ScenarioFacts, view: Extent, strong_from_ns: int
 ) -> None:
     """The x-y plane: walls, tracks, starts, ends and final headings."""
     _prepare(axes, _FROM_ABOVE, facts, view)
@@ -75,8 +78,9 @@ def draw_from_above(
     arrow = _ARROW_SHARE * float(view.high[X] - view.low[X])
     for name, track in tracks.items():
         _draw_track(axes, track, _FROM_ABOVE, colours[name], strong_from_ns)
-        x, y = track.position[-1, 0], track.position[-1, 1]
-        tip = (x + arrow * np.cos(track.yaw[-1]), y + arrow * np.sin(track.yaw[-1]))
+        position, yaw = track.at(np.array([track.stamp_ns.size - 1]))
+        x, y = position[0, 0], position[0, 1]
+        tip = (x + arrow * np.cos(yaw[0]), y + arrow * np.sin(yaw[0]))
         style = {
             "arrowstyle": "-|>,head_length=0.45,head_width=0.22",
             "color": colours[name],
@@ -88,7 +92,7 @@ def draw_from_above(
 
 
 def draw_from_the_side(
-    axes: Axes, tracks: Mapping[str, PoseTrack], facts: ScenarioFacts, view: Extent, strong_from_ns: int
+    axes: Axes, tracks: Mapping[str, Poses], facts: ScenarioFacts, view: Extent, strong_from_ns: int
 ) -> None:
     """The x-z plane: surface, floor, tracks, starts and ends."""
     _prepare(axes, _FROM_THE_SIDE, facts, view)
@@ -125,18 +129,18 @@ def _prepare(axes: Axes, plane: _Plane, facts: ScenarioFacts, view: Extent) -> N
 
 def _draw_track(
     axes: Axes,
-    track: PoseTrack,
+    track: Poses,
     plane: _Plane,
     colour: tuple[float, float, float, float],
     strong_from_ns: int,
 ) -> None:
     kept, _ = every_nth(track.stamp_ns, MOST_POSES)
-    across, up = with_breaks(track.stamp_ns[kept], track.position[kept][:, plane]).T
+    across, up = with_breaks(track.stamp_ns[kept], track.at(kept)[0][:, plane]).T
     axes.plot(across, up, color=colour, linewidth=0.7, alpha=0.3, zorder=3)
-    late = track.stamp_ns >= strong_from_ns
-    if np.count_nonzero(late) > 1:
-        across, up = with_breaks(track.stamp_ns[late], track.position[late][:, plane]).T
+    late = np.flatnonzero(track.stamp_ns >= strong_from_ns)
+    if late.size > 1:
+        across, up = with_breaks(track.stamp_ns[late], track.at(late)[0][:, plane]).T
         axes.plot(across, up, color=colour, linewidth=1.8, alpha=0.95, zorder=4, solid_capstyle="round")
-    first, last = track.position[0, plane], track.position[-1, plane]
+    first, last = track.at(np.array([0, track.stamp_ns.size - 1]))[0][:, plane]
     axes.plot(*first, marker="o", markersize=5.5, markerfacecolor="white", markeredgecolor=colour, zorder=5)
     axes.plot(*last, marker="o", markersize=6, color=colour, markeredgecolor="black", zorder=7)

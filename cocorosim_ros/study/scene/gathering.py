@@ -7,7 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.study.metrics.from_tracks import SampledTracks, measure_samples, sample_tracks
+from cocorosim_ros.study.metrics.from_tracks import measure_samples, sample_tracks
+from cocorosim_ros.study.metrics.sampling import SampledTracks
 from cocorosim_ros.study.metrics.shoal_members import shoal_members
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.scene.drifting_plume import drifting_plume

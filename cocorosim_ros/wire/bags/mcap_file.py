@@ -28,6 +28,7 @@ from cocorosim_ros.wire.bags.writing_lock import is_held
 _DAMAGE = (ValueError, RuntimeError, struct.error, zstandard.ZstdError, MemoryError)
 RawMessage = tuple[int, int, int, bytes]  # channel, log time [ns], publish time [ns], CDR bytes
 Watch = Callable[[int, int], None]  # told how many bytes of how many a pass through a file has behind it
+_MOST_MAPPED = 1 << 22  # bytes of the file that a walk through it leaves in memory
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,7 @@ class McapFile:
 
     def _walk(self) -> None:
         """Find the blocks and the metadata, as far as the file goes."""
-        place, loose = len(mcap.MAGIC), None
+        place, loose, let_go = len(mcap.MAGIC), None, 0
         while place + mcap.RECORD_HEAD.size <= len(self._data):
             opcode, length = mcap.RECORD_HEAD.unpack_from(self._data, place)
             content = place + mcap.RECORD_HEAD.size
@@ -130,6 +131,8 @@ class McapFile:
                 return
             self._note(opcode, content, end)
             place = end
+            if place - let_go > _MOST_MAPPED:
+                let_go = self._let_go(let_go, place)
         if loose is not None:
             self._add_loose(loose, place)
 
@@ -204,6 +207,7 @@ class McapFile:
     def _plain(self, block: _Block) -> bytes:
         """The unpacked bytes of a block. Raises ValueError, RuntimeError or ZstdError if they are damaged."""
         packed = self._data[block.start : block.end]
+        self._let_go(block.start, block.end)
         if block.compression is None:
             return packed
         if block.compression not in _UNPACK:
@@ -216,6 +220,13 @@ class McapFile:
         if block.checksum and zlib.crc32(plain) != block.checksum:
             raise ValueError("its checksum is wrong")
         return plain
+
+    def _let_go(self, start: int, end: int) -> int:
+        """Take these bytes out of memory, if the system can; they are read again when looked at. Returns `end`."""
+        if hasattr(mmap, "MADV_DONTNEED"):
+            first = start - start % mmap.PAGESIZE
+            self._data.madvise(mmap.MADV_DONTNEED, first, end - first)
+        return end
 
     def _messages_of(self, block: _Block) -> Iterator[RawMessage]:
         plain = self._plain(block)

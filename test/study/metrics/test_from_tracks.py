@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.study.metrics.from_tracks import measure_samples, sample_tracks
+from cocorosim_ros.study.metrics import sampling
+from cocorosim_ros.study.metrics.from_tracks import measure_samples, plan_samples, sample_tracks
 from cocorosim_ros.study.metrics.shoal_monitor import ShoalMonitor
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
@@ -149,3 +150,21 @@ def test_a_single_pose_is_one_moment() -> None:
     samples = sample_tracks({"a": straight(np.array([5]))})
     assert samples.present.tolist() == [[True]]
     assert measure_samples(samples).summary()["ticks"] == 1
+
+
+@pytest.mark.parametrize("interval_ns", [None, SECOND // 3])
+@pytest.mark.parametrize("lock_step", [True, False])
+def test_parts_give_what_the_whole_gives(
+    monkeypatch: pytest.MonkeyPatch, lock_step: bool, interval_ns: int | None
+) -> None:
+    """One clock, or gaps and rates of their own, two moments at a time: the same values and findings."""
+    other = every(100) if lock_step else np.concatenate([every(143, seconds=4.0), every(143, first=7.0)])
+    tracks = {"a": straight(every(100)), "b": straight(other, side=0.3), "c": straight(np.empty(0))}
+    whole = sample_tracks(tracks, interval_ns)
+    monkeypatch.setattr(sampling, "POSES_AT_ONCE", 6)
+    plan = plan_samples(tracks, interval_ns)
+    parts = list(plan.parts())
+    assert plan.findings == whole.findings and {len(part.stamp_ns) for part in parts} <= {1, 2}
+    for name in ("stamp_ns", "position", "yaw", "present"):
+        np.testing.assert_array_equal(np.concatenate([getattr(part, name) for part in parts]), getattr(whole, name))
+    assert measure_samples(plan).series.tobytes() == measure_samples(whole).series.tobytes()

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.library.recording import read_recording
+from cocorosim_ros.study.metrics import sampling
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr import type_store
 
@@ -97,6 +98,18 @@ def test_tracks(tmp_path: Path, case: str) -> None:
         assert track.yaw == pytest.approx(YAW)
         assert track.stamp_ns.tolist() == [row * 10**8 for row in range(COUNT)]
     assert recording.source_of_poses.startswith("There is no topic NAMESPACE/pose; poses are those of ")
+
+
+@pytest.mark.parametrize("interval", [None, "0.07 s"])
+def test_they_are_measured_in_parts(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, interval: str | None) -> None:
+    """Two moments at a time give the numbers of all at once, to the last bit."""
+    write(tmp_path / "bag", CASES["odometry of two"][0])
+    recording = read_recording(tmp_path / "bag")
+    whole = recording.measure(interval)
+    monkeypatch.setattr(sampling, "POSES_AT_ONCE", 4)
+    parts = recording.measure(interval)
+    assert len(whole.stamp_ns) > 4 and parts.tree() == whole.tree()
+    assert parts.series.tobytes() == whole.series.tobytes()
 
 
 def test_the_topics_of_the_contract_come_first(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.study.metrics.kept_rows import ROWS_IN_MEMORY, KeptRows
+from cocorosim_ros.foundation.kept_rows import ROWS_IN_MEMORY, KeptRows
 
 
 @pytest.mark.parametrize("count", [0, 1, ROWS_IN_MEMORY, ROWS_IN_MEMORY + 1, 3 * ROWS_IN_MEMORY + 7])
@@ -27,6 +27,19 @@ def test_all_rows_are_there(count: int) -> None:
         rows = kept.rows()
         assert (type(rows), rows.dtype) == (np.ndarray, kind)
         np.testing.assert_array_equal(rows, np.outer(np.arange(count), (1, -1)))
+
+
+@pytest.mark.parametrize("count", [0, 1, ROWS_IN_MEMORY, 3 * ROWS_IN_MEMORY + 7])
+def test_many_rows_at_once(count: int) -> None:
+    """They come back in any order, also of a record of several numbers, and as a copy."""
+    kept = KeptRows((), np.dtype([("stamp", np.int64), ("place", np.float64, (2,))]))
+    rows = np.zeros(count, kept.copy().dtype)
+    rows["stamp"], rows["place"] = np.arange(count), np.outer(np.arange(count), (0.5, -1.0))
+    for begin in range(0, count, 700):
+        kept.add(rows[begin : begin + 700])
+    np.testing.assert_array_equal(kept.copy(), rows)
+    places = np.random.default_rng(1).integers(0, max(count, 1), 50 if count else 0)
+    np.testing.assert_array_equal(kept.at(places), rows[places])
 
 
 def test_memory_stays_as_it_is() -> None:
@@ -71,3 +84,4 @@ def test_no_room_for_the_file(monkeypatch: pytest.MonkeyPatch, blocks_until_full
         kept.next_row()[0] = number
     assert (kept._file is None, len(kept._block) > ROWS_IN_MEMORY) == (False, True)
     np.testing.assert_array_equal(kept.rows()[:, 0], np.arange(5 * ROWS_IN_MEMORY))
+    np.testing.assert_array_equal(kept.copy()[:, 0], np.arange(5 * ROWS_IN_MEMORY))
