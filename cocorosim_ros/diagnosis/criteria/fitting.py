@@ -61,6 +61,18 @@ class RecalibrationCriteria:
 
 
 @dataclass(frozen=True)
+class VehicleNeedsCriteria:
+    """What a vehicle has to have for some effects to be looked for (`fitting.vehicle_needs`)."""
+
+    tall: float = 0.1
+    """[m] height of a hull whose bobbing the filter's steps just follow. Reckoned from its rate: such a one bobs at the
+    surface by one radian in 0.1 s."""
+    pushes: float = 1e-6
+    """[of a unit of force] to the side; less is rounding in a direction. Reckoned from the digits of directions in
+    files."""
+
+
+@dataclass(frozen=True)
 class GrowingForceCriteria:
     """Random force that grows with speed or thrust (`fitting.growing_force`)."""
 
@@ -238,6 +250,7 @@ class HeldOutCriteria:
 
 DRAG_FORMS = DragFormCriteria()
 GROWING_FORCE = GrowingForceCriteria()
+VEHICLE_NEEDS = VehicleNeedsCriteria()
 CONVERGENCE = ConvergenceCriteria()
 RANDOMNESS = RandomForceCriteria()
 RECALIBRATION = RecalibrationCriteria()

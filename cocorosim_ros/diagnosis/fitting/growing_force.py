@@ -25,9 +25,9 @@ from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import HEAVE, SURGE
 
-QUANTITIES = {column.rpartition("_")[2]: column for column in WATER_GROWTH}
+GROWS_WITH = {column.rpartition("_")[2]: column for column in WATER_GROWTH}
 """Columns of the growth by quantity: speed, thrust."""
-WAYS = (*((quantity,) for quantity in QUANTITIES), tuple(QUANTITIES))
+WAYS = (*((quantity,) for quantity in GROWS_WITH), tuple(GROWS_WITH))
 
 
 def speed_and_thrust(track: Track, course: Smoothed) -> Floats:
@@ -77,7 +77,7 @@ def _is_felt(fit: Fit) -> bool:
 
 
 def _growth(robot: str, numbers: tuple[int, ...], quantity: str) -> Unknown:
-    column = QUANTITIES[quantity]
+    column = GROWS_WITH[quantity]
     owner = Owner(RANDOM_FORCE, (robot,), column.partition(".")[2], NOISE_UNITS[column])
     return Unknown(
         owner, column, numbers, base=float(np.log(GROWING_FORCE.usual)), prior=GROWING_FORCE.prior,
@@ -91,7 +91,7 @@ def _agitated(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> tuple[Tra
     The highest speed and thrust are those of all recordings of a robot, but for the few moments above a quantile.
     """
     values = [speed_and_thrust(track, course) for track, course in zip(tracks, courses, strict=True)]
-    highest = np.ones((len(tracks), len(QUANTITIES)))
+    highest = np.ones((len(tracks), len(GROWS_WITH)))
     for numbers in tracks_by_robot(tracks).values():
         top = np.quantile(np.concatenate([values[number] for number in numbers]), GROWING_FORCE.highest, axis=0)
         highest[list(numbers)] = np.where(top > 0.0, top, np.inf)

@@ -6,15 +6,18 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import VEHICLE_NEEDS
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 
-TALL = 0.1
-"""[m] A hull of this height bobs at the surface by one radian in 0.1 s, which the filter's steps just follow."""
-_PUSHES = 1e-6  # of a unit of force: less is rounding in a direction
+
+def _has_side_thrusters(vehicle: VehicleModel) -> bool:
+    to_the_side = np.abs(vehicle.actuator_wrench[vehicle.is_thruster, 1])
+    return bool((to_the_side > VEHICLE_NEEDS.pushes).any())
+
 
 HAS: Mapping[str, Callable[[VehicleModel], bool]] = {
     "thrusters": lambda vehicle: bool(vehicle.is_thruster.any()),
-    "side_thrusters": lambda vehicle: bool((np.abs(vehicle.actuator_wrench[vehicle.is_thruster, 1]) > _PUSHES).any()),
-    "tall_hull": lambda vehicle: vehicle.height >= TALL,
+    "side_thrusters": _has_side_thrusters,
+    "tall_hull": lambda vehicle: vehicle.height >= VEHICLE_NEEDS.tall,
 }
 """Tell by name whether a vehicle has something that effects need."""

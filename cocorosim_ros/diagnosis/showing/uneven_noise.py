@@ -19,12 +19,12 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.showing import UNEVEN
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.growing_force import QUANTITIES, speed_and_thrust
+from cocorosim_ros.diagnosis.fitting.growing_force import GROWS_WITH, speed_and_thrust
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
-WITH = tuple(QUANTITIES)
+WITH = tuple(GROWS_WITH)
 OF_MOTION = tuple(number for number, name in enumerate(KIND_NAMES) if name.startswith(("pose", "velocity", "gyro")))
 
 
@@ -57,7 +57,7 @@ def growth_remarks(fit: Fit) -> tuple[str, ...]:
         f"The random force on {', '.join(unknown.owner.robots)} grows with {quantity}: what comes in at the highest "
         f"{quantity} is {math.hypot(1.0, math.exp(unknown.value(q))):.2g} times as strong as at rest; evidence is "
         "weighed with that."
-        for quantity, column in QUANTITIES.items()
+        for quantity, column in GROWS_WITH.items()
         for unknown, q in zip(fit.noise, fit.q_noise.tolist(), strict=True)
         if unknown.column == column
     )

@@ -18,7 +18,7 @@ WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.co
 # Logarithms of how many times as strong as at rest what the random force gains at the highest speed or thrust is.
 WATER_GROWTH = ("random.with_speed", "random.with_thrust")
 WATER_RANDOM = (*WATER_NOISE, *WATER_GROWTH)
-NO_GROWTH = -40.0  # a logarithm whose number, squared, is nothing beside 1
+NO_GROWTH = float(np.log(np.finfo(float).tiny))  # the logarithm of next to nothing
 # Kinds of readings of equal quality share one number: log of the standard deviation of a single reading.
 READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values())
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
