@@ -62,7 +62,7 @@ class RecalibrationCriteria:
 
 @dataclass(frozen=True)
 class VehicleNeedsCriteria:
-    """What a vehicle has to have for some effects to be looked for (`fitting.vehicle_needs`)."""
+    """Needs of effects: a vehicle that does not meet them does not show these (`fitting.vehicle_needs`)."""
 
     tall: float = 0.1
     """[m] height of a hull whose bobbing the filter's steps just follow. Reckoned from its rate: such a one bobs at the
