@@ -21,6 +21,7 @@ from std_msgs.msg import String
 from std_srvs.srv import SetBool, Trigger
 
 LIMIT = 120.0  # s
+NAMELESS = "_NODE_NAME_UNKNOWN_"
 
 
 def ask(node, service, kind, request):
@@ -79,11 +80,17 @@ def description(node, topic):
 
 
 def qualities(node, topic):
-    """How reliable the subscriptions of a topic are, once there is one, by the name of their node."""
+    """How reliable the subscriptions of a topic are, by the name of their node.
+
+    It is asked again until there is one and all have names: a subscription may be discovered before its node is.
+    """
     deadline = time.monotonic() + LIMIT
-    while not (found := node.get_subscriptions_info_by_topic(topic)) and time.monotonic() < deadline:
+    found = {}
+    while (not found or NAMELESS in found) and time.monotonic() < deadline:
         rclpy.spin_once(node, timeout_sec=0.1)
-    return {each.node_name: each.qos_profile.reliability.name for each in found}
+        subscriptions = node.get_subscriptions_info_by_topic(topic)
+        found = {each.node_name: each.qos_profile.reliability.name for each in subscriptions}
+    return found
 
 
 def sees(node, names):
