@@ -20,13 +20,6 @@ from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.naming.choice import Choice
 
 WIDTH, SECONDS, BLOCKS, FITTED = 0.09, 240.0, 4, 0.6
-KNOWN = """
-drag_form: own_speed
-effects:
-  anisotropic_drag: {sway_ratio: {value: 3, unit: "1", source: made}}
-  linear_drag: {yaw: {value: 0.3, unit: N m s, source: made}}
-  thruster_lag: {time_constant: {value: 0.35, unit: s, source: made}}
-"""
 
 
 def beyond(command: Any) -> Any:
@@ -40,7 +33,7 @@ def caught(tmp_path_factory: pytest.TempPathFactory) -> Any:
 
     The weed turns it with 2 N m, a fifth of what its propellers can.
     """
-    boat = boats.platform(tmp_path_factory.mktemp("boat"), KNOWN)
+    boat = boats.platform(tmp_path_factory.mktemp("boat"), boats.KNOWN)
     time = np.arange(round(SECONDS / boats.TICK)) * boats.TICK
     fitted = time % (SECONDS / BLOCKS) < FITTED * SECONDS / BLOCKS
     truths = [boats.Truth(weed=2.0 if each else 0.0, rough=1.0) for each in fitted]

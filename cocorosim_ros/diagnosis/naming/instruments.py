@@ -75,9 +75,7 @@ def _error_and_bound(unknown: Unknown, kind: str, off: float, track: Track) -> t
     if len(values) == 0:
         return 0.0, 0.0
     unit = KINDS[kind].unit
-    if unknown.owner.unit == "1" or (
-        unknown.owner.unit == "rad" and unit != "rad"
-    ):  # a gain, or a vector that is turned
+    if unknown.owner.unit in ("1", "rad") and unknown.owner.unit != unit:  # a gain, or a vector that is turned
         return off * float(np.std(values)), most_error(kind, values)
     times = track.timeline.grid.duration if unknown.owner.unit == f"{unit}/s" else 1.0
     return off * times, most_error(kind, values)

@@ -63,9 +63,8 @@ def longest_stable_step(platform: Platform, water: float = 0.0) -> float:
     inverse = np.linalg.inv(vehicle.mass_matrix())
     speeds = terminal_speeds(vehicle) + np.array([water, water, water, 0.0, 0.0, 0.0])
     damping = vehicle.linear + 2.0 * np.abs(vehicle.quadratic) * speeds + speeds[0] * vehicle.lift
-    moment = vehicle.buoyancy * vehicle.centre_of_buoyancy - vehicle.weight * vehicle.centre_of_gravity
     stiffness = np.zeros((6, 6))
-    stiffness[3, 3] = stiffness[4, 4] = moment[2]
+    stiffness[3, 3] = stiffness[4, 4] = vehicle.moments_of_weight()[2]
     motion = np.block([[-inverse @ damping, -inverse @ stiffness], [np.eye(6), np.zeros((6, 6))]])
     fastest = float(np.abs(np.linalg.eigvals(motion)).max())
     return STABLE_RADIUS / fastest if fastest > 0.0 else math.inf

@@ -100,6 +100,4 @@ def body_of(bodies: Bodies, robot: int, flow: Floats) -> Body:
 
 
 def _hydrostatic(vehicle: Vehicle) -> Floats:
-    moment = vehicle.buoyancy * np.asarray(vehicle.centre_of_buoyancy)
-    moment = moment - vehicle.weight * np.asarray(vehicle.centre_of_gravity)
-    return np.array([vehicle.buoyancy - vehicle.weight, *moment])
+    return np.array([vehicle.buoyancy - vehicle.weight, *vehicle.moments_of_weight()])

@@ -13,10 +13,10 @@ from cocorosim_ros.foundation.errors import CocorosimError
 
 @dataclass(frozen=True)
 class Fin:
-    """A control surface with its span across the flow; its lift grows with the angle until its limit.
+    """A control surface with its span across the flow; its lift grows with the angle.
 
     place: of its centre of pressure [m; body]. normal: (3,) unit vector of the force that a positive angle gives where
-    water comes from ahead [body]. area: [m^2]. slope: of the lift coefficient [1/rad]. limit: largest angle [rad].
+    water comes from ahead [body]. area: [m^2]. slope: of the lift coefficient [1/rad].
     """
 
     place: tuple[float, float, float]
@@ -63,6 +63,11 @@ class Vehicle:
         total[3:, :3] += self.mass * arm
         total[3:, 3:] += self.inertia - self.mass * arm @ arm
         return total
+
+    def moments_of_weight(self) -> Floats:
+        """(3,) buoyancy and weight times their places, B r_b - W r_g [N m; body]."""
+        lifted = self.buoyancy * np.asarray(self.centre_of_buoyancy)
+        return np.asarray(lifted - self.weight * np.asarray(self.centre_of_gravity))
 
 
 def cross_matrix(arm: Floats) -> Floats:

@@ -19,20 +19,13 @@ from cocorosim_ros.diagnosis.showing.uneven_noise import growth_remarks
 from cocorosim_ros.diagnosis.tracks.agitation import Agitation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
-KNOWN = """
-drag_form: own_speed
-effects:
-  anisotropic_drag: {sway_ratio: {value: 3, unit: "1", source: made}}
-  linear_drag: {yaw: {value: 0.3, unit: N m s, source: made}}
-  thruster_lag: {time_constant: {value: 0.35, unit: s, source: made}}
-"""
 AT_REST, BY_SPEED = 0.5, 1.0  # N, N s/m
 
 
 @pytest.fixture(scope="module")
 def fitted(tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Function of a boat's truth: the recalibrated model of one drive of four minutes."""
-    boat = boats.platform(tmp_path_factory.mktemp("boat"), KNOWN)
+    boat = boats.platform(tmp_path_factory.mktemp("boat"), boats.KNOWN)
     return lambda truth: base_fit(boats.recorded(boat, truth, 240.0, 1))
 
 

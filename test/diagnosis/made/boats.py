@@ -40,6 +40,15 @@ sensors: {{}}
 {more}
 """
 
+# What a platform says that knows the boat but for its drag ahead and about the vertical.
+KNOWN = """
+drag_form: own_speed
+effects:
+  anisotropic_drag: {sway_ratio: {value: 3, unit: "1", source: made}}
+  linear_drag: {yaw: {value: 0.3, unit: N m s, source: made}}
+  thruster_lag: {time_constant: {value: 0.35, unit: s, source: made}}
+"""
+
 
 class Truth(NamedTuple):
     """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag."""

@@ -15,6 +15,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.six_degrees.attitude import angles_of
 
 LEVEL = np.empty((0, 2))
 
@@ -62,9 +63,8 @@ def tilt_of(topic: str, quaternion: Floats) -> tuple[Floats, str]:
     length = np.sqrt((quaternion**2).sum(axis=1))
     there = np.isfinite(length) & (length > 0.0)
     wrong = there & (np.abs(length - 1.0) > TILT.length)
-    x, y, z, w = np.where((there & ~wrong)[:, None], quaternion / np.where(there, length, 1.0)[:, None], np.nan).T
-    roll = np.arctan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
-    pitch = np.arcsin(np.clip(2.0 * (w * y - z * x), -1.0, 1.0))
+    unit = np.where((there & ~wrong)[:, None], quaternion / np.where(there, length, 1.0)[:, None], np.nan)
+    roll, pitch, _ = angles_of(unit)
     tilt = np.column_stack([roll, pitch])
     said = ""
     if wrong.any():
