@@ -74,7 +74,7 @@ def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
 
     found = expand([entry], short.tracks, short.rows)
     if not found:
-        assert entry.needs_neighbours or entry.needs_above_water or entry.needs or entry.topic == "velocity"
+        assert entry.needs_neighbours or entry.needs or entry.topic == "velocity"
         return
     scene = scene_of(short.tracks, smoothed_tracks(short))
     values = next(iter(found[0].settings(scene)), None)

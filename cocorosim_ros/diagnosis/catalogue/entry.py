@@ -65,7 +65,6 @@ class Entry(Standing):
     fixed: Mapping[str, Callable[[Scene], float]] = field(default_factory=dict)
     manoeuvre: str = ""  # a name in catalogue.manoeuvres
     needs_neighbours: bool = False
-    needs_above_water: bool = False
     needs: tuple[str, ...] = ()  # what a vehicle must have, names of fitting.vehicle_needs
     law: str | None = None  # for laws outside the catalogue: the simulator's effect that acts for the law
     opposite: str = ""  # its name where its first amplitude is negative, "" where the name holds for both signs
@@ -103,7 +102,6 @@ def entry_of(identifier: str, effect: Description, search: Search) -> Entry:
         fixed={column: how.value for column, _, how in found if isinstance(how, Given)},
         manoeuvre=search.manoeuvre,
         needs_neighbours=effect.neighbours,
-        needs_above_water=effect.above_water,
         needs=effect.needs,
         opposite=effect.opposite,
         **standing,

@@ -190,8 +190,6 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
     for entry in entries:
         if entry.needs_neighbours and len(numbers) < 2:
             continue
-        if entry.needs_above_water and not any(tracks[0].vehicle.above_water):
-            continue
         if not all(HAS[need](tracks[0].vehicle) for need in entry.needs):
             continue
         concerned = tuple(name for name in numbers if _shows(entry, [tracks[index] for index in numbers[name]]))

@@ -96,6 +96,6 @@ WIND = Effect(
         ),
     ),
     search=Search(channel="sway", water=True, group=MOVING_WATER, manoeuvre="four_headings"),
-    above_water=True,
+    needs=("above_water",),
     check="Measure the wind where the vehicle was, and compare calm days with windy ones.",
 )

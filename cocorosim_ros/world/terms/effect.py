@@ -52,7 +52,6 @@ class Description:
     equation: str = ""
     check: str = ""
     search: Search | None = None
-    above_water: bool = False  # whether it acts on what stands above the water, and is nothing without
     neighbours: bool = False  # whether it looks at other robots (Moment.neighbours) and is nothing without them
     needs: tuple[str, ...] = ()  # what a vehicle must have to show it, names of fitting.vehicle_needs in the diagnosis
 
