@@ -26,6 +26,7 @@ COMMANDS: dict[str, str] = {
     "experiment": "many runs without ROS, resumable, as one table",
     "report": "an experiment's table as a page with figures and tables",
     "claims": "the paper's claims beside what experiments show",
+    "figure4": "which reading of what the paper leaves open gives back its figure 4",
     "new": "a commented platform, controller, scenario or map to begin with",
     "doctor": "what is installed, whether two processes can talk and how fast, cache and folders",
     "explain": "what a key, an effect, a metric, a topic or a controller means: unit, range, default, source, users",

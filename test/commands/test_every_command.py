@@ -40,7 +40,7 @@ TYPED_HERE = {  # one example of a command; in this order, because later ones re
     "doctor": 0,
     "explain": 1,
 }
-TYPED_ELSEWHERE = {"replay": "test_replay.py", "claims": "test_claims.py"}
+TYPED_ELSEWHERE = {"replay": "test_replay.py", "claims": "test_claims.py", "figure4": "test_figure4.py"}
 SHORTER = {"60 s": "5 s", "2": "1"}
 
 

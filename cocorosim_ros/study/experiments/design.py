@@ -196,23 +196,29 @@ def _cell(section: Mapping[str, Entry], base: Entry, kind: str, group: str) -> C
     entry = section["groups"].mapping()[group]
     described = entry.section(("description",), ("change",))
     place = next(part for part in section["numerics"].items() if part.value == kind)
-    changes = [load_yaml(_numerics_file(place))]
+    changes = [numerics_change(place)]
     changes += [part["change"] for part in (section, described) if "change" in part]
     for change in changes:
         base = changed(base, change)
     if "controller" in section:
         base = with_controller(base, section["controller"])
-    scenario = read_scenario(replace(base, value={**base.mapping(), "seed": replace(entry, value=0)}))
-    seed = section["seed"].whole_number(0, _LARGEST_SEED)
-    draw = generator(seed, f"group {group}").integers(_LARGEST_SEED)
-    return Cell(group, kind, described["description"].text(), replace(scenario, seed=int(draw)))
+    scenario = seeded_scenario(base, section["seed"], f"group {group}")
+    return Cell(group, kind, described["description"].text(), scenario)
 
 
-def _numerics_file(entry: Entry) -> Path:
+def seeded_scenario(entry: Entry, seed: Entry, stream: str) -> Scenario:
+    """The scenario of `entry` with a seed of its own, which follows from that of a design and the name of a stream."""
+    number = seed.whole_number(0, _LARGEST_SEED)
+    scenario = read_scenario(replace(entry, value={**entry.mapping(), "seed": replace(seed, value=0)}))
+    return replace(scenario, seed=int(generator(number, stream).integers(_LARGEST_SEED)))
+
+
+def numerics_change(entry: Entry) -> Entry:
+    """The change that a preset of numerics makes. Raises CocorosimError for an unknown one."""
     names = config_names("numerics")
     if "/" not in entry.text() and entry.text() not in names:
         raise entry.problem(f"has '{entry.text()}', which is no preset of numerics{nearest(entry.text(), names)}.")
-    return referenced_config("numerics", entry)
+    return load_yaml(referenced_config("numerics", entry))
 
 
 def changed(base: Entry, change: Entry) -> Entry:

@@ -5,7 +5,8 @@ mode (elsewhere: for the last one that was asked for, and no dive).
 halt_unseen (NA): a robot with a neighbour within 0.5 m that no sensor in use sees is not alone: its rules sum to zero,
 and it gets no thrust (elsewhere it is alone). Needs the exact neighbours, which no real robot has.
 cone_of_view (Vanilla): 270 degrees of view are a cone about the bow in three dimensions (elsewhere a wedge in azimuth).
-The median of velocities is taken in world axes, as in all variants here.
+body_median (Vanilla): the median of velocities is taken in body axes instead of world axes, those of all other variants
+and of the released model; which ones the paper does not say.
 Source: the released model run beside ours, cocorosim-facts 8.
 """
 
@@ -14,6 +15,7 @@ from __future__ import annotations
 import math
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
@@ -39,8 +41,8 @@ from cocorosim_ros.world.state.radio import HEARING_LIMIT
 
 RELEASED_SETTINGS = (*SETTINGS, "present_course")
 PRESENT_COURSE = len(SETTINGS)
-CONE_OF_VIEW = len(RELEASED_SETTINGS)
-KEEP_DIVISOR, HALT_UNSEEN = CONE_OF_VIEW, CONE_OF_VIEW + 1
+CONE_OF_VIEW, BODY_MEDIAN = len(RELEASED_SETTINGS), len(RELEASED_SETTINGS) + 1
+KEEP_DIVISOR, HALT_UNSEEN = len(RELEASED_SETTINGS), len(RELEASED_SETTINGS) + 1
 
 
 @kernel
@@ -118,6 +120,16 @@ def _decide_na(observation: Observation, sensor_axis: Floats, settings: Floats, 
 
 
 @kernel
+def _turn_to_body(compass: float, velocities: Floats, count: int) -> None:
+    """Turn the first `count` of `velocities` (n, LANES) [m/s] from world to body axes."""
+    sine, cosine = sine_cosine(compass)
+    for index in range(count):
+        east, north = velocities[index, 0], velocities[index, 1]
+        velocities[index, 0] = east * cosine + north * sine
+        velocities[index, 1] = north * cosine - east * sine
+
+
+@kernel
 def _decide_vanilla(observation: Observation, sensor_axis: Floats, settings: Floats, request: Floats) -> None:
     """Turn places and velocities of the neighbours in view into a request."""
     if math.isnan(observation.compass):
@@ -129,8 +141,11 @@ def _decide_vanilla(observation: Observation, sensor_axis: Floats, settings: Flo
     if count == 0:
         _go_on_alone(observation.compass, settings, request)
         return
-    wish = stack_array(3)
-    add_neighbours_rules(observation.compass, places, velocities, count, settings, wish)
+    wish, to_turn = stack_array(3), observation.compass
+    if settings[BODY_MEDIAN] != 0.0:
+        _turn_to_body(observation.compass, velocities, count)
+        to_turn = 0.0
+    add_neighbours_rules(to_turn, places, velocities, count, settings, wish)
     _follow(observation.compass, wish, weight_total(settings), settings, request)
 
 
@@ -158,7 +173,7 @@ BOIDS_NA_RELEASED = Controller(
 )
 BOIDS_VANILLA_RELEASED = Controller(
     summary="boids_vanilla by the rules of the released model",
-    settings=(*RELEASED_SETTINGS, "cone_of_view"),
+    settings=(*RELEASED_SETTINGS, "cone_of_view", "body_median"),
     decide=_decide_vanilla,
     needs=("neighbours",),
 )
