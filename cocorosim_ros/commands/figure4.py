@@ -18,7 +18,7 @@ from cocorosim_ros.foundation.output_file import check_file, write_text
 if TYPE_CHECKING:
     from cocorosim_ros.study.experiments.factorial import Factorial
     from cocorosim_ros.study.figure4.published import PublishedFigure
-    from cocorosim_ros.study.figure4.search import Done
+    from cocorosim_ros.study.figure4.search import Done, Searched
 
 FACTORIALS = ("figure4_boids", "figure4_turbulence")
 
@@ -48,6 +48,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     from cocorosim_ros.study.experiments.factorial import load_factorial
     from cocorosim_ros.study.figure4.page import figure_page
     from cocorosim_ros.study.figure4.published import published_figure
+    from cocorosim_ros.study.figure4.search import Searched
 
     console = console_beside(options["json_file"], force=options["force"])
     check_file(options["out"], force=options["force"])
@@ -57,15 +58,15 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     figures = [published_figure(factorial.figure) for factorial in loaded]
     found = []
     for factorial, figure in zip(loaded, figures, strict=True):
-        found.append((factorial, figure, _search(ctx, factorial, figure, console)))
-        show_table(console, _table(*found[-1]))
+        found.append(Searched(factorial, figure, _search(ctx, factorial, figure, console)))
+        show_table(console, _table(found[-1]))
     if options["out"] is not None:
         write_text(options["out"], figure_page(found))
         say(console, f"{options['out']}: all of it as a page")
-    give_json(console, options["json_file"], {"factorials": [_tree(*each) for each in found]})
+    give_json(console, options["json_file"], {"factorials": [_tree(each) for each in found]})
 
 
-def _search(ctx: click.Context, factorial: Factorial, figure: PublishedFigure, console: Console) -> list[Done]:
+def _search(ctx: click.Context, factorial: Factorial, figure: PublishedFigure, console: Console) -> tuple[Done, ...]:
     """All stages, run or gone on with."""
     from cocorosim_ros.commands.experiment import Kept, run_all
     from cocorosim_ros.study.figure4.search import done, next_stage
@@ -78,31 +79,33 @@ def _search(ctx: click.Context, factorial: Factorial, figure: PublishedFigure, c
         if status:
             ctx.exit(status)
         stages.append(done(factorial, figure, stage, load_results(place), stages))
-    return stages
+    return tuple(stages)
 
 
-def _table(factorial: Factorial, figure: PublishedFigure, stages: list[Done]) -> Table:
+def _table(searched: Searched) -> Table:
     """The best setting of each stage."""
     from cocorosim_ros.study.experiments.factorial import digits
 
-    table = Table(title=f"{factorial.name}: nearest to figure 4", title_justify="left")
-    for heading in ("stage", "settings", "runs", "best setting", "mean distance", "given back"):
+    table = Table(title=f"{searched.factorial.name}: nearest to figure 4", title_justify="left")
+    for heading in ("stage", "settings", "runs", "best setting", "mean distance", "boxes given back"):
         table.add_column(heading)
-    for part in stages:
+    for part in searched.stages:
         nearest = min(part.scores, key=lambda one: one.total)
         counts = str(len(part.scores)), str(part.stage.runs), digits(nearest.setting)
-        table.add_row(part.stage.name, *counts, f"{nearest.total:.3f}", f"{nearest.given_back} of {len(figure.shown)}")
+        table.add_row(
+            part.stage.name, *counts, f"{nearest.total:.3f}", f"{nearest.given_back} of {searched.figure.boxes}"
+        )
     return table
 
 
-def _tree(factorial: Factorial, figure: PublishedFigure, stages: list[Done]) -> dict[str, object]:
+def _tree(searched: Searched) -> dict[str, object]:
     """Every setting of every stage, for programs."""
     from cocorosim_ros.study.experiments.factorial import digits
 
-    shown = [each.name for each in figure.shown]
+    shown = [each.name for each in searched.figure.shown]
     return {
-        "factorial": factorial.name,
-        "factors": [factor.name for factor in factorial.factors],
+        "factorial": searched.factorial.name,
+        "factors": [factor.name for factor in searched.factorial.factors],
         "stages": [
             {
                 "stage": part.stage.name,
@@ -117,6 +120,6 @@ def _tree(factorial: Factorial, figure: PublishedFigure, stages: list[Done]) -> 
                     for one in part.scores
                 ],
             }
-            for part in stages
+            for part in searched.stages
         ],
     }

@@ -28,8 +28,8 @@ def best_part(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Do
         + "; ".join(_in_words(name, told) for name, told in _choices(factorial, chosen)),
         "Its readings of the metrics: " + ", ".join(f"`{column}`" for column in chosen.columns.values()) + ".",
         f"With {runs} runs a group of other seeds its mean distance is {confirmed.total:.3f} ({chosen.total:.3f} where "
-        f"it was chosen, too little as the least of many always is), and {confirmed.given_back} of {len(figure.shown)} "
-        "boxes and numbers are at distance 0.",
+        f"it was chosen, too little as the least of many always is), and {confirmed.given_back} of {figure.boxes} "
+        "boxes are on the figure's side.",
         _claims(figure, last, chosen),
         _medians(figure, last, confirmed),
     ]
@@ -47,11 +47,11 @@ def _refined(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Don
     )
     ends = [one for one in stages[0].scores if len(set(one.setting)) == 1]
     rows += [_row(figure, one, stages[0]) for one in ends]
-    return f"{told}\n\n" + markdown_table(("setting", "stage", "runs", "mean distance", "at distance 0"), rows)
+    return f"{told}\n\n" + markdown_table(("setting", "stage", "runs", "mean distance", "boxes given back"), rows)
 
 
 def _row(figure: PublishedFigure, one: Score, part: Done) -> tuple[str, ...]:
-    back = f"{one.given_back} of {len(figure.shown)}"
+    back = f"{one.given_back} of {figure.boxes}"
     return f"`{digits(one.setting)}`", part.stage.name, str(part.stage.runs), f"{one.total:.3f}", back
 
 
@@ -112,10 +112,10 @@ def never_part(figure: PublishedFigure, stages: Sequence[Done]) -> list[str]:
         back = sum(one.distances[place] == 0.0 for one in tried)
         near = min(one.distances[place] for one in tried)
         count = f"nearest {near:.2f}" if isinstance(each, Number) else f"{back} of {len(tried)}"
-        rows.append((back, (each.name, each.told, count, f"{last.distances[place]:.2f}")))
+        rows.append(((isinstance(each, Number), back), (each.name, each.told, count, f"{last.distances[place]:.2f}")))
     ordered = [row for _, row in sorted(rows, key=lambda pair: pair[0])]
     return [
-        "### What is seldom or never given back",
+        "### Seldom or never given back",
         "In how many settings of screening and refining each box is on the figure's side, by so few runs that some are "
         "so by chance, each setting in its nearest readings of the metrics; and how far it is under the best reading.",
         markdown_table(

@@ -25,14 +25,15 @@ def choices_part(factorial: Factorial, figure: PublishedFigure, screening: Done)
     boxes = [place for place, each in enumerate(figure.shown) if isinstance(each, Box)]
     numbers = [place for place, each in enumerate(figure.shown) if isinstance(each, Number)]
     parts = [
-        "### What each choice does",
+        "### The effect of each choice",
         markdown_table(
             ("choice", "upper level, else lower level", "groups"),
             [(f.name, f.description, ", ".join(f.groups)) for f in factorial.factors],
         ),
         "Main effects on the distance: its mean at the upper level less that at the lower one, so that what is "
         "negative brings the figure nearer. Bold is beyond Lenth's margin for single effects, which stands in the last "
-        "line: of effects that are none, one in twenty is beyond it too.",
+        "line: of effects that are none, one in twenty is beyond it too. An effect on a group that does not know the "
+        "choice is chance, or an interaction of three other choices.",
         _table(
             factorial, ["all of it", *(name.replace("_", " ") for name in PAPER_METRICS)], _by_metric(figure, distances)
         ),

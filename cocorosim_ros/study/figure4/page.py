@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from cocorosim_ros.study.claims.markdown import markdown_table
-from cocorosim_ros.study.experiments.factorial import Factorial
 from cocorosim_ros.study.figure4.best_reading import best_part, never_part
 from cocorosim_ros.study.figure4.choices_page import choices_part
 from cocorosim_ros.study.figure4.published import Number, PublishedFigure
-from cocorosim_ros.study.figure4.search import Done
-
-Searched = tuple[Factorial, PublishedFigure, Sequence[Done]]
+from cocorosim_ros.study.figure4.search import Done, Searched
 
 
 def figure_page(searches: Sequence[Searched]) -> str:
@@ -32,12 +29,13 @@ def figure_page(searches: Sequence[Searched]) -> str:
         "claim holds, 1 where a large effect is claimed and none is there. A number of the figure is as far away as "
         "factors of two lie between, at most 3. Both units are chosen: how wide the figure's boxes are is not known "
         "here.",
-        *(part for each in searches for part in _chapter(*each)),
+        *(part for each in searches for part in _chapter(each)),
     ]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
-def _chapter(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Done]) -> list[str]:
+def _chapter(searched: Searched) -> list[str]:
+    factorial, figure, stages = searched.factorial, searched.figure, searched.stages
     return [
         f"## {factorial.name}: {factorial.description}",
         _numbers(figure),
@@ -49,10 +47,9 @@ def _chapter(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Don
 
 
 def _numbers(figure: PublishedFigure) -> str:
-    boxes = sum(not isinstance(each, Number) for each in figure.shown)
     numbers = [each for each in figure.shown if isinstance(each, Number)]
     told = "; ".join(f"{each.name} {each.value:g} (to {each.digit:g})" for each in numbers)
-    words = f"{boxes} boxes are known by side and size"
+    words = f"{figure.boxes} boxes are known by side and size"
     return f"Of the figure, {words}, and as numbers: {told}." if numbers else f"Of the figure, {words}; no numbers."
 
 

@@ -106,6 +106,11 @@ class PublishedFigure:
     columns: dict[str, tuple[str, ...]]
     """The readings of each metric that can be meant."""
 
+    @property
+    def boxes(self) -> int:
+        """How many boxes there are."""
+        return sum(isinstance(each, Box) for each in self.shown)
+
 
 def published_figure(name: str) -> PublishedFigure:
     """The half of figure 4 that the design of that name is about."""

@@ -32,7 +32,7 @@ class Score:
 
     @property
     def given_back(self) -> int:
-        """How many boxes and numbers are at distance 0; a number never is but by chance."""
+        """How many boxes are on the figure's side; a number is never at distance 0 but by chance."""
         return sum(distance == 0.0 for distance in self.distances)
 
 

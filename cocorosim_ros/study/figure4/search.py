@@ -33,6 +33,15 @@ class Done:
     scores: tuple[Score, ...]
 
 
+@dataclass(frozen=True)
+class Searched:
+    """A search that has come to its end."""
+
+    factorial: Factorial
+    figure: PublishedFigure
+    stages: tuple[Done, ...]
+
+
 def done(factorial: Factorial, figure: PublishedFigure, stage: Stage, results: Results, before: Sequence[Done]) -> Done:
     """A finished stage; what is confirmed keeps the readings of the metrics in which it was chosen."""
     columns = best(before).columns if stage.name == CONFIRMING else None
