@@ -21,6 +21,7 @@ numerics: paper
 seed: 5
 screening: {runs: 2}
 refining: {runs: 2, rounds: 2}
+choosing: {settings: 2, runs: 3}
 confirming: {runs: 7}
 change: {duration: 20 s, radio: {latency: none}, swarm: {overrides: {cohesion_length: 0.1 m}}}
 baseline: Van
@@ -54,7 +55,7 @@ def typed(factorial: Path, *more: object) -> tuple[object, ...]:
 
 
 def test_one_command_makes_the_page_and_goes_on(cocorosim: Run, factorial: Path) -> None:
-    """Four settings are screened, refined and one confirmed; a second call runs nothing and gives the same page."""
+    """Four settings are screened and refined, one of two confirmed; a second call runs nothing and agrees."""
     page = factorial.parent / "page.md"
     ended = cocorosim(*typed(factorial, "--out", page))
     assert ended.status == 0, ended.err

@@ -139,6 +139,7 @@ def test_explicit_poses(scenario_file: ScenarioFile) -> None:
         ("seed: 3", "seed: 3.5", "'seed' has '3.5'; write a whole number"),
         ("name: small", "name: 5", "'name' has '5' where text is needed"),
         ("count: 3", "count: 0", "line 13: 'swarm[0].count' has '0'; write a whole number from 1 to 100000."),
+        ("count: 3", "count: 1000000", "'swarm[0].count' has '1000000'; write a whole number from 1 to 100000."),
         ("    count: 3\n", "", "'swarm[0]' lacks 'count'; add the number of robots."),
         (
             "platform: lily",
@@ -232,6 +233,14 @@ def test_no_groups(complaint: Complaint, scenario_file: ScenarioFile) -> None:
     told = complaint((text[text.index("swarm:") :], "swarm: []\n"))
     assert "'swarm' has no group of robots; add at least one" in told
     assert "write a whole number from 1 to" in complaint((BOX, "poses: []"), ("    count: 3\n", ""))
+
+
+def test_a_million_robots_in_groups_that_may_be(complaint: Complaint, scenario_file: ScenarioFile) -> None:
+    """Ten groups of as many as one may have are refused in a sentence before anything is made of them."""
+    text = scenario_file().read_text()
+    group = text[text.index("  - platform") :]
+    many = "".join(group.replace("count: 3", f"count: 100000\n    prefix: shoal_{number}") for number in range(10))
+    assert "'swarm' has 1,000,000 robots in all its groups, more than the 100,000" in complaint((group, many))
 
 
 def test_two_groups_of_one_name(complaint: Complaint, scenario_file: ScenarioFile) -> None:

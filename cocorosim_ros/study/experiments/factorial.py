@@ -20,7 +20,7 @@ from cocorosim_ros.study.experiments.fraction import Setting
 from cocorosim_ros.study.metrics import PAPER_METRICS
 
 _KEYS = ("name", "description", "figure", "scenario", "numerics", "seed", "baseline", "groups", "factors")
-_STAGES = ("screening", "refining", "confirming")
+_STAGES = ("screening", "refining", "choosing", "confirming")
 _MOST = 100_000
 SEPARATOR = ", "
 
@@ -61,6 +61,8 @@ class Factorial:
     screening_runs: int
     refining_runs: int
     refining_rounds: int
+    choosing_settings: int
+    choosing_runs: int
     confirming_runs: int
     section: dict[str, Entry]
 
@@ -127,9 +129,8 @@ def load_factorial(name_or_path: str | Path) -> Factorial:
     groups = list(section["groups"].mapping())
     for part in section["groups"].mapping().values():
         part.section(("description",), ("change",))
-    plan = {name: section[name].section(("runs",), ("rounds",)) for name in _STAGES}
-    if "rounds" not in plan["refining"]:
-        raise section["refining"].problem("lacks 'rounds'; say how often the neighbours of the best setting are tried.")
+    more = {"refining": ("rounds",), "choosing": ("settings",)}
+    plan = {name: section[name].section(("runs", *more.get(name, ()))) for name in _STAGES}
     runs = {name: part["runs"].whole_number(1, _MOST) for name, part in plan.items()}
     return Factorial(
         section["name"].text(),
@@ -141,6 +142,8 @@ def load_factorial(name_or_path: str | Path) -> Factorial:
         runs["screening"],
         runs["refining"],
         plan["refining"]["rounds"].whole_number(0, _MOST),
+        plan["choosing"]["settings"].whole_number(1, _MOST),
+        runs["choosing"],
         runs["confirming"],
         section,
     )

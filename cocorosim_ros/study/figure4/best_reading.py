@@ -14,8 +14,6 @@ from cocorosim_ros.study.figure4.scores import Score
 from cocorosim_ros.study.figure4.search import Done, best
 from cocorosim_ros.study.metrics import METRICS
 
-_LISTED = 12
-
 
 def best_part(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Done]) -> list[str]:
     """The refined settings, and the best of them by many runs."""
@@ -36,14 +34,13 @@ def best_part(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Do
 
 
 def _refined(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Done]) -> str:
-    """The nearest settings of the refining, and the paper's text of the screening beside them."""
-    parts = [part for part in stages[1:-1] if part.scores] or [stages[0]]
-    scored = sorted(((one, part) for part in parts for one in part.scores), key=lambda pair: pair[0].total)
-    rows = [_row(figure, one, part) for one, part in scored[:_LISTED]]
+    """The settings that were chosen among, and both ends of the screening beside them."""
+    chosen_among = stages[-2]
+    rows = [_row(figure, one, chosen_among) for one in sorted(chosen_among.scores, key=lambda one: one.total)]
     names = ", ".join(factor.name for factor in factorial.factors)
     told = (
-        f"The {len(rows)} nearest of {len(scored)} settings that were refined, and the two of the screening with every "
-        f"choice at its lower and at its upper level. A digit stands for a choice, in this order: {names}."
+        "The settings among which the best was chosen, and the two of the screening with every choice at its lower "
+        f"and at its upper level. A digit stands for a choice, in this order: {names}."
     )
     ends = [one for one in stages[0].scores if len(set(one.setting)) == 1]
     rows += [_row(figure, one, stages[0]) for one in ends]

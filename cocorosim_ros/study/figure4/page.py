@@ -21,9 +21,9 @@ def figure_page(searches: Sequence[Searched]) -> str:
         "All choices are varied at once: a screening runs a fraction of all settings, a folded Hadamard matrix "
         "(resolution IV), so that no main effect is mixed with an interaction of two choices. The five best settings "
         "and the one that main effects alone choose are run again with other seeds, then the neighbours of the best; "
-        "the best of all is run often, with seeds that chose nothing. How metrics are taken costs no runs: each "
-        "setting is judged by the readings of the metrics that bring it nearest to the figure, and the best one keeps "
-        "those of its refining for its many runs.",
+        "the nearest of these have more runs, by which the best is chosen, and that one is run often, with seeds that "
+        "chose nothing. How metrics are taken costs no runs: each setting is judged by the readings of the metrics "
+        "that bring it nearest to the figure, and the best one keeps those by which it was chosen.",
         "**Distance.** Of each box the figure tells whether it is a large effect against the baseline, and in which "
         "direction. Its distance is how far A is on the wrong side of 0.71 or 0.29, in units of 0.21: 0 where the "
         "claim holds, 1 where a large effect is claimed and none is there. A number of the figure is as far away as "

@@ -3,7 +3,8 @@
 screening      a folded fraction of all settings, few runs
 refining_1     the five best of them, and the setting that main effects alone would choose
 refining_2 ... the best setting so far with one factor changed, each in turn
-confirming     the best setting, many runs with seeds of their own, so that nothing in them was chosen
+choosing       the best of all that were refined, with more runs, since the least of many by few runs is least by chance
+confirming     the best of these, many runs with seeds of their own, so that nothing in them was chosen
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from cocorosim_ros.study.figure4.published import PublishedFigure
 from cocorosim_ros.study.figure4.scores import Score, scores
 from cocorosim_ros.study.results.results import Results
 
-SCREENING, CONFIRMING = "screening", "confirming"
+SCREENING, CHOOSING, CONFIRMING = "screening", "choosing", "confirming"
 KEPT = 5  # of the screening's best settings that are run again
 
 
@@ -55,17 +56,26 @@ def next_stage(factorial: Factorial, before: Sequence[Done]) -> Stage | None:
     if before[-1].stage.name == CONFIRMING:
         return None
     number = len(before)
-    if number <= factorial.refining_rounds:
+    if number <= factorial.refining_rounds and before[-1].stage.name != CHOOSING:
         settings = _first_round(before[0]) if number == 1 else _neighbours(before)
         if settings:
             return Stage(f"refining_{number}", settings, factorial.refining_runs)
+    if before[-1].stage.name != CHOOSING:
+        finalists = tuple(dict.fromkeys(one.setting for one in _ranked(before)))[: factorial.choosing_settings]
+        return Stage(CHOOSING, finalists, factorial.choosing_runs)
     return Stage(CONFIRMING, (best(before).setting,), factorial.confirming_runs)
 
 
 def best(before: Sequence[Done]) -> Score:
-    """The setting nearest to the figure, of those that were refined, or of the screening where none was."""
-    refined = [one for part in before[1:] if part.stage.name != CONFIRMING for one in part.scores]
-    return min(refined or before[0].scores, key=lambda one: one.total)
+    """The setting nearest to the figure: of the chosen ones, else of those that were refined, else of the screening."""
+    return _ranked(before)[0]
+
+
+def _ranked(before: Sequence[Done]) -> list[Score]:
+    """The scores of the stage or the rounds that count, nearest first."""
+    tried = [part for part in before if part.stage.name != CONFIRMING]
+    counts = [part for part in tried if part.stage.name == CHOOSING] or tried[1:] or tried[:1]
+    return sorted((one for part in counts for one in part.scores), key=lambda one: one.total)
 
 
 def predicted(screening: Done) -> Setting:

@@ -80,6 +80,7 @@ numerics: paper
 seed: 5
 screening: {{runs: 1}}
 refining: {refining}
+choosing: {{settings: 1, runs: 2}}
 confirming: {{runs: 2}}
 baseline: {baseline}
 groups: {{Van: {{description: as it is}}}}

@@ -19,7 +19,7 @@ def searched() -> Callable[..., Any]:
     def search(factors: int, distance: Callable[[tuple[bool, ...]], float], rounds: int) -> list[Any]:
         nothing = entry_of({}, "a test")
         named = tuple(Factor(f"factor_{number}", "on, else off", ("Van",), nothing) for number in range(factors))
-        factorial = Factorial("made", "for tests", "boids", "Van", named, ("Van",), 4, 6, rounds, 400, {})
+        factorial = Factorial("made", "for tests", "boids", "Van", named, ("Van",), 4, 6, rounds, 3, 20, 400, {})
         stages: list[Any] = []
         while (stage := next_stage(factorial, stages)) is not None:
             scores = tuple(Score(one, {}, (), (distance(one),)) for one in stage.settings)
