@@ -25,9 +25,8 @@ def best_part(factorial: Factorial, figure: PublishedFigure, stages: Sequence[Do
         f"The best is `{digits(chosen.setting)}`. Its choices: "
         + "; ".join(_in_words(name, told) for name, told in _choices(factorial, chosen)),
         "Its readings of the metrics: " + ", ".join(f"`{column}`" for column in chosen.columns.values()) + ".",
-        f"With {runs} runs a group of other seeds its mean distance is {confirmed.total:.3f} ({chosen.total:.3f} where "
-        f"it was chosen, too little as the least of many always is), and {confirmed.given_back} of {figure.boxes} "
-        "boxes are on the figure's side.",
+        f"With {runs} runs a group of other seeds its mean distance is {confirmed.total:.3f} ({chosen.total:.3f} by "
+        f"the runs that chose it), and {confirmed.given_back} of {figure.boxes} boxes are on the figure's side.",
         _claims(figure, last, chosen),
         _medians(figure, last, confirmed),
     ]
@@ -113,8 +112,8 @@ def never_part(figure: PublishedFigure, stages: Sequence[Done]) -> list[str]:
     ordered = [row for _, row in sorted(rows, key=lambda pair: pair[0])]
     return [
         "### Seldom or never given back",
-        "In how many settings of screening and refining each box is on the figure's side, by so few runs that some are "
-        "so by chance, each setting in its nearest readings of the metrics; and how far it is under the best reading.",
+        "In how many settings of all stages before the last each box is on the figure's side, by so few runs that some "
+        "are so by chance, each setting in its nearest readings of the metrics; and how far it is under the best one.",
         markdown_table(
             ("box or number", "the figure", "settings that give it back", "distance under the best"), ordered
         ),
