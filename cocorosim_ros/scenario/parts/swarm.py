@@ -107,6 +107,11 @@ def read_swarm(entry: Entry) -> tuple[SwarmGroup, ...]:
     groups = tuple(read_group(part) for part in entry.items())
     if not groups:
         raise entry.problem("has no group of robots; add at least one with its platform, count, controller and start.")
+    total = sum(group.count for group in groups)
+    if total > MOST_ROBOTS:
+        raise entry.problem(
+            f"has {total:,} robots in all its groups, more than the {MOST_ROBOTS:,} that one run takes; choose fewer."
+        )
     prefixes = [group.prefix for group in groups]
     for part, group in zip(entry.items(), groups, strict=True):
         if prefixes.count(group.prefix) > 1:
