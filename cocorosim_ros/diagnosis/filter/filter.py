@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.filter.coloured import error_before, share_left, take_off_before
 from cocorosim_ros.diagnosis.filter.correction import correct
 from cocorosim_ros.diagnosis.filter.covariance import (
     GATE,
@@ -234,11 +235,20 @@ def _filter(
             shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water, motors)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
+            left = share_left(readings, index, numbers.memory)
+            if left > 0.0:
+                rates = Rates(motion.rate, motion.leap)
+                innovation -= left * error_before(readings, index, row, rates, sensor, water, motors)
+                variance *= 1.0 - left * left
             if is_upright(kind):
                 sensitivity_upright(kind, after, row, sensor, parts.high_slope, seen)
+                if left > 0.0:
+                    take_off_before(readings, index, left, row, sensor, parts.high_slope, seen)
                 variance = update_upright(parts.high, seen, variance, gain, innovation * innovation)
             else:
                 sensitivity(kind, after, row, sensor, parts.wide_slope, seen)
+                if left > 0.0:
+                    take_off_before(readings, index, left, row, sensor, parts.wide_slope, seen)
                 variance = update(parts.wide, seen, variance, gain, innovation * innovation)
             if innovation * innovation > GATE * GATE * variance:
                 innovation = math.copysign(GATE * math.sqrt(variance), innovation)
@@ -282,6 +292,10 @@ def _slope(
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
+                left = share_left(readings, index, numbers.memory)
+                if left > 0.0:
+                    rates = Rates(motion.rate, motion.leap)
+                    innovation -= left * error_before(readings, index, row, rates, sensor, water, motors)
                 slope[origin] = deviation(kind, innovation, past.innovation[origin]) / step
             correct(motion, body, kind, past.gain[origin], innovation)
 
