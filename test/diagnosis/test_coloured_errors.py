@@ -9,8 +9,23 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.fitting.base_model import base_rows
+from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
+from cocorosim_ros.diagnosis.fitting.fit import evaluated
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
+from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_MEMORY
+from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
+from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
+from cocorosim_ros.scenario.parts.platform import load_platform
+
 MASS, STEP, TAU, SMOOTHNESS = 0.44, 0.1, 2.5, 0.6
 FORCE_RMS, Z_NOISE, MEMORY = 3e-4, 0.004, 0.8
+NOISE = {"pose": (0.002, 0.002, 0.002, 0.01), "compass": (0.02,), "pressure": (8.0,), "imu": (0.004,)}
 
 
 def coloured(rng: np.random.Generator, time: Any, memory: float) -> Any:
@@ -25,9 +40,6 @@ def coloured(rng: np.random.Generator, time: Any, memory: float) -> Any:
 @pytest.fixture(scope="module")
 def heaving() -> Any:
     """Evidence of a Lily without drag that hardly moves, of which depth alone is seen, with errors that last."""
-    from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
-    from cocorosim_ros.scenario.parts.platform import load_platform
-
     rng = np.random.default_rng(11)
     time = np.arange(0.0, 120.0, STEP)
     pose = np.full((len(time), 4), np.nan)
@@ -72,16 +84,11 @@ def independent(pose: Any, start: Any) -> float:
 @pytest.fixture(scope="module")
 def track(heaving: Any) -> Any:
     """The track of the one robot."""
-    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
-
     return make_tracks(heaving)[0]
 
 
 def numbers(track: Any, memory: float) -> Any:
     """The base model's row with the noise of this test."""
-    from cocorosim_ros.diagnosis.fitting.base_model import base_rows
-    from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-
     row = base_rows([track])[0]
     row[COLUMN["random.heave_force"]] = math.log(FORCE_RMS)
     row[COLUMN["random.correlation"]] = math.log(TAU)
@@ -92,10 +99,92 @@ def numbers(track: Any, memory: float) -> Any:
 
 
 def test_the_likelihood_is_that_of_a_filter_whose_state_holds_the_error(heaving: Any, track: Any) -> None:
-    """To a hundredth of the 1,300 nats that colour is worth here; what comes in between two readings is left out."""
+    """To a thousandth of what colour is worth here; the force that comes in between two readings is left out."""
     pose = heaving.recordings[0].robots[0].streams["pose"]
     found = track.filter.full(numbers(track, MEMORY)).log_likelihood
     white = track.filter.full(numbers(track, 1e-9)).log_likelihood
     exact = independent(pose, track.filter.start)
-    print(found, white, exact)
-    assert abs(found - exact) < 0.01 * (exact - white)
+    assert exact - white > 100.0
+    assert abs(found - exact) < 1e-3 * (exact - white)
+
+
+def test_next_to_no_memory_is_white(track: Any) -> None:
+    """To the last digit, whether the memory is the least number that there is or a thousandth of the step."""
+    none, some = (track.filter.full(numbers(track, memory)) for memory in (np.finfo(float).tiny, 1e-3 * STEP))
+    np.testing.assert_array_equal(none.innovation, some.innovation)
+    np.testing.assert_array_equal(none.variance, some.variance)
+
+
+def test_a_reading_far_behind_the_last_one_is_taken_as_it_is() -> None:
+    """Of each kind by itself: 0.3 s is near, 2 s is not, and the first has none before it."""
+    kind, moment = np.array([0, 1, 0, 1, 0]), np.array([0.0, 0.1, 0.3, 2.1, 0.4])
+    before, gap = last_of_kind(kind, moment, 0.5)
+    assert before.tolist() == [-1, -1, 0, -1, 2]
+    np.testing.assert_allclose(gap, [0.0, 0.0, 0.3, 0.0, 0.1])
+
+
+def with_errors(evidence: Any, memory: float) -> Any:
+    """Add first-order errors of this memory [s], of the usual size, to exact readings; 0 for white ones."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    rng, streams = np.random.default_rng(4), {}
+    for name, stream in log.streams.items():
+        sizes = np.array(NOISE[name])
+        count, width = len(stream.time), len(sizes)
+        columns = [coloured(rng, stream.time, memory) if memory else rng.standard_normal(count) for _ in range(width)]
+        value = stream.value.copy()
+        value[:, :width] += sizes * np.column_stack(columns)
+        noise = np.full(value.shape[1], np.nan)
+        noise[:width] = [noise_of(stream.time, each) for each in value[:, :width].T]
+        streams[name] = Stream(stream.time, value, noise)
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
+
+
+@pytest.fixture(scope="module")
+def swum(swim: Any) -> Any:
+    """Function of a memory [s]: evidence of one swim of 150 s with errors that last so long."""
+    exact = swim(load_platform("lily"), 150.0, seed=31, blur=0.0)
+    return lambda memory: with_errors(exact, memory)
+
+
+@pytest.mark.parametrize("memory", [0.4, 1.2])
+def test_lasting_errors_of_all_instruments_are_found_in_the_first_fit(swum: Any, memory: float) -> None:
+    """The memory of poses and compass within 30 %, and the noise as it was put in, which differences do not show."""
+    fit = base_fit(swum(memory))
+    levels = noise_levels(fit)
+    for kind, size in (("pose_z", 0.002), ("compass", 0.02)):
+        assert levels[f"memory.{kind}"].value == pytest.approx(memory, rel=0.3)
+        assert levels[f"reading.{kind}"].value == pytest.approx(size, rel=0.25)
+    with_memory = {unknown.column for unknown in fit.noise if unknown.column.startswith("memory.")}
+    assert with_memory >= {"memory.pose_xy", "memory.pose_yaw", "memory.pressure"}
+
+
+def test_white_errors_have_no_memory(swum: Any) -> None:
+    """Neither in the first fit, nor when it is asked again; nor where an instrument is off by a constant."""
+    white = swum(0.0)
+    (recording,) = white.recordings
+    (log,) = recording.robots
+    pressure = log.streams["pressure"]
+    off = replace(log, streams={**log.streams, "pressure": replace(pressure, value=pressure.value + 500.0)})
+    for evidence in (white, replace(white, recordings=(replace(recording, robots=(off,)),))):
+        fit = base_fit(evidence)
+        assert not any(unknown.column in READING_MEMORY for unknown in fit.noise)
+        assert with_coloured_readings(fit, fit) is None
+
+
+def test_a_memory_that_gains_nothing_is_taken_away(swum: Any) -> None:
+    """A model with a memory that its readings do not show gets the plain model back."""
+    plain = base_fit(swum(0.0))
+    memory = Unknown(Owner(READING, ("lily_01",), "compass_memory", "s"), "memory.compass", (0,), base=math.log(0.3))
+    added = evaluated(replace(plain, noise=(*plain.noise, memory), q_noise=np.append(plain.q_noise, 0.0)))
+    found = with_coloured_readings(added, added)
+    assert found is not None and found.noise == plain.noise
+    assert found.objective == pytest.approx(plain.objective, abs=0.5)
+
+
+def test_nothing_is_named_for_lasting_errors(swum: Any) -> None:
+    """Errors of half a second in all instruments, and nothing hidden."""
+    diagnosis = diagnose(swum(0.5), lambda words, share: None)
+    assert diagnosis.effects == ()
+    assert diagnosis.verdict in ("consistent", "recalibrate")
+    assert diagnosis.noise["memory.pose_z"].value == pytest.approx(0.5, rel=0.3)

@@ -2,9 +2,9 @@
 
 Errors e of a kind with memory T are e = k e_before + w with k = exp(-gap / T) and w white, of variance
 (1 - k^2) var(e). So the reading less k times the one before has a white error again, and the filter takes this
-difference: it is expected to be h(x) - k h(x_before), where the state at the reading before follows from the present one
-by the same Taylor series that leads from a grid point to a reading. The random force that came in between the two is
-neglected in it. The first reading behind a hole is taken as it is.
+difference: it is expected to be h(x) - k h(x_before), where the state at the reading before follows from the present
+one by the same Taylor series that leads from a grid point to a reading. The random force that came in between the two
+is neglected in it. The first reading behind a hole is taken as it is.
 Source: Bryson and Henrikson, J. Spacecraft and Rockets 5 (1968) 662.
 """
 
@@ -40,7 +40,8 @@ def error_before(
     kind, earlier = readings.kind[index], readings.before[index]
     after = readings.after[index] - readings.gap[index]
     when = When(readings.stamp[earlier], after, abs(after), math.copysign(1.0, after))
-    return deviation(kind, readings.value[earlier], expected(kind, when, row, rates, sensor, water, motors))
+    error: float = deviation(kind, readings.value[earlier], expected(kind, when, row, rates, sensor, water, motors))
+    return error
 
 
 @outlined_kernel

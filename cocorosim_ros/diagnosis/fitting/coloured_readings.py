@@ -51,15 +51,14 @@ def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
     what a model lacks makes innovations alike too.
     """
     found = _with_suspects(_without_idle(fitted))
-    wanted = tuple(unknown for unknown in found.noise if unknown.column in READING_MEMORY)
-    if _names(wanted) == _names(fit.noise) & _names(wanted) and _names(fit.noise) <= _names(found.noise):
+    wanted, present = _memories(found), _memories(fit)
+    if set(wanted) == set(present):
         return None
-    plain = _without(fit, [unknown for unknown in fit.noise if unknown.column in READING_MEMORY])
-    return settled(_begun(plain, found, wanted), RECALIBRATION.most_rounds)
+    return settled(_begun(_without(fit, present), found, wanted), RECALIBRATION.most_rounds)
 
 
-def _names(noise: Sequence[Unknown]) -> set[tuple[str, tuple[str, ...]]]:
-    return {(unknown.column, unknown.owner.robots) for unknown in noise}
+def _memories(fit: Fit) -> tuple[Unknown, ...]:
+    return tuple(unknown for unknown in fit.noise if unknown.column in READING_MEMORY)
 
 
 def _stream_of(column: str) -> str | None:
@@ -69,12 +68,12 @@ def _stream_of(column: str) -> str | None:
 
 def _begun(fit: Fit, found: Fit, added: Sequence[Unknown]) -> Fit:
     """Add memories to a model, with the noise of readings that another one with the same and more noise has."""
-    values = {id(unknown): value for unknown, value in zip(found.noise, found.q_noise.tolist(), strict=True)}
+    values = dict(zip(found.noise, found.q_noise.tolist(), strict=True))
     q_noise = [
-        values[id(unknown)] if unknown.column in READING_NOISE else float(q)
-        for unknown, q in zip(fit.noise, fit.q_noise, strict=True)
+        values[unknown] if unknown.column in READING_NOISE else q
+        for unknown, q in zip(fit.noise, fit.q_noise.tolist(), strict=True)
     ]
-    memories = [values[id(unknown)] for unknown in added]
+    memories = [values[unknown] for unknown in added]
     return evaluated(replace(fit, noise=(*fit.noise, *added), q_noise=np.array([*q_noise, *memories])))
 
 
@@ -89,7 +88,7 @@ def _with_suspects(fit: Fit) -> Fit:
 
 def _without_idle(fit: Fit) -> Fit:
     """Take away the memories by which the model gains too little, one after the other."""
-    for unknown in [each for each in fit.noise if each.column in READING_MEMORY]:
+    for unknown in _memories(fit):
         less = with_noise(evaluated(_without(fit, [unknown])), COLOURED.rounds, (NOISE_OF[unknown.column],))
         if fit.objective - less.objective < COLOURED.worth:
             fit = less
@@ -98,7 +97,7 @@ def _without_idle(fit: Fit) -> Fit:
 
 def _without(fit: Fit, memories: Sequence[Unknown]) -> Fit:
     """Leave memories out of a model, which is not evaluated."""
-    kept = [not any(unknown is each for each in memories) for unknown in fit.noise]
+    kept = [unknown not in memories for unknown in fit.noise]
     noise = tuple(unknown for unknown, keep in zip(fit.noise, kept, strict=True) if keep)
     return replace(fit, noise=noise, q_noise=fit.q_noise[kept])
 
@@ -111,12 +110,10 @@ def _coloured(fit: Fit, memory: Unknown) -> Fit:
 
 def _suspects(fit: Fit) -> Iterator[Unknown]:
     """Memories of those numbers of noise whose innovations resemble the ones before, at the size that this gives."""
-    known = {(unknown.owner.robots, unknown.column) for unknown in fit.noise}
-    for robot, numbers in tracks_by_robot(fit.tracks).items():
-        for column in READING_NOISE:
-            memory = MEMORY_OF[column]
-            if ((robot,), column) not in known or ((robot,), memory) in known:
-                continue
+    fitted = {(unknown.column, number) for unknown in fit.noise for number in unknown.tracks}
+    for robot, every in tracks_by_robot(fit.tracks).items():
+        for column, memory in MEMORY_OF.items():
+            numbers = tuple(number for number in every if (column, number) in fitted and (memory, number) not in fitted)
             likeness = _likeness(fit, numbers, column)
             if likeness is not None:
                 yield _memory(robot, numbers, memory, *likeness)
@@ -125,13 +122,13 @@ def _suspects(fit: Fit) -> Iterator[Unknown]:
 def _likeness(fit: Fit, numbers: Sequence[int], column: str) -> tuple[float, float] | None:
     """Correlation of innovations with those before of the same kind, and mean gap between these [s]; None if little."""
     products, squares, gaps = [np.zeros(0)], [np.zeros(0)], [np.zeros(0)]
+    kinds = [code for code, name in enumerate(READING_NOISE_OF_KIND) if f"reading.{name}" == column]
     for number in numbers:
         track, passed = fit.tracks[number], fit.passes[number]
         readings = track.filter.readings(fit.filled[number])
         scaled = np.where(passed.believed, passed.innovation / np.sqrt(passed.variance), np.nan)[readings.origin]
         scaled = _without_means(scaled, readings.kind)
-        of_column = np.array([f"reading.{name}" == column for name in READING_NOISE_OF_KIND])[readings.kind]
-        chosen = np.flatnonzero(of_column & (readings.before >= 0))
+        chosen = np.flatnonzero(np.isin(readings.kind, kinds) & (readings.before >= 0))
         now, before = scaled[chosen], scaled[readings.before[chosen]]
         both = np.isfinite(now) & np.isfinite(before)
         products.append(now[both] * before[both])

@@ -15,8 +15,8 @@ from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.averaging import Taken, around_point, averaged_stream, joined
 from cocorosim_ros.diagnosis.tracks.columns import TIMING
 from cocorosim_ros.diagnosis.tracks.grid import grid_until
-from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
+from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 
