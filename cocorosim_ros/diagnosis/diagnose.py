@@ -38,6 +38,7 @@ from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
+from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
@@ -104,7 +105,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=free.runs,
         gathered=gathered_evidence(base, naming.fit),
-        remarks=(*intake.evidence.remarks, *_of_form(form), *growth_remarks(naming.fit), *regime_remarks(unseen)),
+        remarks=(*intake.evidence.remarks, *_of_form(form), *noise_remarks(naming.fit), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
@@ -112,6 +113,11 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         warnings=tuple(each.sentence for each in against if each.effect is None),
         untold=untold_errors(base.tracks),
     )
+
+
+def noise_remarks(fit: Fit) -> tuple[str, ...]:
+    """Sentences on noise that is not plain: a random force that grows, errors of readings that last."""
+    return (*growth_remarks(fit), *memory_remarks(fit))
 
 
 def _named_evenly(base: Fit, progress: Progress) -> tuple[Fit, Unseen, Naming]:
