@@ -152,13 +152,15 @@ def swum(swim: Any) -> Any:
 def test_lasting_errors_of_all_instruments_are_found_in_the_first_fit(swum: Any, memory: float) -> None:
     """Memory of depth and compass, and the noise as it was put in, which differences do not show.
 
-    A process of memory T seen for a time D leaves the logarithm of its memory open by sqrt(2 T / D) (the asymptotic
-    variance (1 - k^2) / n of its coefficient k), and that of its size by about sqrt(T / D).
+    The coefficient k = exp(-gap / T) of n readings has the asymptotic variance (1 - k^2) / n, and so the logarithm of T
+    a standard deviation of sqrt((1 - k^2) / n) T / (k gap); that of the size is about sqrt(T / (n gap)).
     """
     fit = base_fit(swum(memory))
     levels = noise_levels(fit)
-    for kind, size in (("pose_z", 0.002), ("compass", 0.02)):
-        assert levels[f"memory.{kind}"].value == pytest.approx(memory, rel=3.0 * math.sqrt(2.0 * memory / DURATION))
+    for kind, size, gap in (("pose_z", 0.002, 0.1), ("compass", 0.02, 0.2)):
+        kept = math.exp(-gap / memory)
+        width = math.sqrt((1.0 - kept**2) * gap / DURATION) * memory / (kept * gap)
+        assert levels[f"memory.{kind}"].value == pytest.approx(memory, rel=3.0 * width)
         assert levels[f"reading.{kind}"].value == pytest.approx(size, rel=3.0 * math.sqrt(memory / DURATION))
     with_memory = {unknown.column for unknown in fit.noise if unknown.column.startswith("memory.")}
     assert with_memory >= {"memory.pose_xy", "memory.pose_yaw", "memory.pressure"}

@@ -112,8 +112,7 @@ class ColouredReadingsCriteria:
     worth: float = 10.0
     """[nats] that the colour of one number of noise has to gain. Chosen, not measured."""
     most: float = 0.5
-    """[of a robot's instruments] more have to show colour if it is to be taken into the first fit. Chosen, not
-    measured."""
+    """[of a robot's instruments] have to show colour if it is to be taken into the first fit. Chosen, not measured."""
     instruments: int = 3
     """[instruments] at least that have to do so: one fault does not concern so many. Chosen, not measured."""
     rounds: int = 2

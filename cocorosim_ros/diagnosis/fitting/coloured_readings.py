@@ -15,6 +15,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import COLOURED, RECALIBRATION
 from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
@@ -29,19 +30,44 @@ STREAM_OF = {READING_NOISE_OF_KIND[kind]: stream for stream, kinds in KINDS_OF_S
 
 
 def with_obvious_colour(first: Fit, roughly: Fit) -> Fit | None:
-    """Add coloured errors to a first guess where most instruments show them already in a rough fit; else None.
+    """Add lasting errors of all instruments to a first guess where a rough fit shows them of most; else None.
 
     What a model lacks makes the innovations of some instruments resemble the ones before, but hardly those of most of
-    them, each by itself. With white errors such recordings take minutes to fit, and much is named for nothing.
+    them, each by itself. With white errors such recordings take minutes to fit, and much is named for nothing. The
+    random force has then followed the errors of the others, so that all instruments of the robot begin anew, with one
+    memory and with the noise that differences of such errors show.
     """
     found = _with_suspects(roughly)
     added = found.noise[len(roughly.noise) :]
-    for robots in {unknown.owner.robots for unknown in added}:
-        seen = {_stream_of(unknown.column) for unknown in roughly.noise if unknown.owner.robots == robots} - {None}
-        shown = {_stream_of(unknown.column) for unknown in added if unknown.owner.robots == robots}
-        if len(shown) <= COLOURED.most * len(seen) or len(shown) < COLOURED.instruments:
-            added = tuple(unknown for unknown in added if unknown.owner.robots != robots)
-    return _begun(first, found, added) if added else None
+    begun = first
+    for numbers in tracks_by_robot(first.tracks).values():
+        shown = [unknown for unknown in added if set(unknown.tracks) <= set(numbers)]
+        concerned = {number for unknown in shown for number in unknown.tracks}
+        seen = [unknown for unknown in first.noise if not concerned.isdisjoint(unknown.tracks)]
+        if len(_streams(shown)) >= max(COLOURED.instruments, COLOURED.most * len(_streams(seen))):
+            begun = _all_coloured(begun, tuple(sorted(concerned)), float(np.median([each.base for each in shown])))
+    return evaluated(begun) if begun is not first else None
+
+
+def _streams(noise: Sequence[Unknown]) -> set[str]:
+    """Streams of the readings of which numbers are noise or memory."""
+    names = [unknown.column.partition(".")[2] for unknown in noise if unknown.owner.effect == READING]
+    return {STREAM_OF[name] for name in names}
+
+
+def _all_coloured(fit: Fit, numbers: tuple[int, ...], log_memory: float) -> Fit:
+    """Add memories, all alike at first, of all readings of one robot in some tracks; the fit is not evaluated."""
+    robot, q_noise, added = fit.tracks[numbers[0]].name, fit.q_noise.copy(), []
+    for column, memory in MEMORY_OF.items():
+        gap = _mean_gap(fit, numbers, column)
+        if gap is None:
+            continue
+        added.append(_memory(robot, numbers, memory, log_memory))
+        white = -np.expm1(-2.0 * gap / np.exp(log_memory))  # share of the variance that differences show
+        for place, unknown in enumerate(fit.noise):
+            if unknown.column == column and not set(numbers).isdisjoint(unknown.tracks):
+                q_noise[place] = unknown.clipped(float(q_noise[place] - 0.5 * np.log(white)))
+    return replace(fit, noise=(*fit.noise, *added), q_noise=np.append(q_noise, np.zeros(len(added))))
 
 
 def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
@@ -59,11 +85,6 @@ def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
 
 def _memories(fit: Fit) -> tuple[Unknown, ...]:
     return tuple(unknown for unknown in fit.noise if unknown.column in READING_MEMORY)
-
-
-def _stream_of(column: str) -> str | None:
-    """Name of the stream of which a column holds noise or memory; None for other columns."""
-    return STREAM_OF.get(column.partition(".")[2]) if column.startswith(("reading.", "memory.")) else None
 
 
 def _begun(fit: Fit, found: Fit, added: Sequence[Unknown]) -> Fit:
@@ -116,29 +137,47 @@ def _suspects(fit: Fit) -> Iterator[Unknown]:
             numbers = tuple(number for number in every if (column, number) in fitted and (memory, number) not in fitted)
             likeness = _likeness(fit, numbers, column)
             if likeness is not None:
-                yield _memory(robot, numbers, memory, *likeness)
+                yield _memory(robot, numbers, memory, _memory_of(*likeness))
 
 
 def _likeness(fit: Fit, numbers: Sequence[int], column: str) -> tuple[float, float] | None:
     """Correlation of innovations with those before of the same kind, and mean gap between these [s]; None if little."""
-    products, squares, gaps = [np.zeros(0)], [np.zeros(0)], [np.zeros(0)]
-    kinds = [code for code, name in enumerate(READING_NOISE_OF_KIND) if f"reading.{name}" == column]
+    products, squares = [np.zeros(0)], [np.zeros(0)]
     for number in numbers:
-        track, passed = fit.tracks[number], fit.passes[number]
-        readings = track.filter.readings(fit.filled[number])
+        passed, readings = fit.passes[number], _readings(fit, number)
         scaled = np.where(passed.believed, passed.innovation / np.sqrt(passed.variance), np.nan)[readings.origin]
         scaled = _without_means(scaled, readings.kind)
-        chosen = np.flatnonzero(np.isin(readings.kind, kinds) & (readings.before >= 0))
+        chosen = _with_one_before(readings, column)
         now, before = scaled[chosen], scaled[readings.before[chosen]]
         both = np.isfinite(now) & np.isfinite(before)
         products.append(now[both] * before[both])
         squares.append(now[both] ** 2)
-        gaps.append(readings.gap[chosen[both]])
-    product, square, gap = (np.concatenate(each) for each in (products, squares, gaps))
-    if len(product) < COLOURED.fewest or not square.any():
+    product, square = np.concatenate(products), np.concatenate(squares)
+    gap = _mean_gap(fit, numbers, column)
+    if gap is None or len(product) < COLOURED.fewest or not square.any():
         return None
     correlation = float(product.mean() / square.mean())
-    return (correlation, float(gap.mean())) if correlation > COLOURED.correlated else None
+    return (correlation, gap) if correlation > COLOURED.correlated else None
+
+
+def _mean_gap(fit: Fit, numbers: Sequence[int], column: str) -> float | None:
+    """Mean gap [s] between readings that have one before of the same kind; None where these are few."""
+    found = [np.zeros(0)]
+    for number in numbers:
+        readings = _readings(fit, number)
+        found.append(readings.gap[_with_one_before(readings, column)])
+    gaps = np.concatenate(found)
+    return float(gaps.mean()) if len(gaps) >= COLOURED.fewest else None
+
+
+def _readings(fit: Fit, number: int) -> Readings:
+    return fit.tracks[number].timeline.under(fit.filled[number])
+
+
+def _with_one_before(readings: Readings, column: str) -> Integers:
+    """Places of the readings of a column's kinds that have one before of the same kind."""
+    kinds = [code for code, name in enumerate(READING_NOISE_OF_KIND) if f"reading.{name}" == column]
+    return np.flatnonzero(np.isin(readings.kind, kinds) & (readings.before >= 0))
 
 
 def _without_means(scaled: Floats, kind: Integers) -> Floats:
@@ -151,10 +190,13 @@ def _without_means(scaled: Floats, kind: Integers) -> Floats:
     return found
 
 
-def _memory(robot: str, numbers: tuple[int, ...], column: str, correlation: float, gap: float) -> Unknown:
-    """Make the memory of errors into an unknown around that of which innovations have this correlation over a gap."""
+def _memory(robot: str, numbers: tuple[int, ...], column: str, log_memory: float) -> Unknown:
+    """Make the memory of errors into an unknown around exp(log_memory) [s]."""
     owner = Owner(READING, (robot,), f"{column.partition('.')[2]}_memory", NOISE_UNITS[column])
-    base = float(np.log(gap) - np.log(-np.log(min(correlation, 1.0 - 1e-6))))
-    return Unknown(
-        owner, column, numbers, base=base, prior=COLOURED.prior, bounds=(-COLOURED.farthest, COLOURED.farthest)
-    )
+    ends = (-COLOURED.farthest, COLOURED.farthest)
+    return Unknown(owner, column, numbers, base=log_memory, prior=COLOURED.prior, bounds=ends)
+
+
+def _memory_of(correlation: float, gap: float) -> float:
+    """Logarithm of the memory [s] of errors that have this correlation over a gap [s]."""
+    return float(np.log(gap) - np.log(-np.log(min(correlation, 1.0 - 1e-6))))
