@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
+from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, finite
 from cocorosim_ros.diagnosis.fitting.growing_force import with_growing_force
@@ -37,6 +38,7 @@ from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
+from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
@@ -103,7 +105,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=free.runs,
         gathered=gathered_evidence(base, naming.fit),
-        remarks=(*intake.evidence.remarks, *_of_form(form), *growth_remarks(naming.fit), *regime_remarks(unseen)),
+        remarks=(*intake.evidence.remarks, *_of_form(form), *noise_remarks(naming.fit), *regime_remarks(unseen)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
@@ -113,14 +115,23 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     )
 
 
-def _named_evenly(base: Fit, progress: Progress) -> tuple[Fit, Unseen, Naming]:
-    """Name effects, on top of a model whose random force grows with speed or thrust where the recordings show that.
+def noise_remarks(fit: Fit) -> tuple[str, ...]:
+    """Sentences on noise that is not plain: a random force that grows, errors of readings that last."""
+    return (*growth_remarks(fit), *memory_remarks(fit))
 
-    A random force that is the same at all times takes errors that grow with speed for evidence of what acts at speed.
-    Whether it is the same is asked of the model with all its effects, since one that is missing grows with speed too;
-    only then the search begins again.
+
+def _named_evenly(base: Fit, progress: Progress) -> tuple[Fit, Unseen, Naming]:
+    """Name effects, on top of a model whose noise is as the recordings show it: of readings, and of the water.
+
+    White errors of readings take slow ones for evidence of what acts slowly; a random force that is the same at all
+    times takes errors that grow with speed for evidence of what acts at speed. Both are asked of the model with all
+    its effects, since one that is missing shows there too; only then the search begins again.
     """
-    unseen, naming = _named(base, progress, Shares(0.25, 0.45, 0.5))
+    unseen, naming = _named(base, progress, Shares(0.25, 0.35, 0.4))
+    coloured = with_coloured_readings(base, naming.fit)
+    if coloured is not None:
+        base = coloured
+        unseen, naming = _named(base, progress, Shares(0.4, 0.45, 0.5))
     grown = with_growing_force(base, naming.fit, smoothed_tracks(naming.fit))
     if grown is None:
         return base, unseen, naming

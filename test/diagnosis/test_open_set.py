@@ -71,7 +71,8 @@ def test_what_a_law_adds(factors: Any, expected: float) -> None:
     """To readings of its own kind alone, by its regressors where the robot was when they were taken."""
     shown = Readings(
         0.1, 0.0, np.array([0] * 5 + [2] * 7), np.array([COMPASS, PRESSURE]), np.array([0.03, 0.03]),
-        np.full(2, 0.03), np.ones(2), np.full(2, 0.43), np.zeros(2), np.ones(2), np.arange(2),
+        np.full(2, 0.03), np.ones(2), np.full(2, 0.43), np.zeros(2), np.ones(2), np.arange(2), np.full(2, -1),
+        np.zeros(2),
     )  # fmt: skip
     shift = law_shift(law_row("compass", 3.0, *factors), shown, course)
     assert shift is not None
@@ -80,7 +81,7 @@ def test_what_a_law_adds(factors: Any, expected: float) -> None:
 
 def test_no_law_adds_nothing() -> None:
     """Nobody even asks for the course."""
-    shown = Readings(0.1, 0.0, np.zeros(2, dtype=np.int64), *(np.zeros(0) for _ in range(8)))
+    shown = Readings(0.1, 0.0, np.zeros(2, dtype=np.int64), *(np.zeros(0) for _ in range(10)))
     assert law_shift(NEUTRAL, shown, lambda: pytest.fail("asked")) is None
 
 

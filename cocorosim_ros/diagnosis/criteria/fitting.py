@@ -96,6 +96,31 @@ class GrowingForceCriteria:
 
 
 @dataclass(frozen=True)
+class ColouredReadingsCriteria:
+    """Errors of readings that are not white (`fitting.coloured_readings`)."""
+
+    correlated: float = 0.2
+    """[1] correlation of an innovation with the one before of its kind, from which on colour is tried: readings then
+    count 1.5 times too often. Chosen, not measured."""
+    fewest: int = 30
+    """[readings] with one before, for a correlation. Chosen, not measured."""
+    prior: float = 1.5
+    """[1] standard deviation of the logarithm of a memory, around the one that the correlation gives. Chosen, not
+    measured."""
+    farthest: float = 4.0
+    """[1] largest change of that logarithm. Chosen, not measured."""
+    worth: float = 10.0
+    """[nats] that the colour of one number of noise has to gain. Chosen, not measured."""
+    most: float = 0.5
+    """[of a robot's instruments] have to show colour if it is to be taken into the first fit. Chosen, not measured."""
+    instruments: int = 3
+    """[instruments] at least that have to do so: one fault does not concern so many. Chosen, not measured."""
+    rounds: int = 2
+    """[steps] of memory and noise of a kind, in which its colour has to show. Chosen, not measured: where errors last
+    for five readings it gains hundreds of nats in the first."""
+
+
+@dataclass(frozen=True)
 class DragFormCriteria:
     """The comparison of forms of the drag that a platform's file does not say (`fitting.drag_forms`)."""
 
@@ -250,6 +275,7 @@ class HeldOutCriteria:
 
 DRAG_FORMS = DragFormCriteria()
 GROWING_FORCE = GrowingForceCriteria()
+COLOURED = ColouredReadingsCriteria()
 VEHICLE_NEEDS = VehicleNeedsCriteria()
 CONVERGENCE = ConvergenceCriteria()
 RANDOMNESS = RandomForceCriteria()

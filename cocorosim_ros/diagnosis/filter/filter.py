@@ -14,10 +14,8 @@ Theory (1970), section 8.3; Masreliez and Martin, IEEE Trans. Automatic Control 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
-import numpy as np
-
+from cocorosim_ros.diagnosis.filter.coloured import error_before, share_left, take_off_before
 from cocorosim_ros.diagnosis.filter.correction import correct
 from cocorosim_ros.diagnosis.filter.covariance import (
     GATE,
@@ -28,7 +26,7 @@ from cocorosim_ros.diagnosis.filter.covariance import (
     update,
     update_upright,
 )
-from cocorosim_ros.diagnosis.filter.layout import CORRELATION, RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, SMOOTHNESS
+from cocorosim_ros.diagnosis.filter.layout import CORRELATION, SMOOTHNESS
 from cocorosim_ros.diagnosis.filter.motion import (
     FORCE,
     Clock,
@@ -60,93 +58,15 @@ from cocorosim_ros.diagnosis.filter.records import (
     Start,
     When,
 )
+from cocorosim_ros.diagnosis.filter.spread_of_state import NewVariance, Spread, add_force, make_spread, swollen
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.motion import dynamics
-from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
-from cocorosim_ros.world.terms.blocks import (
-    HFX,
-    HFY,
-    HN,
-    HORIZONTAL,
-    VERTICAL,
-    VFZ,
-    VW,
-)  # fmt: skip
+from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.motors import Motors
 from cocorosim_ros.world.vehicle_model.vehicles import Body
-
-
-class Spread(NamedTuple):
-    """The covariance with its slopes and transitions, all flat."""
-
-    wide: Floats  # (HORIZONTAL, HORIZONTAL)
-    wide_slope: Floats  # (HFX, HORIZONTAL)
-    wide_step: Floats  # (HORIZONTAL, HORIZONTAL)
-    back: Floats  # (HORIZONTAL, HORIZONTAL) transpose of wide_step
-    high: Floats  # (VERTICAL, VERTICAL)
-    high_slope: Floats  # (VFZ, VERTICAL)
-    high_step: Floats  # (VERTICAL, VERTICAL)
-    response: Floats  # (4,) acceleration by unit of force
-
-
-class NewVariance(NamedTuple):
-    """Variance of a random force and its gust, for a force with an rms of 1."""
-
-    force: float
-    both: float  # covariance
-    gust: float
-
-
-@allocating_kernel
-def _make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
-    """Start the covariance from the standard deviation of the state (8,) and from the random force (WATER_NOISE)."""
-    wide, high = np.zeros(HORIZONTAL * HORIZONTAL), np.zeros(VERTICAL * VERTICAL)
-    places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
-    for i in range(6):
-        wide[i * HORIZONTAL + i] = deviation[places[i]] ** 2
-    high[0], high[VW * VERTICAL + VW] = deviation[Z] ** 2, deviation[HEAVE] ** 2
-    size = HORIZONTAL * HORIZONTAL
-    parts = Spread(
-        wide,
-        np.zeros(HFX * HORIZONTAL),
-        np.zeros(size),
-        np.zeros(size),
-        high,
-        np.zeros(VFZ * VERTICAL),
-        np.zeros(VERTICAL * VERTICAL),
-        np.zeros(4),
-    )
-    _add_force(parts, noise, new)
-    return parts
-
-
-@kernel
-def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: NewVariance) -> None:
-    """Let variance into the force that stands at `at` of a matrix (size, size), and into its gust, `apart` further."""
-    other = at + apart
-    matrix[at * size + at] += rms * rms * new.force
-    matrix[at * size + other] += rms * rms * new.both
-    matrix[other * size + at] += rms * rms * new.both
-    matrix[other * size + other] += rms * rms * new.gust
-
-
-@kernel
-def _add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
-    """Let variance into the random forces."""
-    _add_pair(parts.wide, HFX, HORIZONTAL, 3, noise[RMS_LEVEL], new)
-    _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[RMS_LEVEL], new)
-    _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[RMS_YAW], new)
-    _add_pair(parts.high, VFZ, VERTICAL, 1, noise[RMS_UPRIGHT], new)
-
-
-@kernel
-def _swollen(new: NewVariance, swell: Floats, point: int) -> NewVariance:
-    """The variance that comes in over the step from `point` on, by what the random force is greater there."""
-    if swell.shape[0] == 0:
-        return new
-    return NewVariance(new.force * swell[point], new.both * swell[point], new.gust * swell[point])
 
 
 @outlined_kernel
@@ -223,7 +143,7 @@ def _filter(
         time = readings.begin + point * readings.step
         _move(motion, parts, Clock(time, readings.step, fade), drive, point, body)
         if point > 0:
-            _add_force(parts, noise, _swollen(grown, numbers.swell, point - 1))
+            add_force(parts, noise, swollen(grown, numbers.swell, point - 1))
         if keep:
             _remember(motion, body, parts, point, belief.history)
         for index in range(readings.first[point], readings.first[point + 1]):
@@ -234,11 +154,20 @@ def _filter(
             shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water, motors)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
+            left = share_left(readings, index, numbers.memory)
+            if left > 0.0:
+                rates = Rates(motion.rate, motion.leap)
+                innovation -= left * error_before(readings, index, row, rates, sensor, water, motors)
+                variance *= 1.0 - left * left
             if is_upright(kind):
                 sensitivity_upright(kind, after, row, sensor, parts.high_slope, seen)
+                if left > 0.0:
+                    take_off_before(readings, index, left, row, sensor, parts.high_slope, seen)
                 variance = update_upright(parts.high, seen, variance, gain, innovation * innovation)
             else:
                 sensitivity(kind, after, row, sensor, parts.wide_slope, seen)
+                if left > 0.0:
+                    take_off_before(readings, index, left, row, sensor, parts.wide_slope, seen)
                 variance = update(parts.wide, seen, variance, gain, innovation * innovation)
             if innovation * innovation > GATE * GATE * variance:
                 innovation = math.copysign(GATE * math.sqrt(variance), innovation)
@@ -257,7 +186,7 @@ def filter_pass(
     """The whole filter over a recording; results are in `belief`."""
     noise = numbers.random_force
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
-    parts = _make_spread(start.spread, noise, _swollen(NewVariance(1.0, fade.common, 1.0), numbers.swell, 0))
+    parts = make_spread(start.spread, noise, swollen(NewVariance(1.0, fade.common, 1.0), numbers.swell, 0))
     _filter(readings, drive, make_motion(start.mean, body), parts, body, numbers, belief)
 
 
@@ -282,6 +211,10 @@ def _slope(
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
+                left = share_left(readings, index, numbers.memory)
+                if left > 0.0:
+                    rates = Rates(motion.rate, motion.leap)
+                    innovation -= left * error_before(readings, index, row, rates, sensor, water, motors)
                 slope[origin] = deviation(kind, innovation, past.innovation[origin]) / step
             correct(motion, body, kind, past.gain[origin], innovation)
 

@@ -41,6 +41,8 @@ class Readings(NamedTuple):
     value: Floats  # (m,)
     share: Floats  # (m,) variance as a share of that of a single reading of its kind
     origin: Integers  # (m,) place of each in the order of the track, which is that of all results
+    before: Integers  # (m,) place in this order of the reading of its kind before it; -1 where none is near
+    gap: Floats  # (m,) s between these two
 
 
 class When(NamedTuple):
@@ -93,6 +95,7 @@ class PassNumbers(NamedTuple):
     sensor: Floats  # by SENSOR_COLUMNS
     random_force: Floats  # by WATER_NOISE, no logarithms
     reading_variance: Floats  # (KINDS,) of a single reading of each kind
+    memory: Floats  # (KINDS,) s, correlation time of the errors of readings of each kind; next to nothing if white
     swell: Floats  # (points,) factors of the random force's variance; empty if it is the same at all times
 
 
@@ -101,6 +104,7 @@ class SlopeNumbers(NamedTuple):
 
     sensor: Floats  # by SENSOR_COLUMNS
     random_force: Floats  # by WATER_NOISE, no logarithms
+    memory: Floats  # (KINDS,) s, correlation time of the errors of readings of each kind; next to nothing if white
     step: float  # by which the number is off
 
 

@@ -12,6 +12,7 @@ from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
+from cocorosim_ros.diagnosis.fitting.coloured_readings import with_obvious_colour
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
@@ -79,13 +80,20 @@ def climbed(first: Fit) -> Fit:
     If a model is so far off that readings counted for next to nothing until its numbers were found, their noise may not
     come down any more. Then one more climb starts from these numbers, with the first guess of that noise.
     The best of all goes on by leaps (`leaps`), and by exact slopes in the end (`polishing`).
+
+    Where the first climb shows that errors of most instruments last, it begins again with such errors.
     """
-    if not any(_is_shut(first, unknown) for unknown in first.noise):
-        return settled(first, RECALIBRATION.most_rounds)
-    starts = [first, _at_random(first)]
+    plain = not any(_is_shut(first, unknown) for unknown in first.noise)
+    way = settled(first if plain else _opened(first), RECALIBRATION.most_rounds)
+    coloured = with_obvious_colour(first, way)
+    if coloured is not None:
+        return climbed(coloured)
+    if plain:
+        return way
+    starts = [_at_random(first)]
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
-    ways = [settled(_opened(start), RECALIBRATION.most_rounds) for start in starts]
+    ways = [way, *(settled(_opened(start), RECALIBRATION.most_rounds) for start in starts)]
     ways.append(settled(with_noise(_opened(first), RECALIBRATION.most_rounds), RECALIBRATION.most_rounds))
     best = max(ways, key=lambda fit: fit.objective)
     if any(q >= unknown.bounds[1] for unknown, q in zip(best.noise, best.q_noise, strict=True)):

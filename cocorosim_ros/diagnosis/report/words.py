@@ -64,6 +64,11 @@ NOISES = {
     "random.with_speed": "random force that comes with speed (at the highest, over that at rest)",
     "random.with_thrust": "random force that comes with thrust (at the highest, over that at rest)",
     **{f"reading.{kind.noise or kind.name}": kind.noise_words for kind in KINDS.values() if kind.noise_words},
+    **{
+        f"memory.{kind.noise or kind.name}": f"memory of the errors of {kind.noise_words}"
+        for kind in KINDS.values()
+        if kind.noise_words
+    },
 }
 
 CHECKS = {

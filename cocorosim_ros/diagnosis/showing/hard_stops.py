@@ -21,7 +21,7 @@ from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, MEMORY_COLUMNS, NEUTRAL, READING_COLUMNS, WHITE
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
@@ -161,7 +161,7 @@ def _left(track: Track, course: Smoothed, row: Floats) -> Iterator[str]:
             continue
         chosen = track.timeline.kind == kind
         off = float(np.quantile(np.abs(deviation(track, chosen, course, row)), HARD_STOPS.most))
-        noise = _noise(track, kind)
+        noise = max(_noise(track, kind), _coloured_noise(track, kind, row))
         if off > HARD_STOPS.strayed * noise:
             yield f"{name} by {off:.3g} {KINDS[name].unit}, {off / noise:.3g} times their noise"
 
@@ -252,6 +252,18 @@ def _noise(track: Track, kind: int) -> float:
     share = float(np.median(track.timeline.share[track.timeline.kind == kind]))
     least = KINDS[KIND_NAMES[kind]].least_noise
     return max(single * np.sqrt(share), least) if np.isfinite(single) else np.inf
+
+
+def _coloured_noise(track: Track, kind: int, row: Floats) -> float:
+    """Noise of most readings of a kind as fitted, where their errors last, so that differences do not show it; else 0.
+
+    row (columns,): the numbers of the fit.
+    """
+    if row[MEMORY_COLUMNS[kind]] == WHITE:
+        return 0.0
+    return float(
+        np.exp(row[READING_COLUMNS[kind]]) * np.sqrt(np.median(track.timeline.share[track.timeline.kind == kind]))
+    )
 
 
 def _listed(robots: Sequence[str]) -> str:

@@ -18,14 +18,16 @@ WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.co
 # Logarithms of how many times as strong as at rest what the random force gains at the highest speed or thrust is.
 WATER_GROWTH = ("random.with_speed", "random.with_thrust")
 WATER_RANDOM = (*WATER_NOISE, *WATER_GROWTH)
-NO_GROWTH = float(np.log(np.finfo(float).tiny))  # the logarithm of next to nothing
+NO_GROWTH = WHITE = float(np.log(np.finfo(float).tiny))  # logarithms of next to nothing
 # Kinds of readings of equal quality share one number: log of the standard deviation of a single reading.
 READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values())
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
+# Logarithms of correlation times of errors of readings, one for each number above; next to nothing: they are white.
+READING_MEMORY = tuple(f"memory.{column.partition('.')[2]}" for column in READING_NOISE)
 # Units of the noise itself; a row holds logarithms.
 NOISE_UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
-    "random.smoothness": "1", **dict.fromkeys(WATER_GROWTH, "1"),
+    "random.smoothness": "1", **dict.fromkeys(WATER_GROWTH, "1"), **dict.fromkeys(READING_MEMORY, "s"),
     **{f"reading.{name}": kind.unit for name, kind in zip(READING_NOISE_OF_KIND, KINDS.values(), strict=True)},
 }  # fmt: skip
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
@@ -40,7 +42,7 @@ OWN_GAINS = (ALL_THRUSTERS, *(f"own_gain.{number}" for number in range(1, MOST_T
 COLUMN: dict[str, int] = numbered(
     [
         *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS, *OWN_GAINS,
-        COMMAND_DELAY, *WATER_GROWTH,
+        COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
     ]
 )  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
@@ -49,6 +51,7 @@ PHYSICS = stretch_of(COLUMN, list(PARAMETER_COLUMNS))
 SENSORS = stretch_of(COLUMN, SENSOR_COLUMNS)
 WATER = stretch_of(COLUMN, WATER_NOISE)
 READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_OF_KIND])
+MEMORY_COLUMNS = np.array([COLUMN[f"memory.{name}"] for name in READING_NOISE_OF_KIND])
 ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
 BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
@@ -62,6 +65,7 @@ NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
 NEUTRAL[THRUSTERS] = 1.0
 NEUTRAL[[COLUMN[column] for column in WATER_GROWTH]] = NO_GROWTH
+NEUTRAL[MEMORY_COLUMNS] = WHITE
 for _name, _value in READING_LAWS.items():
     NEUTRAL[COLUMN[_name]] = _value
 

@@ -8,12 +8,14 @@ from functools import cached_property
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.averaging import Taken, around_point, averaged_stream, joined
 from cocorosim_ros.diagnosis.tracks.columns import TIMING
 from cocorosim_ros.diagnosis.tracks.grid import grid_until
+from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
 from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
@@ -112,6 +114,7 @@ class Timeline:
         after = moment - begin - point * step
         order = np.lexsort((self.kind, moment, point))
         apart, side = around_point(after, self.reach)
+        before, gap = last_of_kind(self.kind[order], moment[order], FILTER.near * step)
         return Readings(
             step,
             begin,
@@ -124,4 +127,6 @@ class Timeline:
             self.value[order],
             self.share[order],
             order.astype(np.int64),
+            before,
+            gap,
         )

@@ -24,7 +24,7 @@ from cocorosim_ros.diagnosis.filter.records import (
 from cocorosim_ros.diagnosis.filter.smoother import smooth
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.agitation import Agitation
-from cocorosim_ros.diagnosis.tracks.columns import READING_COLUMNS, SENSORS, WATER
+from cocorosim_ros.diagnosis.tracks.columns import MEMORY_COLUMNS, READING_COLUMNS, SENSORS, WATER
 from cocorosim_ros.diagnosis.tracks.passes import COURSE_SIZE, Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
@@ -107,7 +107,7 @@ class TrackFilter:
         row: the numbers of that pass, but for the unknown, of which q is `step` off. The derivative is 0 for readings
         beyond the gate.
         """
-        numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), step)
+        numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(row[MEMORY_COLUMNS]), step)
         kept = Past(past.innovation, past.gain, past.believed)
         body = self.actuation.vehicle.body(row)
         slope_pass(self.readings(row), self.actuation.drive(row), self.start.mean, body, numbers, kept, slope)
@@ -117,7 +117,8 @@ class TrackFilter:
         count = len(self.timeline.kind)
         belief = Belief(np.empty(count), np.empty(count), np.zeros((count, HORIZONTAL)), kept)
         swell = self._agitation.variance(row, self.timeline.grid.moments) if self._agitation else NO_SWELL
-        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(2.0 * row[READING_COLUMNS]), swell)
+        variance, memory = np.exp(2.0 * row[READING_COLUMNS]), np.exp(row[MEMORY_COLUMNS])
+        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, memory, swell)
         body = self.actuation.vehicle.body(row)
         filter_pass(self.readings(row), self.actuation.drive(row), self.start, body, numbers, belief)
         return belief

@@ -1,0 +1,62 @@
+"""Coloured errors of readings: what is left in a reading of the error of the one before it.
+
+Errors e of a kind with memory T are e = k e_before + w with k = exp(-gap / T) and w white, of variance
+(1 - k^2) var(e). So the reading less k times the one before has a white error again, and the filter takes this
+difference: it is expected to be h(x) - k h(x_before), where the state at the reading before follows from the present
+one by the same Taylor series that leads from a grid point to a reading. The random force that came in between the two
+is neglected in it. The first reading behind a hole is taken as it is.
+Source: Bryson and Henrikson, J. Spacecraft and Rockets 5 (1968) 662.
+"""
+
+from __future__ import annotations
+
+import math
+
+from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
+from cocorosim_ros.diagnosis.filter.records import Rates, Readings, When
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
+from cocorosim_ros.world.terms.motors import Motors
+
+FORGOTTEN = 700.0  # memories, after which the share is the least number that there is
+
+
+@kernel
+def share_left(readings: Readings, index: int, memory: Floats) -> float:
+    """Share k of the error of the reading before that is still in this one; 0 where errors are white."""
+    memory_of_kind = memory[readings.kind[index]]
+    if readings.before[index] < 0 or readings.gap[index] > FORGOTTEN * memory_of_kind:
+        return 0.0
+    return math.exp(-readings.gap[index] / memory_of_kind)
+
+
+@outlined_kernel
+def error_before(
+    readings: Readings, index: int, row: Floats, rates: Rates, sensor: Floats, water: Floats, motors: Motors
+) -> float:
+    """Error of the reading of the same kind before this one, as the state at the grid point of this one has it."""
+    kind, earlier = readings.kind[index], readings.before[index]
+    after = readings.after[index] - readings.gap[index]
+    when = When(readings.stamp[earlier], after, abs(after), math.copysign(1.0, after))
+    error: float = deviation(kind, readings.value[earlier], expected(kind, when, row, rates, sensor, water, motors))
+    return error
+
+
+@outlined_kernel
+def take_off_before(
+    readings: Readings, index: int, left: float, row: Floats, sensor: Floats, slope: Floats, seen: Floats
+) -> None:
+    """Take `left` times the derivative of the reading before by the state off that of this one, `seen` (12,).
+
+    slope: of the block of the state that the reading belongs to, as `sensitivity` takes it.
+    """
+    kind, after = readings.kind[index], readings.after[index] - readings.gap[index]
+    earlier = stack_array(12)
+    if is_upright(kind):
+        sensitivity_upright(kind, after, row, sensor, slope, earlier)
+    else:
+        sensitivity(kind, after, row, sensor, slope, earlier)
+    for column in range(VERTICAL if is_upright(kind) else HORIZONTAL):
+        seen[column] -= left * earlier[column]

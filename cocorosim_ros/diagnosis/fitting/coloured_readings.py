@@ -1,0 +1,202 @@
+"""A model whose readings have coloured errors, for recordings that show such.
+
+Errors of an instrument may last for longer than it takes to the next reading, as those of a tracker or of a compass
+beside iron do. Taken as white they count as often as there are readings, and slow errors of a reading become evidence
+of what acts slowly. Such errors are first-order processes here (`filter.coloured`), with a memory for each number of
+noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.fitting import COLOURED, RECALIBRATION
+from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.filter.records import Readings
+from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
+from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
+from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
+from cocorosim_ros.diagnosis.tracks.columns import NOISE_UNITS, READING_MEMORY, READING_NOISE, READING_NOISE_OF_KIND
+from cocorosim_ros.foundation.arrays import Floats, Integers
+
+MEMORY_OF = dict(zip(READING_NOISE, READING_MEMORY, strict=True))
+NOISE_OF = dict(zip(READING_MEMORY, READING_NOISE, strict=True))
+STREAM_OF = {READING_NOISE_OF_KIND[kind]: stream for stream, kinds in KINDS_OF_STREAM.items() for kind in kinds}
+"""Stream of a number of noise, by its name without what stands before the point."""
+
+
+def with_obvious_colour(first: Fit, roughly: Fit) -> Fit | None:
+    """Add lasting errors of all instruments to a first guess where a rough fit shows them of most; else None.
+
+    What a model lacks makes the innovations of some instruments resemble the ones before, but hardly those of most of
+    them, each by itself. With white errors such recordings take minutes to fit, and much is named for nothing. The
+    random force has then followed the errors of the others, so that all instruments of the robot begin anew, with one
+    memory and with the noise that differences of such errors show.
+    """
+    found = _with_suspects(roughly)
+    added = found.noise[len(roughly.noise) :]
+    begun = first
+    for numbers in tracks_by_robot(first.tracks).values():
+        shown = [unknown for unknown in added if set(unknown.tracks) <= set(numbers)]
+        concerned = {number for unknown in shown for number in unknown.tracks}
+        seen = [unknown for unknown in first.noise if not concerned.isdisjoint(unknown.tracks)]
+        if len(_streams(shown)) >= max(COLOURED.instruments, COLOURED.most * len(_streams(seen))):
+            begun = _all_coloured(begun, tuple(sorted(concerned)), float(np.median([each.base for each in shown])))
+    return evaluated(begun) if begun is not first else None
+
+
+def _streams(noise: Sequence[Unknown]) -> set[str]:
+    """Streams of the readings of which numbers are noise or memory."""
+    names = [unknown.column.partition(".")[2] for unknown in noise if unknown.owner.effect == READING]
+    return {STREAM_OF[name] for name in names}
+
+
+def _all_coloured(fit: Fit, numbers: tuple[int, ...], log_memory: float) -> Fit:
+    """Add memories, all alike at first, of all readings of one robot in some tracks; the fit is not evaluated."""
+    robot, q_noise, added = fit.tracks[numbers[0]].name, fit.q_noise.copy(), []
+    for column, memory in MEMORY_OF.items():
+        gap = _mean_gap(fit, numbers, column)
+        if gap is None:
+            continue
+        added.append(_memory(robot, numbers, memory, log_memory))
+        white = -np.expm1(-2.0 * gap / np.exp(log_memory))  # share of the variance that differences show
+        for place, unknown in enumerate(fit.noise):
+            if unknown.column == column and not set(numbers).isdisjoint(unknown.tracks):
+                q_noise[place] = unknown.clipped(float(q_noise[place] - 0.5 * np.log(white)))
+    return replace(fit, noise=(*fit.noise, *added), q_noise=np.append(q_noise, np.zeros(len(added))))
+
+
+def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
+    """Fit the model with coloured errors of just those readings that show them; None if it has these already.
+
+    fit: the model; fitted: the same or a richer model, with all effects that are named, by which colour is told, since
+    what a model lacks makes innovations alike too.
+    """
+    found = _with_suspects(_without_idle(fitted))
+    wanted, present = _memories(found), _memories(fit)
+    if set(wanted) == set(present):
+        return None
+    return settled(_begun(_without(fit, present), found, wanted), RECALIBRATION.most_rounds)
+
+
+def _memories(fit: Fit) -> tuple[Unknown, ...]:
+    return tuple(unknown for unknown in fit.noise if unknown.column in READING_MEMORY)
+
+
+def _begun(fit: Fit, found: Fit, added: Sequence[Unknown]) -> Fit:
+    """Add memories to a model, with the noise of readings that another one with the same and more noise has."""
+    values = dict(zip(found.noise, found.q_noise.tolist(), strict=True))
+    q_noise = [
+        values[unknown] if unknown.column in READING_NOISE else q
+        for unknown, q in zip(fit.noise, fit.q_noise.tolist(), strict=True)
+    ]
+    memories = [values[unknown] for unknown in added]
+    return evaluated(replace(fit, noise=(*fit.noise, *added), q_noise=np.array([*q_noise, *memories])))
+
+
+def _with_suspects(fit: Fit) -> Fit:
+    """Add the memories that gain enough, one after the other."""
+    for unknown in list(_suspects(fit)):
+        trial = _coloured(fit, unknown)
+        if trial.objective > fit.objective + COLOURED.worth:
+            fit = trial
+    return fit
+
+
+def _without_idle(fit: Fit) -> Fit:
+    """Take away the memories by which the model gains too little, one after the other."""
+    for unknown in _memories(fit):
+        less = with_noise(evaluated(_without(fit, [unknown])), COLOURED.rounds, (NOISE_OF[unknown.column],))
+        if fit.objective - less.objective < COLOURED.worth:
+            fit = less
+    return fit
+
+
+def _without(fit: Fit, memories: Sequence[Unknown]) -> Fit:
+    """Leave memories out of a model, which is not evaluated."""
+    kept = [unknown not in memories for unknown in fit.noise]
+    noise = tuple(unknown for unknown, keep in zip(fit.noise, kept, strict=True) if keep)
+    return replace(fit, noise=noise, q_noise=fit.q_noise[kept])
+
+
+def _coloured(fit: Fit, memory: Unknown) -> Fit:
+    """Add a memory to a model, and fit it together with the noise of its readings, everything else held."""
+    begun = evaluated(replace(fit, noise=(*fit.noise, memory), q_noise=np.append(fit.q_noise, 0.0)))
+    return with_noise(begun, COLOURED.rounds, (NOISE_OF[memory.column], memory.column))
+
+
+def _suspects(fit: Fit) -> Iterator[Unknown]:
+    """Memories of those numbers of noise whose innovations resemble the ones before, at the size that this gives."""
+    fitted = {(unknown.column, number) for unknown in fit.noise for number in unknown.tracks}
+    for robot, every in tracks_by_robot(fit.tracks).items():
+        for column, memory in MEMORY_OF.items():
+            numbers = tuple(number for number in every if (column, number) in fitted and (memory, number) not in fitted)
+            likeness = _likeness(fit, numbers, column)
+            if likeness is not None:
+                yield _memory(robot, numbers, memory, _memory_of(*likeness))
+
+
+def _likeness(fit: Fit, numbers: Sequence[int], column: str) -> tuple[float, float] | None:
+    """Correlation of innovations with those before of the same kind, and mean gap between these [s]; None if little."""
+    products, squares = [np.zeros(0)], [np.zeros(0)]
+    for number in numbers:
+        passed, readings = fit.passes[number], _readings(fit, number)
+        scaled = np.where(passed.believed, passed.innovation / np.sqrt(passed.variance), np.nan)[readings.origin]
+        scaled = _without_means(scaled, readings.kind)
+        chosen = _with_one_before(readings, column)
+        now, before = scaled[chosen], scaled[readings.before[chosen]]
+        both = np.isfinite(now) & np.isfinite(before)
+        products.append(now[both] * before[both])
+        squares.append(now[both] ** 2)
+    product, square = np.concatenate(products), np.concatenate(squares)
+    gap = _mean_gap(fit, numbers, column)
+    if gap is None or len(product) < COLOURED.fewest or not square.any():
+        return None
+    correlation = float(product.mean() / square.mean())
+    return (correlation, gap) if correlation > COLOURED.correlated else None
+
+
+def _mean_gap(fit: Fit, numbers: Sequence[int], column: str) -> float | None:
+    """Mean gap [s] between readings that have one before of the same kind; None where these are few."""
+    found = [np.zeros(0)]
+    for number in numbers:
+        readings = _readings(fit, number)
+        found.append(readings.gap[_with_one_before(readings, column)])
+    gaps = np.concatenate(found)
+    return float(gaps.mean()) if len(gaps) >= COLOURED.fewest else None
+
+
+def _readings(fit: Fit, number: int) -> Readings:
+    return fit.tracks[number].timeline.under(fit.filled[number])
+
+
+def _with_one_before(readings: Readings, column: str) -> Integers:
+    """Places of the readings of a column's kinds that have one before of the same kind."""
+    kinds = [code for code, name in enumerate(READING_NOISE_OF_KIND) if f"reading.{name}" == column]
+    return np.flatnonzero(np.isin(readings.kind, kinds) & (readings.before >= 0))
+
+
+def _without_means(scaled: Floats, kind: Integers) -> Floats:
+    """Take the mean of each kind off innovations (m,) with NaN: what is off by the same all the time has no memory."""
+    found = scaled.copy()
+    for code in np.unique(kind):
+        chosen = kind == code
+        if np.isfinite(scaled[chosen]).any():
+            found[chosen] -= np.nanmean(scaled[chosen])
+    return found
+
+
+def _memory(robot: str, numbers: tuple[int, ...], column: str, log_memory: float) -> Unknown:
+    """Make the memory of errors into an unknown around exp(log_memory) [s]."""
+    owner = Owner(READING, (robot,), f"{column.partition('.')[2]}_memory", NOISE_UNITS[column])
+    ends = (-COLOURED.farthest, COLOURED.farthest)
+    return Unknown(owner, column, numbers, base=log_memory, prior=COLOURED.prior, bounds=ends)
+
+
+def _memory_of(correlation: float, gap: float) -> float:
+    """Logarithm of the memory [s] of errors that have this correlation over a gap [s]."""
+    return float(np.log(gap) - np.log(-np.log(min(correlation, 1.0 - 1e-6))))

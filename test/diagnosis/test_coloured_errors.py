@@ -1,0 +1,198 @@
+"""Coloured errors of readings against a Kalman filter whose state holds them, for the one motion that is linear."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
+from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.fitting.base_model import base_rows
+from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
+from cocorosim_ros.diagnosis.fitting.fit import evaluated
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
+from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_MEMORY
+from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
+from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
+from cocorosim_ros.scenario.parts.platform import load_platform
+
+MASS, STEP, TAU, SMOOTHNESS = 0.44, 0.1, 2.5, 0.6
+FORCE_RMS, Z_NOISE, MEMORY = 3e-4, 0.004, 0.8
+DURATION = 180.0  # s, of a swim
+NOISE = {"pose": (0.002, 0.002, 0.002, 0.01), "compass": (0.02,), "pressure": (8.0,), "imu": (0.004,)}
+
+
+def coloured(rng: np.random.Generator, time: Any, memory: float) -> Any:
+    """A first-order process of standard deviation 1 at even times."""
+    kept = math.exp(-float(time[1] - time[0]) / memory)
+    errors = rng.standard_normal(len(time))
+    for index in range(1, len(time)):
+        errors[index] = kept * errors[index - 1] + math.sqrt(1.0 - kept**2) * errors[index]
+    return errors
+
+
+@pytest.fixture(scope="module")
+def heaving() -> Any:
+    """Evidence of a Lily without drag that hardly moves, of which depth alone is seen, with errors that last."""
+    rng = np.random.default_rng(11)
+    time = np.arange(0.0, 120.0, STEP)
+    pose = np.full((len(time), 4), np.nan)
+    pose[:, 2] = -1.0 + Z_NOISE * coloured(rng, time, MEMORY)
+    streams = {"pose": Stream(time, pose, np.array([np.nan, np.nan, Z_NOISE, np.nan]))}
+    commands = np.zeros((240, 3))
+    log = RobotLog("lily_01", 0.5 * np.arange(240.0), commands, streams)
+    platform = replace(load_platform("lily"), drag=0.0, yaw_drag=0.0)
+    return Evidence(platform, (RecordingLog("heaving", 120.0, (log,)),))
+
+
+def independent(pose: Any, start: Any) -> float:
+    """Log-likelihood by a textbook filter with state z, w, random force, gust and the error of the reading."""
+    from scipy.linalg import expm, solve_continuous_lyapunov
+
+    middle, half = 2.0 / (SMOOTHNESS * TAU), 2.0 / (SMOOTHNESS * TAU) * math.sqrt(1.0 - SMOOTHNESS)
+    slow, fast = middle - half, middle + half
+    rates = np.array([[-slow, math.sqrt(slow * (slow + fast))], [0.0, -fast]])
+    fade, stationary = expm(rates * STEP), solve_continuous_lyapunov(rates, np.diag([0.0, -2.0 * fast]))
+    acting = 0.5 * (np.array([1.0, 0.0]) + fade[0])
+    kept = math.exp(-STEP / MEMORY)
+    transition, process = np.eye(5), np.zeros((5, 5))
+    transition[0, 1] = STEP
+    transition[0, 2:4], transition[1, 2:4] = 0.5 * STEP**2 / MASS * acting, STEP / MASS * acting
+    transition[2:4, 2:4], transition[4, 4] = fade, kept
+    process[2:4, 2:4] = FORCE_RMS**2 * (stationary - fade @ stationary @ fade.T)
+    process[4, 4] = Z_NOISE**2 * (1.0 - kept**2)
+    mean = np.array([start.mean[2], 0.0, 0.0, 0.0, 0.0])
+    covariance = np.diag([start.spread[2] ** 2, start.spread[6] ** 2, 0.0, 0.0, Z_NOISE**2])
+    covariance[2:4, 2:4] = FORCE_RMS**2 * stationary
+    row, total = np.array([1.0, 0.0, 0.0, 0.0, 1.0]), 0.0
+    for index, value in enumerate(pose.value[:, 2]):
+        if index:
+            mean, covariance = transition @ mean, transition @ covariance @ transition.T + process
+        innovation, variance = value - row @ mean, row @ covariance @ row
+        total -= 0.5 * (innovation**2 / variance + math.log(2.0 * math.pi * variance))
+        gain = covariance @ row / variance
+        mean, covariance = mean + gain * innovation, covariance - np.outer(gain, row @ covariance)
+    return total
+
+
+@pytest.fixture(scope="module")
+def track(heaving: Any) -> Any:
+    """The track of the one robot."""
+    return make_tracks(heaving)[0]
+
+
+def numbers(track: Any, memory: float) -> Any:
+    """The base model's row with the noise of this test."""
+    row = base_rows([track])[0]
+    row[COLUMN["random.heave_force"]] = math.log(FORCE_RMS)
+    row[COLUMN["random.correlation"]] = math.log(TAU)
+    row[COLUMN["random.smoothness"]] = math.log(SMOOTHNESS)
+    row[COLUMN["reading.pose_z"]] = math.log(Z_NOISE)
+    row[COLUMN["memory.pose_z"]] = math.log(memory)
+    return row
+
+
+def test_the_likelihood_is_that_of_a_filter_whose_state_holds_the_error(heaving: Any, track: Any) -> None:
+    """To a thousandth of what colour is worth here; the force that comes in between two readings is left out."""
+    pose = heaving.recordings[0].robots[0].streams["pose"]
+    found = track.filter.full(numbers(track, MEMORY)).log_likelihood
+    white = track.filter.full(numbers(track, 1e-9)).log_likelihood
+    exact = independent(pose, track.filter.start)
+    assert exact - white > 100.0
+    assert abs(found - exact) < 1e-3 * (exact - white)
+
+
+def test_next_to_no_memory_is_white(track: Any) -> None:
+    """To the last digit, whether the memory is the least number that there is or a thousandth of the step."""
+    none, some = (track.filter.full(numbers(track, memory)) for memory in (np.finfo(float).tiny, 1e-3 * STEP))
+    np.testing.assert_array_equal(none.innovation, some.innovation)
+    np.testing.assert_array_equal(none.variance, some.variance)
+
+
+def test_a_reading_far_behind_the_last_one_is_taken_as_it_is() -> None:
+    """Of each kind by itself: 0.3 s is near, 2 s is not, and the first has none before it."""
+    kind, moment = np.array([0, 1, 0, 1, 0]), np.array([0.0, 0.1, 0.3, 2.1, 0.4])
+    before, gap = last_of_kind(kind, moment, 0.5)
+    assert before.tolist() == [-1, -1, 0, -1, 2]
+    np.testing.assert_allclose(gap, [0.0, 0.0, 0.3, 0.0, 0.1])
+
+
+def with_errors(evidence: Any, memory: float) -> Any:
+    """Add first-order errors of this memory [s], of the usual size, to exact readings; 0 for white ones."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    rng, streams = np.random.default_rng(4), {}
+    for name, stream in log.streams.items():
+        sizes = np.array(NOISE[name])
+        count, width = len(stream.time), len(sizes)
+        columns = [coloured(rng, stream.time, memory) if memory else rng.standard_normal(count) for _ in range(width)]
+        value = stream.value.copy()
+        value[:, :width] += sizes * np.column_stack(columns)
+        noise = np.full(value.shape[1], np.nan)
+        noise[:width] = [noise_of(stream.time, each) for each in value[:, :width].T]
+        streams[name] = Stream(stream.time, value, noise)
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
+
+
+@pytest.fixture(scope="module")
+def swum(swim: Any) -> Any:
+    """Function of a memory [s]: evidence of one swim with errors that last so long."""
+    exact = swim(load_platform("lily"), DURATION, seed=31, blur=0.0)
+    return lambda memory: with_errors(exact, memory)
+
+
+@pytest.mark.parametrize("memory", [0.4, 1.2])
+def test_lasting_errors_of_all_instruments_are_found_in_the_first_fit(swum: Any, memory: float) -> None:
+    """Memory of depth and compass, and the noise as it was put in, which differences do not show.
+
+    The coefficient k = exp(-gap / T) of n readings has the asymptotic variance (1 - k^2) / n, and so the logarithm of T
+    a standard deviation of sqrt((1 - k^2) / n) T / (k gap); that of the size is about sqrt(T / (n gap)).
+    """
+    fit = base_fit(swum(memory))
+    levels = noise_levels(fit)
+    for kind, size, gap in (("pose_z", 0.002, 0.1), ("compass", 0.02, 0.2)):
+        kept = math.exp(-gap / memory)
+        width = math.sqrt((1.0 - kept**2) * gap / DURATION) * memory / (kept * gap)
+        assert levels[f"memory.{kind}"].value == pytest.approx(memory, rel=3.0 * width)
+        assert levels[f"reading.{kind}"].value == pytest.approx(size, rel=3.0 * math.sqrt(memory / DURATION))
+    with_memory = {unknown.column for unknown in fit.noise if unknown.column.startswith("memory.")}
+    assert with_memory >= {"memory.pose_xy", "memory.pose_yaw", "memory.pressure"}
+
+
+def test_white_errors_have_no_memory(swum: Any) -> None:
+    """Neither in the first fit, nor when it is asked again; nor where an instrument is off by a constant."""
+    white = swum(0.0)
+    (recording,) = white.recordings
+    (log,) = recording.robots
+    pressure = log.streams["pressure"]
+    off = replace(log, streams={**log.streams, "pressure": replace(pressure, value=pressure.value + 500.0)})
+    for evidence in (white, replace(white, recordings=(replace(recording, robots=(off,)),))):
+        fit = base_fit(evidence)
+        assert not any(unknown.column in READING_MEMORY for unknown in fit.noise)
+        assert with_coloured_readings(fit, fit) is None
+
+
+def test_a_memory_that_gains_nothing_is_taken_away(swum: Any) -> None:
+    """A model with a memory that its readings do not show gets the plain model back."""
+    plain = base_fit(swum(0.0))
+    memory = Unknown(Owner(READING, ("lily_01",), "compass_memory", "s"), "memory.compass", (0,), base=math.log(0.3))
+    added = evaluated(replace(plain, noise=(*plain.noise, memory), q_noise=np.append(plain.q_noise, 0.0)))
+    found = with_coloured_readings(added, added)
+    assert found is not None and found.noise == plain.noise
+    assert found.objective == pytest.approx(plain.objective, abs=0.5)
+
+
+def test_nothing_is_named_for_lasting_errors(swum: Any) -> None:
+    """Errors of half a second in all instruments, and nothing hidden."""
+    diagnosis = diagnose(swum(0.5), lambda words, share: None)
+    assert diagnosis.effects == ()
+    assert diagnosis.verdict in ("consistent", "recalibrate")
+    assert diagnosis.noise["memory.pose_z"].value == pytest.approx(0.5, rel=0.3)
+    assert any("Errors of the compass of lily_01 last for about 0." in said for said in diagnosis.remarks)
