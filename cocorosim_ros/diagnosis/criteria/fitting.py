@@ -102,6 +102,8 @@ class ColouredReadingsCriteria:
     correlated: float = 0.2
     """[1] correlation of an innovation with the one before of its kind, from which on colour is tried: readings then
     count 1.5 times too often. Chosen, not measured."""
+    most_correlated: float = 1.0 - 1e-6
+    """[1] correlation that is taken for a memory: more is rounding. Chosen, not measured."""
     fewest: int = 30
     """[readings] with one before, for a correlation. Chosen, not measured."""
     prior: float = 1.5

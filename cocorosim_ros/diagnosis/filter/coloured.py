@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 
+from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
 from cocorosim_ros.diagnosis.filter.records import Rates, Readings, When
 from cocorosim_ros.foundation.arrays import Floats
@@ -20,7 +21,7 @@ from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.motors import Motors
 
-FORGOTTEN = 700.0  # memories, after which the share is the least number that there is
+FORGOTTEN = FILTER.forgotten
 
 
 @kernel

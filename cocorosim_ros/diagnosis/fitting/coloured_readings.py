@@ -199,4 +199,4 @@ def _memory(robot: str, numbers: tuple[int, ...], column: str, log_memory: float
 
 def _memory_of(correlation: float, gap: float) -> float:
     """Logarithm of the memory [s] of errors that have this correlation over a gap [s]."""
-    return float(np.log(gap) - np.log(-np.log(min(correlation, 1.0 - 1e-6))))
+    return float(np.log(gap) - np.log(-np.log(min(correlation, COLOURED.most_correlated))))
