@@ -64,8 +64,8 @@ def test_a_clear_form_is_no_size() -> None:
 def test_numbers_are_asked_with_the_scatter_of_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     """By hand: numbers that readings tell to 0.03, that scatter by 0.4 from part to part and by 0.2 in the mean.
 
-    1 is more than nothing in any part. 0.7 may be nothing in a part, but not in the mean; 0.3 in both; without scatter 0.3 in neither. An effect by which
-    unseen data do not clearly gain is asked for parts alone.
+    1 is more than nothing in any part; 0.7 may be nothing in a part, but not in the mean; 0.3 in both; without scatter
+    0.3 in neither. An effect by which unseen data do not clearly gain is asked for parts alone.
     """
     differing = Heterogeneity(np.array([0.16, 0.16, 0.16, 0.0]), np.array([0.04, 0.04, 0.04, 0.0]))
     monkeypatch.setattr(doubt, "variances_between_parts", lambda fit: differing)
