@@ -34,7 +34,7 @@ from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
 from cocorosim_ros.foundation.arrays import Flags
 
-NOTHING = (
+MAY_BE_NOTHING = (
     "Its size may as well be nothing: each of its amplitudes differs so much from part to part of the recordings, or "
     "is so badly known, that it may be zero."
 )
@@ -62,7 +62,7 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
         numbers = fitted(naming.fit)
         fewer, gone = taken_back(naming, *weakest)
         passed += [
-            PassedOver(found, stands=_stands(gone), because=(NOTHING, *_of_free_runs(gone.foretold)))
+            PassedOver(found, stands=_stands(gone), because=(MAY_BE_NOTHING, *_of_free_runs(gone.foretold)))
             for found in found_effects(naming.fit, [gone], numbers)
         ]
         naming = fewer

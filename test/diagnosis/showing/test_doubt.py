@@ -129,7 +129,7 @@ def test_a_diagnosis_without_a_name(swim: Any, monkeypatch: pytest.MonkeyPatch) 
     assert found.sentence.startswith("Something is missing, most like ")
     assert [each.found.id for each in found.passed_over] == ["torque_bias"]
     (passed,) = found.passed_over
-    assert passed.stands and passed.found.nats > NAMING.threshold and passed.because == (doubt.NOTHING,)
+    assert passed.stands and passed.found.nats > NAMING.threshold and passed.because == (doubt.MAY_BE_NOTHING,)
     assert passed.found.parameters["torque"].value == pytest.approx(2e-5, rel=0.2)
     assert "torque_bias" not in DiagnosisResult(found, evidence).model_yaml
     row = found.fit["heading"]
