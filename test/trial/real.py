@@ -168,7 +168,8 @@ def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
         )
         tie = f"; it could also be {rivals}" if rivals else ""
         lines.append(f"  - `{effect['id']}` ({effect.get('nats') or 0:.0f} nats, {effect['tier']}): {values}{tie}")
-    return lines
+    passed = [f"`{each['id']}` ({each.get('nats') or 0:.0f} nats)" for each in said.get("passed_over") or []]
+    return [*lines, f"  - passed over, since they may as well be nothing: {', '.join(passed)}"] if passed else lines
 
 
 def again(pair: tuple[Group, Group], out: Path) -> str:
