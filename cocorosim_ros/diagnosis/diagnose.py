@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
-from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, PassedOver, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
@@ -33,6 +33,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
+from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
@@ -73,7 +74,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
     progress("running free on what the fit did not see", 0.8)
-    naming, free = _that_helps(naming, unseen)
+    naming, free, passed = _beyond_doubt(naming, unseen)
     table = free.table
     progress("writing down", 0.95)
     numbers = fitted(naming.fit)
@@ -82,7 +83,8 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = moved or (_strongest(every) if _shifted(base) else ())
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
-    verdict = _verdict(effects, moved, blind=is_blind(silent) and not shows_known(naming))
+    missing = any(each.stands for each in passed)
+    verdict = _verdict(effects, moved, missing=missing, blind=is_blind(silent) and not shows_known(naming))
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
@@ -91,7 +93,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     effects = stopped(effects, against)
     return Diagnosis(
         verdict,
-        sentence_of(verdict, effects, moved),
+        sentence_of(verdict, effects, moved, passed),
         moved,
         located,
         effects,
@@ -112,6 +114,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         step=min(track.timeline.grid.step for track in base.tracks),
         warnings=tuple(each.sentence for each in against if each.effect is None),
         untold=untold_errors(base.tracks),
+        passed_over=passed,
     )
 
 
@@ -175,6 +178,17 @@ def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns
     return naming, free
 
 
+def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns, tuple[PassedOver, ...]]:
+    """Take back what makes free runs worse, and what may as well be nothing, until all that is left does neither."""
+    passed: tuple[PassedOver, ...] = ()
+    while True:
+        naming, free = _that_helps(naming, unseen)
+        naming, more = beyond_doubt(naming)
+        if not more:
+            return naming, free, passed
+        passed = (*passed, *more)
+
+
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
     """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
 
@@ -234,8 +248,9 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     )
 
 
-def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], *, blind: bool) -> Verdict:
-    if effects:
+def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], *, missing: bool, blind: bool) -> Verdict:
+    """The verdict; missing: that something is, although no name for it is beyond doubt."""
+    if effects or missing:
         return "mismatch"
     if blind:
         return "insufficient"

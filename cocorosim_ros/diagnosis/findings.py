@@ -111,6 +111,19 @@ class FoundEffect:
 
 
 @dataclass(frozen=True)
+class PassedOver:
+    """An effect that evidence speaks for, but that gets no name; it is not in the found model.
+
+    found: as it would have been named, with the nats by which the model is worse without it. stands: whether something
+    is missing all the same. because: sentences, why it gets no name.
+    """
+
+    found: FoundEffect
+    stands: bool
+    because: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class HeldOut:
     """Root mean square error of free runs on data that no fit saw, of one channel, or of a stream's readings.
 
@@ -257,3 +270,4 @@ class Diagnosis:
     warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
     untold: tuple[str, ...] = ()  # sentences: errors of readings that no other reading tells
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
+    passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since their size may as well be nothing

@@ -9,7 +9,16 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.diagnosis.findings import Comparison, Estimate, FoundEffect, HeldOut, Recalibrated, Rival
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.findings import (
+    Comparison,
+    Estimate,
+    FoundEffect,
+    HeldOut,
+    PassedOver,
+    Recalibrated,
+    Rival,
+)
 from cocorosim_ros.diagnosis.report.sentence import detail_lines, difference_sentence, sentence_of
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 from cocorosim_ros.world.effects import EFFECTS
@@ -31,7 +40,7 @@ def plain(text: str) -> str:
 
 def found(*effects: FoundEffect, **parts: Any) -> Any:
     """A diagnosis as the lines look at it."""
-    rest: dict[str, Any] = {"verdict": "mismatch", "recalibrated": (), "fit": {}, "against": None}
+    rest: dict[str, Any] = {"verdict": "mismatch", "recalibrated": (), "fit": {}, "against": None, "passed_over": ()}
     return SimpleNamespace(effects=effects, **{**rest, **parts})
 
 
@@ -78,6 +87,31 @@ def test_silence_is_short_too(verdict: Any) -> None:
     for told in (sentence_of(verdict, [], []), difference_sentence(verdict, [], [])):
         assert len(told.split()) <= 25
         assert told.count(".") == 1
+
+
+def test_what_has_no_name_is_likened_to_something() -> None:
+    """The strongest of those by which something is missing, in the headline; all in the lines; none beside a name."""
+    names = {each.name for each in ENTRIES}
+    for name in names:
+        one = PassedOver(replace(LAG, name=name, robots=ROBOTS, nats=9.0), stands=True, because=())
+        told = sentence_of("mismatch", [], [], [one])
+        assert name in told and len(told.split()) <= 25 and told.count(".") == 1, told
+    weak, strong, none = (
+        PassedOver(replace(LAG, name=name, nats=nats), stands=stands, because=())
+        for name, nats, stands in (("a drag", 9.0, True), ("a torque", 12.0, True), ("a tether", 90.0, False))
+    )
+    assert sentence_of("mismatch", [], [], [weak, strong, none]) == (
+        "Something is missing, most like a torque, but its size may as well be nothing."
+    )
+    assert "torque" not in sentence_of("mismatch", [LAG], [], [strong])
+    assert "missing" in sentence_of("consistent", [], [], [none])
+    lines = [plain(line) for line in detail_lines(found(passed_over=(strong, none)))]
+    assert lines == [
+        "not named: a torque of lily_01 (12.0 nats), since it may as well be nothing: "
+        "time constant 314 ms (301 to 327 ms)",
+        "not named: a tether of lily_01 (without the evidence that it needs), since it may as well be nothing: "
+        "time constant 314 ms (301 to 327 ms)",
+    ]
 
 
 def test_what_is_only_suspected_is_not_said_to_be_missing() -> None:

@@ -11,13 +11,8 @@ import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.parameter import Parameter
-from cocorosim_ros.scenario.parts.platform import (
-    Platform,
-    check_effects,
-    load_platform,
-    platform_tree,
-    read_platform,
-)
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform, platform_tree, read_platform
+from cocorosim_ros.scenario.parts.platform_checks import check_effects
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.quantity import Sign
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml, yaml_text

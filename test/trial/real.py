@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from trial.examiner import Task, Terms
+from trial.other_half import TIERS, kept
 from trial.provenance import sentence
 from trial.recordings import (
     Group,
@@ -107,10 +108,11 @@ def groups(data: Path, out: Path, sets: Sequence[str]) -> list[tuple[Group, Grou
 
 
 def learn(pair: tuple[Group, Group], out: Path) -> list[Task]:
-    """Diagnoses by the platform's file, of what is learnt from, and of one half by the other."""
+    """Diagnoses by the platform's file, of what is learnt from and of the other half, and of one half by the other."""
     own, others = pair
     return [
         Task(own.name, own.bags, out / "diagnoses" / own.name, own.platform),
+        Task(others.name, others.bags, out / "diagnoses" / others.name, own.platform),
         Task(f"{own.name}_halves", others.bags, out / "diagnoses" / f"{own.name}_halves", own.platform, own.bags),
     ]
 
@@ -166,7 +168,8 @@ def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
         )
         tie = f"; it could also be {rivals}" if rivals else ""
         lines.append(f"  - `{effect['id']}` ({effect.get('nats') or 0:.0f} nats, {effect['tier']}): {values}{tie}")
-    return lines
+    passed = [f"`{each['id']}` ({each.get('nats') or 0:.0f} nats)" for each in said.get("passed_over") or []]
+    return [*lines, f"  - passed over, since they may as well be nothing: {', '.join(passed)}"] if passed else lines
 
 
 def again(pair: tuple[Group, Group], out: Path) -> str:
@@ -177,6 +180,14 @@ def again(pair: tuple[Group, Group], out: Path) -> str:
         named = ", ".join(f"`{effect['id']}`" for effect in effects(said))
         cells.append("no diagnosis" if said is None else f"{said['verdict']}{': ' if named else ''}{named}")
     return f"| {pair[0].name} | {cells[0]} | {cells[1]} |"
+
+
+def other_half(pair: tuple[Group, Group], out: Path) -> str:
+    """Row: effects of the recordings learnt from that a diagnosis of the other half finds too, by tier."""
+    own, others = (answer(out / "diagnoses" / each.name) for each in pair)
+    found = [kept(own, others, tier) for tier in TIERS]
+    cells = ["no diagnosis" if each is None else each.words for each in found]
+    return f"| {pair[0].name} | {' | '.join(cells)} |"
 
 
 HEADS = {
@@ -192,6 +203,13 @@ HEADS = {
         "The found model finds nothing twice if the same recordings are `consistent` with it; so are two halves of one",
         "vehicle in one state, compared by `--against`.", "",
         "| recordings | the same recordings, found model | held-out half against the other |", "|---|---|---|",
+    ],
+    "other": [
+        "", "## Effects on the other half of the recordings", "",
+        "Each half was diagnosed by itself against the platform's file. An effect keeps its sign if the other half",
+        "names it too, on the same stream, with all amplitudes that are clear here on the same side; its size, if",
+        "their 95 % intervals have something in common as well.", "",
+        "| recordings | confirmed effects | suspected effects |", "|---|---|---|",
     ],
     "ships": ["", "## Two model ships", ""],
 }  # fmt: skip
@@ -212,6 +230,7 @@ def _page(
         "found": [line for pair in pairs for line in findings(pair, out)],
         "runs": [line for pair in pairs for line in held_out(pair, out)],
         "again": [again(pair, out) for pair in pairs],
+        "other": [other_half(pair, out) for pair in pairs],
         "ships": list(of_ships),
     }
     heads = {name: words for name, words in HEADS.items() if name != "ships" or own[name] or kept.get(name)}

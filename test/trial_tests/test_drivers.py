@@ -295,7 +295,10 @@ def test_a_page_tells_findings_in_words_and_numbers(tmp_path: Path) -> None:
     effect = said("frame_mixup")["effects"][0] | {"nats": 20.0, "tier": "confirmed"}
     effect["parameters"] = {"correction": {"value": "its sign is flipped", "unit": None}}
     (tmp_path / "diagnoses" / "boat").mkdir(parents=True)
-    (tmp_path / "diagnoses" / "boat" / "diagnosis.json").write_text(
-        json.dumps({"verdict": "mismatch", "effects": [effect]})
-    )
+    file = tmp_path / "diagnoses" / "boat" / "diagnosis.json"
+    told = {"verdict": "mismatch", "effects": [effect]}
+    file.write_text(json.dumps(told))
     assert "correction its sign is flipped" in findings(pair, tmp_path)[1]
+    assert len(findings(pair, tmp_path)) == 2
+    file.write_text(json.dumps(told | {"passed_over": [{"id": "tether", "nats": 20.4}]}))
+    assert findings(pair, tmp_path)[2] == "  - passed over, since they may as well be nothing: `tether` (20 nats)"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -67,6 +67,15 @@ class Candidate:
         if self.entry.water:
             return (Robots(self.robots, self.everybody),)
         return tuple(Robots((robot,), tracks) for robot, tracks in zip(self.robots, self.tracks, strict=True))
+
+    def of_robots(self, robots: Collection[str]) -> Candidate:
+        """Copy the candidate for those of its robots alone; for all where they share its amplitudes."""
+        if self.entry.water:
+            return self
+        kept = [place for place, name in enumerate(self.robots) if name in robots]
+        names, tracks = tuple(self.robots[place] for place in kept), tuple(self.tracks[place] for place in kept)
+        known = tuple(self.known[place] for place in kept) if self.known else ()
+        return replace(self, robots=names, tracks=tracks, known=known)
 
     def owns(self, unknown: Unknown) -> bool:
         """Tell whether an unknown belongs to this entry, and to no robot but those of the candidate."""

@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
 from cocorosim_ros.diagnosis.fitting.polishing import polished
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_COLUMNS, WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_COLUMNS, WATER_RANDOM
 from cocorosim_ros.diagnosis.tracks.make_tracks import NONE_FOUND, make_tracks
 from cocorosim_ros.diagnosis.tracks.track import Track, wanted_step
 from cocorosim_ros.foundation.arrays import Floats
@@ -147,4 +147,4 @@ def _is_shut(fit: Fit, noise: Unknown) -> bool:
 def nominal_fit(base: Fit) -> Fit:
     """Fit the nominal model: the platform as its file has it, with the random forces that it then needs."""
     start = evaluated(replace(base, q=np.zeros(len(base.unknowns))))
-    return with_noise(start, 3, WATER_NOISE)
+    return with_noise(start, 3, WATER_RANDOM)

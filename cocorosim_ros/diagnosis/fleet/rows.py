@@ -98,7 +98,12 @@ def _rows(outcome: Outcome) -> Iterator[Row]:
     )
     for robot in found["robots"]:
         mine = replace(shared, robot=robot, numbers=_numbers(robot, found), effects=_effects(robot, tree["effects"]))
-        yield replace(mine, verdict=_verdict(mine))
+        yield replace(mine, verdict="mismatch" if _misses_something(robot, tree) else _verdict(mine))
+
+
+def _misses_something(robot: str, tree: Mapping[str, Any]) -> bool:
+    """Tell whether a robot lacks something that has no name."""
+    return any(each["missing"] and robot in each["robots"] for each in tree.get("passed_over", ()))
 
 
 def _verdict(row: Row) -> Verdict | None:

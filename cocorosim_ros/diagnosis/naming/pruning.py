@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, rows_without_held_out
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import harms, moves
@@ -91,6 +92,30 @@ def without_least(naming: Naming) -> Naming:
     least = min(naming.named, key=_worth)
     fit = without(naming.fit, least.candidate, naming.base)
     return replace(naming, fit=fit, named=_others(naming.named, least))
+
+
+def taken_back(naming: Naming, effect: NamedEffect, robots: Collection[str]) -> tuple[Naming, NamedEffect]:
+    """Take back an effect from some robots or from all, and fit the rest anew; also what was taken back.
+
+    What was taken back has the evidence by which the model is worse without it; what stays has the rest of it.
+    """
+    gone = effect.candidate.of_robots(robots)
+    fit = without(naming.fit, gone, naming.base)
+    lost = log_evidence(naming.fit) - log_evidence(fit) - held_against(gone, fit, naming.fit)
+    left = [robot for robot in effect.candidate.robots if robot not in robots]
+    others = _others(naming.named, effect)
+    if left:
+        stays = effect.candidate.of_robots(left)
+        others = (*others, replace(effect, candidate=stays, nats=effect.nats - lost))
+        fit = replace(fit, unknowns=tuple(_of_fewer(each, effect.candidate, stays) for each in fit.unknowns))
+    return replace(naming, fit=fit, named=others), replace(effect, candidate=gone, nats=lost)
+
+
+def _of_fewer(unknown: Unknown, before: Candidate, after: Candidate) -> Unknown:
+    """Give a number that all robots of a candidate had in common to those that are left of them."""
+    if not before.owns(unknown) or unknown.owner.robots != before.robots:
+        return unknown
+    return replace(unknown, owner=replace(unknown.owner, robots=after.robots), tracks=after.everybody)
 
 
 def _worth(effect: NamedEffect) -> tuple[int, float]:

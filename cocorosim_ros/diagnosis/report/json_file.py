@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.findings import (
     FoundEffect,
     HeldOut,
     Located,
+    PassedOver,
     Recalibrated,
     ScreenedEffect,
 )
@@ -41,6 +42,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "warnings": list(diagnosis.warnings),
         "cannot_be_told": list(diagnosis.untold),
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
+        "passed_over": [_passed_over(each) for each in diagnosis.passed_over],
         "screened": {each.id: _screened(each) for each in diagnosis.screened},
         **_against(diagnosis.against),
     }
@@ -92,6 +94,16 @@ def _screened(each: ScreenedEffect) -> dict[str, Any]:
 
 
 def _effect(found: FoundEffect, probability: float) -> dict[str, Any]:
+    because = list(found.because)
+    return _named(found) | {"tier": found.tier, "because": because, "probability": probability}
+
+
+def _passed_over(passed: PassedOver) -> dict[str, Any]:
+    """An effect without a name, in the form of those that have one; missing: whether something is all the same."""
+    return _named(passed.found) | {"because": list(passed.because), "missing": passed.stands}
+
+
+def _named(found: FoundEffect) -> dict[str, Any]:
     tree: dict[str, Any] = {"id": found.id, "name": found.name, "equation": found.equation}
     if found.topic is not None:
         tree["topic"] = found.topic
@@ -102,11 +114,8 @@ def _effect(found: FoundEffect, probability: float) -> dict[str, Any]:
     rivals = [{"id": rival.id, "nats_behind": _finite(rival.nats_behind)} for rival in found.ambiguous_with]
     return tree | {
         "robots": list(found.robots),
-        "tier": found.tier,
-        "because": list(found.because),
         "parameters": parameters,
         "nats": _finite(found.nats),
-        "probability": probability,
         "ambiguous_with": rivals,
     }
 

@@ -187,6 +187,7 @@ def _left_out(pair: Pair, mine: Sequence[Located], drawn_streams: Collection[str
 def _what(diagnosis: Diagnosis) -> Context:
     return {
         "effects": [_effect(each) for each in diagnosis.effects],
+        "passed_over": [_effect(each.found) | {"because": each.because} for each in diagnosis.passed_over],
         "nothing_missing": nothing_missing_words(diagnosis),
         "nats_bars": bars_of_nats(diagnosis),
         "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),

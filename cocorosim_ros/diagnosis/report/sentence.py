@@ -5,15 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, HeldOut, Recalibrated, Verdict
-from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, quantity_words
+from cocorosim_ros.diagnosis.findings import (
+    Comparison,
+    Diagnosis,
+    FoundEffect,
+    HeldOut,
+    PassedOver,
+    Recalibrated,
+    Verdict,
+)
+from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, plain_number, quantity_words
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 
 _NAMELESS = "something that no entry of the catalogue explains"
 
 
-def sentence_of(verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequence[Recalibrated]) -> str:
-    """The headline of a diagnosis against a platform: one sentence of at most `REPORT.most_words` words."""
+def sentence_of(
+    verdict: Verdict,
+    effects: Sequence[FoundEffect],
+    moved: Sequence[Recalibrated],
+    passed: Sequence[PassedOver] = (),
+) -> str:
+    """The headline of a diagnosis against a platform: one sentence of at most `REPORT.most_words` words.
+
+    passed: what gets no name; told only where nothing has one.
+    """
     if verdict == "insufficient":
         return "These recordings do not excite the vehicle enough to tell what its model lacks."
     if verdict == "consistent":
@@ -21,6 +37,9 @@ def sentence_of(verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequenc
     if verdict == "recalibrate":
         begin = "Nothing is missing from the model, but its numbers have shifted:"
         return _as_many_as_fit(list(_numbers(moved)), lambda told: f"{begin} {told}.")
+    if not effects:
+        likeliest = max((each.found for each in passed if each.stands), key=lambda found: found.nats)
+        return f"Something is missing, most like {likeliest.name}, but its size may as well be nothing."
     whose = _whose(effects[0].robots) if len({each.robots for each in effects}) == 1 else ""
     certain, doubtful = ([each for each in effects if each.tier == tier] for tier in ("confirmed", "suspected"))
     if not certain:
@@ -48,11 +67,15 @@ def difference_sentence(
 
 
 def detail_lines(diagnosis: Diagnosis) -> tuple[str, ...]:
-    """The lines below the headline: the size of each effect, shifted numbers, the gain, doubts about a comparison."""
+    """The lines below the headline: the size of each effect, shifted numbers, the gain, doubts about a comparison.
+
+    Also what gets no name.
+    """
     lines = [_effect(each) for each in diagnosis.effects]
     if diagnosis.verdict == "recalibrate" or diagnosis.against is not None:
         lines += [_shift(each) for each in diagnosis.recalibrated]
-    return (*lines, *_gain(diagnosis.fit), *_doubt(diagnosis.against))
+    without_name = map(_passed_over, diagnosis.passed_over)
+    return (*lines, *_gain(diagnosis.fit), *_doubt(diagnosis.against), *without_name)
 
 
 def _as_many_as_fit(names: Sequence[str], sentence: Callable[[str], str]) -> str:
@@ -92,6 +115,15 @@ def _effect(effect: FoundEffect) -> str:
         told.append(f"or else {' or '.join(_plain(rival.id) for rival in effect.ambiguous_with)}")
     name = f"{effect.name}{_whose(effect.robots)}, {effect.tier}"
     return f"{name}: {'; '.join(told)}" if told else name
+
+
+def _passed_over(passed: PassedOver) -> str:
+    found = passed.found
+    told = {name: estimate_words(each) for name, each in found.parameters.items()}
+    numbers = [f"{_plain(name)} {value} ({interval})" for name, (value, interval) in told.items()]
+    size = f": {_shortened(numbers)}" if numbers else ""
+    evidence = f"{plain_number(found.nats)} nats" if passed.stands else "without the evidence that it needs"
+    return f"not named: {found.name}{_whose(found.robots)} ({evidence}), since it may as well be nothing{size}"
 
 
 def _whose(robots: Sequence[str]) -> str:

@@ -23,7 +23,7 @@ from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     """Tables of effects, moved parameters and held-out errors, empty ones left out; probabilities, and warnings."""
-    tables = [_effects(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
+    tables = [_effects(diagnosis), _passed_over(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
     if diagnosis.effects or (diagnosis.screened and diagnosis.verdict != "insufficient"):  # else those of before
         shown.append(Text(f"probability: {told_probabilities(diagnosis)}"))
@@ -45,6 +45,20 @@ def _effects(diagnosis: Diagnosis) -> Table:
         for index, number in enumerate(numbers or [("", "", "")]):
             start, end = (first, [plain_number(found.nats), rivals or NONE]) if index == 0 else (["", ""], ["", ""])
             table.add_row(*(Text(cell) for cell in (*start, *number, *end)))
+    return table
+
+
+def _passed_over(diagnosis: Diagnosis) -> Table:
+    table = _table(
+        "not named, since it may as well be nothing",
+        ("most like", "robots", "parameter", "value", "95 % interval", "nats"),
+    )
+    for passed in diagnosis.passed_over:
+        found = passed.found
+        for index, (name, each) in enumerate(found.parameters.items()):
+            first, nats = [_name(found), ", ".join(found.robots)], plain_number(found.nats)
+            start, end = (first, nats) if index == 0 else (["", ""], "")
+            table.add_row(*(Text(cell) for cell in (*start, name, *estimate_words(each), end)))
     return table
 
 

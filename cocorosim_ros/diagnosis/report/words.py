@@ -32,6 +32,12 @@ VERDICTS = {
         "against the model.",
     ),
 }
+WITHOUT_NAME = (
+    "Something is missing",
+    "No choice of the platform's own numbers explains the recording, and no effect does beyond doubt: those that "
+    "explain something may as well be nothing, each by itself.",
+)
+"""Words of a mismatch without a name."""
 DIFFERENCES = {
     "consistent": (
         "Nothing differs",
@@ -106,6 +112,8 @@ def parameter_unit(effect: str, parameter: str) -> str:
 
 def verdict_words(diagnosis: Diagnosis) -> tuple[str, str]:
     """Heading and sentence of a verdict."""
+    if diagnosis.verdict == "mismatch" and not diagnosis.effects and diagnosis.passed_over:
+        return WITHOUT_NAME
     return (VERDICTS if diagnosis.against is None else DIFFERENCES)[diagnosis.verdict]
 
 
@@ -131,6 +139,8 @@ def nothing_missing_words(diagnosis: Diagnosis) -> str:
     """The reason, as a sentence, for a diagnosis without effects."""
     if diagnosis.verdict == "insufficient":
         return "Nothing could be tested, because the recording holds too little information."
+    if diagnosis.passed_over:
+        return "No effect is named: those below explain something, but each may as well be nothing."
     if diagnosis.against is not None:
         return "No effect of the catalogue, and no law outside it, differs from the compared recordings."
     return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."

@@ -55,7 +55,7 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
     values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     other = [spread_of_other_forms(unknown, float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)]
-    variance = np.diag(covariance(fit)) + variances_between_parts(fit) + np.square(other)
+    variance = np.diag(covariance(fit)) + variances_between_parts(fit).between + np.square(other)
     spread = np.hypot(np.sqrt(variance), ESTIMATES.numerical * np.abs(values / slopes))
     return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist()))
 

@@ -38,17 +38,28 @@ class Part(NamedTuple):
     tracks: frozenset[int]
 
 
-def variances_between_parts(fit: Fit) -> Floats:
-    """Variance (unknowns,) of each q of a fit from part to part; 0 where parts agree as well as noise lets them.
+class Heterogeneity(NamedTuple):
+    """Variances (unknowns,) of each q that parts of the recordings show; 0 where they agree as noise lets them.
 
-    It is the largest over four divisions: by time, by speed, by turn rate, by depth.
+    between: from part to part, by which a part that was not recorded may differ. of_mean: of the mean of these parts,
+    which is what a fit finds: whether it is nothing is asked with that one.
+    """
+
+    between: Floats
+    of_mean: Floats
+
+
+def variances_between_parts(fit: Fit) -> Heterogeneity:
+    """Variances of each q of a fit that its parts show: the largest over four divisions.
+
+    The divisions are by time, by speed, by turn rate, by depth.
     """
     if not fit.unknowns or not fit.tracks:
-        return np.zeros(len(fit.unknowns))
+        return Heterogeneity(np.zeros(len(fit.unknowns)), np.zeros(len(fit.unknowns)))
     courses = smoothed_tracks(fit)
     spread = covariance(fit)
     found = [_variances(fit, list(_parts(fit, labels)), spread) for labels in _divisions(fit.tracks, courses)]
-    return np.asarray(np.max(found, axis=0))
+    return Heterogeneity(*np.max(found, axis=0))
 
 
 def spread_of_other_forms(unknown: Unknown, q: float) -> float:
@@ -107,15 +118,16 @@ def _parts(fit: Fit, labels: Sequence[Integers]) -> Iterator[Part]:
 
 
 def _variances(fit: Fit, parts: Sequence[Part], spread: Floats) -> Floats:
-    """Variance (unknowns,) between the parts of one division; spread: covariance of q (unknowns, unknowns)."""
+    """Variances (2, unknowns) between the parts of one division and of their mean; spread: covariance of q."""
     moved = np.array([spread @ part.score for part in parts])
     share = [spread @ part.information for part in parts]
     noise = np.array([np.einsum("ij,ij->i", each, spread) for each in share])
     weight = np.array([np.diag(each) for each in share])
-    found = np.zeros(len(fit.unknowns))
+    found = np.zeros((2, len(fit.unknowns)))
     for index, unknown in enumerate(fit.unknowns):
         felt = np.array([bool(part.tracks & set(unknown.tracks)) for part in parts]) & (noise[:, index] > 0.0)
-        found[index] = _variance(moved[felt, index], noise[felt, index], weight[felt, index])
+        between = _variance(moved[felt, index], noise[felt, index], weight[felt, index])
+        found[:, index] = between, between * float(np.sum(weight[felt, index] ** 2))
     return found
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -11,20 +11,18 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.card import Card, Shown, digits
-from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
 from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
-from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors, Thruster
 from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
-from cocorosim_ros.scenario.reading.entry import Entry, nearest, quoted
+from cocorosim_ros.scenario.reading.entry import Entry, quoted
 from cocorosim_ros.scenario.reading.law_text import LawText, law_text
-from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of, read_any_quantity
+from cocorosim_ros.scenario.reading.quantity import Quantity, read_any_quantity
 from cocorosim_ros.scenario.reading.ranges import INTERVAL, Ranges, collect_ranges, ranges_tree, read_ranges
 from cocorosim_ros.scenario.reading.records import (
     TEXT,
@@ -281,47 +279,6 @@ def platform_tree(platform: Platform) -> dict[str, Any]:
             name: {key: part for key, part in robot.items() if part != full.get(key)} for name, robot in own.items()
         }
     return tree
-
-
-def check_sensors(platform: Platform, known: Iterable[str]) -> None:
-    """Nothing, if every sensor that the platform names is one of `known`. Raises CocorosimError otherwise."""
-    topics = list(known)
-    for topic in platform.sensors.further:
-        if topic not in topics:
-            raise CocorosimError(f"{platform.origin}: 'sensors.{topic}' is no known sensor{nearest(topic, topics)}.")
-
-
-def check_effects(platform: Platform, known: Mapping[str, Mapping[str, Parameter]]) -> None:
-    """Nothing, if every effect of the platform is known, has the parameters that it needs, and all of them fit.
-
-    known: {effect id: {name: parameter}}. Raises CocorosimError otherwise, and for a law that is still in words.
-    """
-    for effect, numbers in platform.effect_quantities.items():
-        place = f"{platform.origin}: 'effects.{effect}'"
-        if effect not in known:
-            raise CocorosimError(f"{place} is no known effect{nearest(effect, known)}.")
-        for name, number in numbers.items():
-            if name not in known[effect]:
-                raise CocorosimError(
-                    f"{place[:-1]}.{name}' is no parameter of this effect{nearest(name, known[effect])}."
-                )
-            if isinstance(number, LawText):
-                raise CocorosimError(f"{place[:-1]}.{name}' is a law in words where a number is needed; write one.")
-            _check_number(f"{place[:-1]}.{name}'", number, known[effect][name])
-        for name, parameter in known[effect].items():
-            if parameter.needed and name not in numbers:
-                raise CocorosimError(f"{place} lacks '{name}' ({parameter.meaning}); add it, in {parameter.unit}.")
-
-
-def _check_number(place: str, number: Quantity, parameter: Parameter) -> None:
-    dimension = number.dimension if parameter.unit == "*" else dimension_of(parameter.unit)  # *: as the law has it
-    shown = f"{place} has '{number.value!r} {number.unit}'"
-    if number.dimension != dimension:
-        raise CocorosimError(f"{shown}, which is no {dimension}; write it in {parameter.unit}.")
-    if parameter.sign == "positive" and number.value <= 0.0:
-        raise CocorosimError(f"{shown}; it must be greater than zero.")
-    if parameter.sign == "not negative" and number.value < 0.0:
-        raise CocorosimError(f"{shown}; it must not be negative.")
 
 
 def _place(actuator: Actuator) -> tuple[float, float, float]:

@@ -10,7 +10,8 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.parameter import Parameter
-from cocorosim_ros.scenario.parts.platform import Platform, check_effects, check_sensors
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.platform_checks import check_effects, check_sensors
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
 from cocorosim_ros.world.effects.anisotropic_drag import ADDING, FORM_BY_NAME, REPLACING
 from cocorosim_ros.world.laws.laws_of_platform import effects_of, in_codes

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import boats
@@ -10,9 +11,9 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.criteria.fitting import GROWING_FORCE
-from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.growing_force import speed_and_thrust, with_growing_force
-from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.uneven_noise import growth_remarks
@@ -65,6 +66,18 @@ def test_a_random_force_that_is_even_does_not_grow(fitted: Any) -> None:
         fit = fitted(truth)
         assert grown(fit) is None
         assert growth_remarks(fit) == ()
+
+
+def test_the_nominal_model_has_a_growth_of_its_own(fitted: Any) -> None:
+    """Fitted too, since a nominal model whose growth stays where the numbers' fit had it takes these for moved."""
+    found = grown(fitted(boats.Truth(choppy=AT_REST, rough=BY_SPEED)))
+    assert found is not None
+    place = next(index for index, each in enumerate(found.noise) if each.column == "random.with_speed")
+    q_noise = found.q_noise.copy()
+    q_noise[place] -= 1.0  # of a base that had less to explain by growth
+    nominal = nominal_fit(replace(found, q_noise=q_noise))
+    assert nominal.q_noise[place] == pytest.approx(found.q_noise[place], abs=0.3)
+    assert nominal.objective > evaluated(replace(nominal, q_noise=q_noise)).objective + 1.0
 
 
 def test_a_part_of_a_track_grows_as_the_whole_does(fitted: Any) -> None:

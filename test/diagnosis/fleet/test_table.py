@@ -53,6 +53,16 @@ def test_probabilities_are_taken_where_they_are(outcome: Make) -> None:
     assert read([made]).to_pylist()[0]["probabilities"] == [("tether", 0.9), ("x", 0.1)]
 
 
+def test_a_robot_that_lacks_something_without_a_name_has_a_mismatch(outcome: Make) -> None:
+    """Of the robot alone, and only where something is missing without it."""
+    for missing, verdict in ((True, "mismatch"), (False, "recalibrate")):
+        passed = [{"id": "tether", "robots": ["lily_01"], "missing": missing}]
+        made = outcome("a", "lily_01", 1.0, {"drag": (0.1, 0.001)}, diagnosis={"passed_over": passed})
+        assert read([made]).to_pylist()[0]["verdict"] == verdict
+        other = outcome("a", "lily_02", 1.0, {"drag": (0.1, 0.001)}, diagnosis={"passed_over": passed})
+        assert read([other]).to_pylist()[0]["verdict"] == "recalibrate"
+
+
 def test_every_column_says_what_it_is(outcome: Make) -> None:
     """Its meaning, and its unit where it has one."""
     schema = read([outcome("a", "lily_01", 1.0, {"drag": (0.1, 0.001)})]).schema

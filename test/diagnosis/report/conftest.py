@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.findings import (
     FreeRun,
     HeldOut,
     Located,
+    PassedOver,
     Recalibrated,
     ResidualForce,
     Rival,
@@ -165,6 +166,26 @@ def mismatch() -> Diagnosis:
     )
 
 
+GYRO = FoundEffect(
+    id="gyro_scale",
+    name="gyroscope that shows too much or too little",
+    equation="reading = scale * r",
+    robots=LILY,
+    tier="suspected",
+    parameters={"scale": Estimate(1.02, 0.97, 1.07, "1")},
+    nats=52.3,
+    topic="imu",
+)
+
+
+def nameless() -> Diagnosis:
+    """A robot that lacks something whose size may as well be nothing."""
+    found = mismatch()
+    passed = PassedOver(GYRO, stands=True, because=("Its size may as well be nothing.",))
+    sentence = "Something is missing, most like a gyroscope that shows too little, but its size may as well be nothing."
+    return replace(found, sentence=sentence, effects=(), passed_over=(passed,))
+
+
 def recalibrate() -> Diagnosis:
     """A robot with 4 % more drag, nothing else."""
     found = mismatch()
@@ -209,6 +230,7 @@ def insufficient() -> Diagnosis:
 
 EXAMPLES: dict[str, Callable[[], Diagnosis]] = {
     "mismatch": mismatch,
+    "nameless": nameless,
     "recalibrate": recalibrate,
     "consistent": consistent,
     "insufficient": insufficient,

@@ -48,6 +48,14 @@ FORM: Any = {
             "*": {"nominal": NUMBER, "recalibrated": NUMBER, "augmented": NUMBER, "noise_floor": NUMBER, "unit": TEXT}
         }
     },
+    "passed_over": [
+        {
+            "id": TEXT, "name": TEXT, "equation": TEXT, "robots": [TEXT],
+            "parameters": {"*": {"value": NUMBER, "ci95": [NUMBER], "unit": TEXT}},
+            "nats": NUMBER, "ambiguous_with": [{"id": TEXT, "nats_behind": NUMBER}],
+            "because": [TEXT], "missing": (int,),
+        }
+    ],
     "screened": {"*": {"nats": NUMBER, "seen_from": NUMBER}},
 }  # fmt: skip
 OPTIONAL = {"topic", "against"}
@@ -57,7 +65,7 @@ def check(value: Any, form: Any, place: str = "top") -> None:
     """Nothing, if a value has the form."""
     if isinstance(form, tuple):
         assert isinstance(value, form), f"{place}: {value!r}"
-        assert not isinstance(value, bool), place
+        assert not isinstance(value, bool) or place.endswith(".missing"), place
     elif isinstance(form, list):
         assert isinstance(value, list), place
         for index, part in enumerate(value):
@@ -86,6 +94,18 @@ def test_every_verdict_has_the_form_of_the_contract(example: Example, verdict: s
     tree = read(example(verdict))
     check(tree, FORM)
     assert tree["verdict"] == verdict
+
+
+def test_what_has_no_name_stands_by_itself(example: Example) -> None:
+    """Not among the effects, with its numbers, its nats, why it has no name, and whether something is missing."""
+    tree = read(example("nameless"))
+    check(tree, FORM)
+    assert tree["effects"] == [] and tree["verdict"] == "mismatch"
+    (passed,) = tree["passed_over"]
+    assert (passed["id"], passed["topic"], passed["nats"], passed["missing"]) == ("gyro_scale", "imu", 52.3, True)
+    assert passed["parameters"]["scale"]["ci95"] == [0.97, 1.07]
+    assert passed["because"] == ["Its size may as well be nothing."]
+    assert "gyro_scale" not in tree["probabilities"]
 
 
 def test_the_form_notices_a_wrong_field(example: Example) -> None:

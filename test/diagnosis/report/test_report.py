@@ -90,7 +90,7 @@ def pages(example: Example) -> Pages:
     return lambda verdict: made.setdefault(verdict, made.get(verdict) or page(example(verdict)))
 
 
-@pytest.mark.parametrize("verdict", ["consistent", "recalibrate", "mismatch", "insufficient"])
+@pytest.mark.parametrize("verdict", ["consistent", "recalibrate", "mismatch", "nameless", "insufficient"])
 def test_every_verdict_gives_a_whole_page(pages: Pages, example: Example, verdict: str) -> None:
     """All sections in their order, tags balanced, the sentence as title and heading, a caption for every picture."""
     text, content = pages(verdict)
@@ -140,6 +140,7 @@ def test_a_mismatch_is_told_with_numbers_and_rivals(pages: Pages) -> None:
     ("verdict", "words"),
     [
         ("consistent", ["Nothing has to be done", "No effect of the catalogue", "Nowhere: what the fitted model"]),
+        ("nameless", ["Without a name", "52.3", "may as well be nothing", "not in model.yaml", "Record again, longer"]),
         ("recalibrate", ["The physics is complete", "so there are no rivals", "diagnose the next recording"]),
         ("insufficient", ["holds too little information", "drive at three speeds", "zero throughout"]),
     ],

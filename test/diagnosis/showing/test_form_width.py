@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,21 @@ def test_it_is_the_published_variance() -> None:
     from cocorosim_ros.diagnosis.showing.form_width import _variance
 
     assert _variance(*shares(np.array(RISKS), np.array(VARIANCES))) == pytest.approx(0.3088, abs=5e-4)
+
+
+def test_the_mean_of_parts_has_the_variance_of_weighted_numbers() -> None:
+    """With weights w, of numbers that differ by the published variance, the mean differs by sum(w^2) of that."""
+    from cocorosim_ros.diagnosis.showing.form_width import Part, _variances
+
+    precision = 1.0 / np.array(VARIANCES)
+    weight = precision / precision.sum()
+    off = np.array(RISKS) - np.sum(weight * np.array(RISKS))
+    parts = [Part(np.array([p * o]), np.array([[p]]), frozenset({0})) for p, o in zip(precision, off, strict=True)]
+    fit: Any = SimpleNamespace(unknowns=(SimpleNamespace(tracks=(0,)),))
+    between, of_mean = _variances(fit, parts, np.array([[1.0 / precision.sum()]]))[:, 0]
+    assert between == pytest.approx(0.3088, abs=5e-4)
+    drawn = np.random.default_rng(1).normal(0.0, np.sqrt(0.3088), (20000, len(weight))) @ weight
+    assert of_mean == pytest.approx(float(np.var(drawn)), rel=0.05)
 
 
 def test_parts_that_agree_have_none() -> None:
@@ -70,8 +86,10 @@ def test_drag_of_another_form_has_a_wide_interval(swim: Any) -> None:
     other = replace(plain, effect_quantities={"linear_drag": drag})
     fits = [base_fit(swim(true, 600.0, seed=11, base=plain)) for true in (plain, other)]
     place = next(index for index, each in enumerate(fits[0].unknowns) if each.owner.parameter == "drag")
-    assert variances_between_parts(fits[0])[place] == 0.0
-    assert variances_between_parts(fits[1])[place] > covariance(fits[1])[place, place]
+    even, uneven = map(variances_between_parts, fits)
+    assert even.between[place] == even.of_mean[place] == 0.0
+    assert uneven.between[place] > covariance(fits[1])[place, place]
+    assert 0.0 < uneven.of_mean[place] < 0.5 * uneven.between[place]  # the mean of eight parts is surer than a part
     interval = fitted(fits[1])[place].estimate
     fast = float(np.quantile(_speed(smoothed_tracks(fits[1])[0].mean), 0.875))
     assert interval.holds(plain.drag + LINEAR / fast)

@@ -1,0 +1,114 @@
+"""Effects that get no name although evidence speaks for them: those whose size may as well be nothing.
+
+Evidence is reckoned with noise that is white and a law that is the same throughout. Where the one is coloured or the
+other differs, numbers of single parts of the recordings scatter by far more than readings should let them, and whatever
+fits the parts gains nats. So two questions are asked of each amplitude, with the scatter of parts (`form_width`):
+
+- may it be nothing in a part that was not recorded? If not, it is there.
+- may its mean over the parts be nothing? If not, it is there too, provided that data which its fit did not see clearly
+  gain by the effect.
+
+The second keeps an effect of many nats whose law has another form than the catalogue's: its number differs from slow to
+fast, but is there in all parts, and foretells them. That other laws of the kind have other numbers, which widens
+the told interval as well, is not asked: it says how large an effect is, not whether it is.
+Source: DerSimonian and Laird, Controlled Clinical Trials 7 (1986) 177, for the mean of parts that differ; Higgins,
+Thompson and Spiegelhalter, J. R. Statist. Soc. A 172 (2009) 137, for the part that was not seen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
+from cocorosim_ros.diagnosis.findings import PassedOver
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
+from cocorosim_ros.diagnosis.fitting.unknowns import Z95
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.pruning import taken_back
+from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
+from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
+from cocorosim_ros.foundation.arrays import Flags
+
+MAY_BE_NOTHING = (
+    "Its size may as well be nothing: each of its amplitudes differs so much from part to part of the recordings, or "
+    "is so badly known, that it may be zero."
+)
+
+
+class Clear(NamedTuple):
+    """Flags (unknowns,) of a fit: whether a number is more than nothing in any part, and whether its mean is."""
+
+    in_parts: Flags
+    in_mean: Flags
+
+    def of(self, effect: NamedEffect) -> Flags:
+        """Flags (unknowns,) as they count for an effect: the mean where unseen data clearly gain by it."""
+        foretells = effect.held_out.p < ESTIMATES.held_out_p
+        return np.asarray(self.in_parts | self.in_mean) if foretells else self.in_parts
+
+
+def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
+    """Take back what may as well be nothing, the weakest first, and fit the rest anew before the next is asked.
+
+    An effect that is taken away makes the others surer, or less sure, so that all are asked again.
+    """
+    passed: list[PassedOver] = []
+    while (weakest := _weakest(naming)) is not None:
+        numbers = fitted(naming.fit)
+        fewer, gone = taken_back(naming, *weakest)
+        passed += [
+            PassedOver(found, stands=_stands(gone), because=(MAY_BE_NOTHING, *_of_free_runs(gone.foretold)))
+            for found in found_effects(naming.fit, [gone], numbers)
+        ]
+        naming = fewer
+    return naming, tuple(passed)
+
+
+def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
+    """Find the named effect of least evidence that may be nothing, and on which robots; None if none may."""
+    if not naming.named:
+        return None
+    clear = _clear(naming.fit)
+    asked = ((each, doubtful_robots(each, naming.fit, clear.of(each))) for each in naming.named)
+    doubted = [(each, robots) for each, robots in asked if robots]
+    return min(doubted, key=lambda pair: pair[0].nats) if doubted else None
+
+
+def doubtful_robots(effect: NamedEffect, fit: Fit, clear: Flags) -> tuple[str, ...]:
+    """Names of the robots on which every amplitude of an effect may be nothing; clear: by unknown (n,), if it is not.
+
+    An effect that the base model has already is asked for its change.
+    """
+    amplitudes = {each.column for each in effect.candidate.entry.amplitudes}
+    own = [place for place in effect.candidate.places_among(fit.unknowns) if fit.unknowns[place].column in amplitudes]
+
+    def is_clear(robots: Sequence[str]) -> bool:
+        return any(clear[place] for place in own if set(robots) <= set(fit.unknowns[place].owner.robots))
+
+    return tuple(name for sharers in effect.candidate.sharers if not is_clear(sharers.names) for name in sharers.names)
+
+
+def _clear(fit: Fit) -> Clear:
+    """Tell of each unknown (n,) whether it is more than nothing; where its q is 0, it adds nothing to the model."""
+    noise, differing = np.diag(covariance(fit)), variances_between_parts(fit)
+    size = np.abs(fit.q)
+    return Clear(*(size > Z95 * np.sqrt(noise + variance) for variance in differing))
+
+
+def _stands(gone: NamedEffect) -> bool:
+    """Tell whether the evidence that something is missing stands without a name for it.
+
+    The model without the effect is worse by enough, and free runs do not contradict that.
+    """
+    return gone.nats >= NAMING.threshold and (gone.foretold is None or gone.foretold.mean > 0.0)
+
+
+def _of_free_runs(gain: Gain | None) -> tuple[str, ...]:
+    if gain is None or gain.mean > 0.0:
+        return ()
+    return ("Free runs through data that no fit saw err no less with it than without it.",)
