@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
 from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
 from cocorosim_ros.diagnosis.against.running import runnable, runs_away
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
@@ -70,6 +71,7 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     judged = _judged(joint, tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
     naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
     progress("writing down", 0.95)
+    naming = replace(naming, screened=alike.all_weighed(naming.screened))
     against = _against(good, learned, control, naming)
     return _told(naming, judged, intake, replace(against, taken_back=taken_back))
 
@@ -110,7 +112,8 @@ def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Nam
     spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
     every, _ = recalibrated(fitted(learned))
     origins = tuple(recording.origin for recording in good.recordings)
-    return Comparison(origins, learned_effects(learned), control, spreads, every)
+    seen = sizes_seen(naming.screened)
+    return Comparison(origins, learned_effects(learned), control, spreads, every, seen_from=seen)
 
 
 def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
@@ -134,7 +137,11 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     tried = {each.candidate.entry.id for each in naming.screened}
     verdict = _verdict(effects, moved, unseen, nameless)
     named = {*(effect.id for effect in effects), *(each.parameter for each in moved)}
-    silent = (*unseen, *(name for name in streams_and_numbers_not_shown(naming.screened) if name not in named))
+    silent = (
+        *unseen,
+        *(name for name in streams_and_numbers_not_shown(naming.screened) if name not in named),
+        *(name for name in numbers_not_shown(naming.screened) if name.partition(":")[0] not in named),
+    )
     return Diagnosis(
         verdict,
         difference_sentence(verdict, effects, moved, nameless),

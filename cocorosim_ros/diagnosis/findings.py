@@ -220,6 +220,8 @@ class Comparison:
     spreads: by difference, how often its evidence was divided because alike recordings differ too.
     before: the learned vehicle's numbers.
     taken_back: effects that were learned, but with which the model ran away from the recordings to be judged.
+    seen_from: by effect (effect:topic where each stream may have it) and number the size from which a difference would
+    have been named [unit of the number; share of a factor].
     """
 
     recordings: tuple[str, ...]
@@ -228,6 +230,7 @@ class Comparison:
     spreads: Mapping[str, float] = field(default_factory=dict)
     before: tuple[Recalibrated, ...] = ()
     taken_back: tuple[str, ...] = ()
+    seen_from: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

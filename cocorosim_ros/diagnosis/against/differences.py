@@ -16,6 +16,7 @@ from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.numbers import number_entries
+from cocorosim_ros.diagnosis.against.twins import with_twin
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
@@ -93,7 +94,9 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if len(named) >= SEARCH.pruned_from:
             fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
-    return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws, nameless)
+    candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
+    named = tuple(with_twin(_foretold(effect, judged), candidates, joint.tracks) for effect in named)
+    return Naming(joint, fit, named, first, first_laws, nameless)
 
 
 def _best(
@@ -161,10 +164,15 @@ def _laws(scene: Scene, joint: Fit, judged: Judged, named: Sequence[NamedEffect]
 def _tested(
     screen: Screen, judged: Judged, entries: Sequence[Entry], named: Sequence[NamedEffect]
 ) -> tuple[Screened, ...]:
-    """Screen entries on the judged tracks, best first, their evidence divided by what tracks differ that are alike."""
+    """Screen entries on the judged tracks, best first, their evidence divided by what tracks differ that are alike.
+
+    Delays are searched from the beginning: the slope of one of several steps may promise nothing, and then a lag, which
+    is like it, would be named in its place.
+    """
     taken = {key for effect in named for key in keys_of(effect.candidate)}
     candidates = [each for each in _candidates(screen.fit, judged, entries) if not taken & keys_of(each)]
-    return judged.alike.weighed(ranked(screen, candidates))
+    tested = [screen.searched(each) for each in ranked(screen, candidates)]
+    return judged.alike.weighed(sorted(tested, key=lambda each: -each.nats))
 
 
 def _candidates(fit: Fit, judged: Judged, entries: Sequence[Entry]) -> list[Candidate]:
