@@ -112,8 +112,10 @@ def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Nam
     spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
     every, _ = recalibrated(fitted(learned))
     origins = tuple(recording.origin for recording in good.recordings)
+    named = {effect.candidate.entry.id for effect in naming.named}
+    in_doubt = tuple(name for name in naming.refused if name not in named)
     seen = sizes_seen(naming.screened)
-    return Comparison(origins, learned_effects(learned), control, spreads, every, seen_from=seen)
+    return Comparison(origins, learned_effects(learned), control, spreads, every, seen_from=seen, in_doubt=in_doubt)
 
 
 def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
@@ -162,6 +164,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(nameless)),
+        untold=_of_doubts(against.in_doubt),
         against=against,
     )
 
@@ -188,6 +191,15 @@ def _of_nameless(law: str) -> tuple[str, ...]:
     return (
         f"Something differs that no entry of the catalogue clearly explains. It looks like '{law}', but this often "
         "stands in for something else; look at the residuals.",
+    )
+
+
+def _of_doubts(names: Sequence[str]) -> tuple[str, ...]:
+    """Sentences on differences that the readings speak for and free runs do not."""
+    return tuple(
+        f"'{name}' may differ: the readings speak for it, but free runs through data that no fit saw gain nothing by "
+        "it. These recordings cannot tell."
+        for name in names
     )
 
 

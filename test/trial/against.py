@@ -98,12 +98,16 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
 
 def _names_of(way: Way) -> set[str]:
     """By which a diagnosis may say that it cannot see an effect: the effect, that of the stream, that of the part."""
-    return {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}"}
+    names = {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}"}
+    if way.effect == "thruster_asymmetry":  # of vehicles with a left thruster, the first, and a right one
+        names.add(f"thruster_gain:{'left' if way.how == 'gain:0' else 'right'}")
+    return names
 
 
 def _is_out_of_sight(said: dict[str, Any], way: Way) -> bool:
-    """Tell whether a diagnosis says that it would not show a way, or only more of it than was put in."""
-    if not _names_of(way).isdisjoint(said["not_shown_by_this_recording"]):
+    """Tell whether a diagnosis says that it would not show a way, or only more of it, or that it cannot tell."""
+    doubted = said.get("against_in_doubt", [])
+    if not _names_of(way).isdisjoint([*said["not_shown_by_this_recording"], *doubted]):
         return True
     told = said.get("against_seen_from", {})
     sizes = [numbers.get(way.parameter, math.inf) for name, numbers in told.items() if name in _names_of(way)]
@@ -188,8 +192,8 @@ def _page(rows: list[dict[str, Any]], lines: list[str], source: dict[str, Any]) 
         "Right: the effect is named and its number is what was put in, within 30 % or its interval. Where a vehicle",
         "has poses alone, poses that are late and commands that act late are one thing to the recordings: the name of",
         "the other is right where it says that it cannot be told from the one. Cannot be seen: nothing is named, and",
-        "the diagnosis lists the effect (of that stream, or that number of it) as not shown, or tells a size from",
-        "which it would be named that is above the one put in.", "",
+        "the diagnosis lists the effect (of that stream, or that number of it) as not shown, tells a size from which",
+        "it would be named that is above the one put in, or warns that it may differ but that it cannot tell.", "",
         sentence(source), "",
         "| recordings | altered | to be found | outcome | named | halves of GOOD |", "|---|---|---|---|---|---|",
         *lines, "",

@@ -42,3 +42,12 @@ def test_late_commands_stand_for_late_poses_only_where_that_is_said() -> None:
     assert judged(found, other)["outcome"] == "something else"
     delay["delay"] = {"value": 0.3, "ci95": [0.3, 0.3], "unit": "s"}
     assert judged(found, late)["outcome"] == "something else"
+
+
+def test_a_doubt_about_the_right_thruster_is_no_silence() -> None:
+    """It is said that the thrust of one may differ and that the recordings cannot tell; of the other nothing."""
+    doubt = NONE | {"against_in_doubt": ["thruster_gain:left", "thruster_gain:down"]}
+    assert judged(doubt, way_of("gain:0", -0.2))["outcome"] == "cannot be seen"
+    assert judged(doubt, way_of("gain:1", -0.2))["outcome"] == "silent"
+    assert judged(doubt, way_of("gain:2", -0.2, "down"))["outcome"] == "cannot be seen"
+    assert judged(doubt, way_of("gain:0", -0.2, "ahead"))["outcome"] == "silent"

@@ -81,9 +81,9 @@ class Alike:
         own = float(np.trace(screened.information)) / max(count, 1)
         mine = [float(np.trace(matrix)) / len(matrix) for matrix, _ in told]
         unknown_there = 0.0 if self._is_shared(candidate) else own / (sum(mine) + 1.0)
-        if not told or not sum(mine) > ALIKE.told:
-            return 1.0 + unknown_there
         tracks = len(candidate.everybody) / max(len(candidate.sharers), 1)
+        if not told or not sum(mine) > ALIKE.told:
+            return 1.0 + unknown_there + self._within_a_step(screened) / tracks
         differing = overdispersion(self._by_delays(candidate, screened.values) or told)
         return 1.0 + unknown_there + (differing - 1.0) * (own / tracks) / (sum(mine) / len(mine))
 
@@ -107,16 +107,27 @@ class Alike:
         Empty for a candidate that is no delay, or one that cannot be less, and where the likelihood is not curved as
         at a maximum: then slopes have to do.
         """
-        (amplitude, *others) = candidate.entry.amplitudes
-        if others or COLUMN[amplitude.column] not in DELAY_COLUMNS or not amplitude.searched:
+        if not _is_delay(candidate):
             return []
-        whole, step = _as_one(candidate, self._having(candidate)), min(abs(start) for start in amplitude.searched)
+        starts = candidate.entry.amplitudes[0].searched
+        whole, step = _as_one(candidate, self._having(candidate)), min(map(abs, starts))
         (unknown,) = whole.amplitudes()
         if unknown.clipped(-step) != -step:
             return []
         points = step * np.array([-1.0, 0.0, 1.0])
         gains = [self._screen.gains_at(whole, values, np.array([point])) for point in points]
         return delays_told(points, np.array(gains))
+
+    def _within_a_step(self, screened: Screened) -> float:
+        """Nats twice over that a delay of a step of the filter would yield, by what a delay that was tried yields.
+
+        Alike recordings are taken to differ by so much in a delay of which theirs tell nothing: below a step it follows
+        from how readings fall on the grid. 0 for a candidate that is no delay.
+        """
+        if not _is_delay(screened.candidate) or not screened.nats > 0.0 or not screened.q.any():
+            return 0.0
+        step = max(track.timeline.grid.step for track in self._fit.tracks) / screened.candidate.amplitudes()[0].scale
+        return 2.0 * screened.nats * step**2 / float(np.max(screened.q**2))
 
     def _having(self, candidate: Candidate) -> list[int]:
         """List the numbers of the tracks that have readings of a candidate's stream."""
@@ -166,6 +177,12 @@ def overdispersion(told: Sequence[Told]) -> float:
     if freedom == 0:
         return 1.0
     return max(1.0, squares / float(chi2.ppf(ALIKE.quantile, freedom)))
+
+
+def _is_delay(candidate: Candidate) -> bool:
+    """Tell whether a candidate is one number that is a delay, of which a fit may begin at several."""
+    (amplitude, *others) = candidate.entry.amplitudes
+    return not others and bool(amplitude.searched) and COLUMN[amplitude.column] in DELAY_COLUMNS
 
 
 def _as_one(candidate: Candidate, numbers: Sequence[int]) -> Candidate:

@@ -73,6 +73,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
     nameless = ""
+    refused: tuple[str, ...] = ()
     for number in range(SEARCH.most_rounds):
         progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
@@ -84,6 +85,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
+            refused = tuple(dict.fromkeys(each.entry.id for each in choice.refused))
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
@@ -96,7 +98,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
     named = tuple(with_twin(_foretold(effect, judged), candidates, joint.tracks) for effect in named)
-    return Naming(joint, fit, named, first, first_laws, nameless)
+    return Naming(joint, fit, named, first, first_laws, nameless, refused=refused)
 
 
 def _best(

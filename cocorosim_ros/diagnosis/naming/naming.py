@@ -217,6 +217,7 @@ def _first_believed(
         if not choice.refuses(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
             return _addition(best, near_rivals(best, refined, choice), held_out, gain)
         passed_over.harmful.append(best.candidate)
+        choice.refused.append(best.candidate)
     return None
 
 
