@@ -98,26 +98,40 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
 
 def _names_of(way: Way) -> set[str]:
     """By which a diagnosis may say that it cannot see an effect: the effect, that of the stream, that of the part."""
-    names = {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}"}
-    if way.effect == "thruster_asymmetry":  # of vehicles with a left thruster, the first, and a right one
-        names.add(f"thruster_gain:{'left' if way.how == 'gain:0' else 'right'}")
-    return names
+    return {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}", *dict(_numbers_of(way))}
 
 
 def _is_out_of_sight(said: dict[str, Any], way: Way) -> bool:
-    """Tell whether a diagnosis says that it would not show a way, or only more of it, or that it cannot tell."""
-    doubted = said.get("against_in_doubt", [])
-    if not _names_of(way).isdisjoint([*said["not_shown_by_this_recording"], *doubted]):
+    """Tell whether a diagnosis says that it would not show a way, or only more of it, or that it cannot tell.
+
+    A size that it tells for the number itself counts before a list of what would not show at medium size.
+    """
+    if not _names_of(way).isdisjoint(said.get("against_in_doubt", [])):
         return True
     told = said.get("against_seen_from", {})
-    sizes = [numbers.get(way.parameter, math.inf) for name, numbers in told.items() if name in _names_of(way)]
-    return bool(sizes) and min(sizes) > _size_of(way)
+    seen = [(told[name][number], number) for name, number in _numbers_of(way) if number in told.get(name, {})]
+    if seen:
+        return all(size > _size_of(way, number) for size, number in seen)
+    return not _names_of(way).isdisjoint(said["not_shown_by_this_recording"]) or any(
+        name in told for name, _ in _numbers_of(way)
+    )
 
 
-def _size_of(way: Way) -> float:
-    """How far off a number was put; that of a thruster's factor is the same for twice and for half."""
+def _numbers_of(way: Way) -> list[tuple[str, str]]:
+    """Under which names, and of which numbers there, a diagnosis tells from what size on it would name a way."""
+    if way.effect == "thruster_asymmetry":  # of vehicles with a left thruster, the first, and a right one
+        part = "left" if way.how == "gain:0" else "right"
+        return [(f"thruster_gain:{part}", part), (way.effect, way.parameter)]
     if way.effect == "thruster_gain":
-        return max(way.change, 1.0 / way.change) - 1.0
+        return [(f"thruster_gain:{way.parameter}", way.parameter)]
+    return [(way.effect, way.parameter), (f"{way.effect}:{way.topic}", way.parameter)]
+
+
+def _size_of(way: Way, number: str) -> float:
+    """How far off a number was put; that of a thruster's factor is the same for twice and for half."""
+    if way.effect == "thruster_gain" or (way.effect == "thruster_asymmetry" and number != way.parameter):
+        factor = 1.0 / (1.0 + way.amount)
+        return max(factor, 1.0 / factor) - 1.0
     return abs(way.change - (1.0 if way.effect in FACTORS else 0.0))
 
 

@@ -21,6 +21,11 @@ def test_silence_counts_as_blind_only_below_the_size_that_is_told() -> None:
     assert judged(told, way_of("delay:imu", 0.3))["outcome"] == "silent"
     assert judged(told, way_of("delay:pressure", 0.3))["outcome"] == "silent"
     assert judged(NONE, way_of("heading", 0.1))["outcome"] == "silent"
+    listed = told | {"not_shown_by_this_recording": ["compass_distortion"]}  # not at medium size, but more was put in
+    assert judged(listed, way_of("heading", 0.3))["outcome"] == "silent"
+    assert judged(told | {"against_seen_from": {"compass_distortion": {}}}, way_of("heading", 0.3))["outcome"] == (
+        "cannot be seen"
+    )
     gain = NONE | {"against_seen_from": {"thruster_gain:down": {"down": 0.5}}}
     assert judged(gain, way_of("gain:2", 0.4, "down"))["outcome"] == "cannot be seen"
     assert judged(gain, way_of("gain:2", 0.6, "down"))["outcome"] == "silent"

@@ -16,6 +16,7 @@ from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.numbers import number_entries
+from cocorosim_ros.diagnosis.against.starts import beyond_starts
 from cocorosim_ros.diagnosis.against.twins import with_twin
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
@@ -89,7 +90,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
-            first, first_laws = tuple(map(screen.felt, tested)), laws
+            first, first_laws = tuple(beyond_starts(screen, screen.felt(each)) for each in tested), laws
         if found is None:
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)

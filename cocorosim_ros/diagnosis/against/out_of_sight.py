@@ -5,7 +5,9 @@ J on all of its numbers and I on this one, and the spread s of recordings that s
 
     (I q^2 - log det(1 + J)) / (2 s)
 
-and a difference is named from the threshold of evidence on.
+and a difference is named from the threshold of evidence on. The estimate of q scatters by sqrt(s / I): the size that is
+told is so much larger that few are missed, as a detection limit is.
+Source: Currie, Analytical Chemistry 40 (1968) 586.
 """
 
 from __future__ import annotations
@@ -15,7 +17,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from scipy.stats import norm
 
+from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 from cocorosim_ros.diagnosis.naming.detectability import felt_share, own_name
@@ -69,8 +73,9 @@ def _sizes(screened: Screened) -> Iterator[tuple[str, Size]]:
     matrix = felt_share(screened) * screened.information
     odds = float(np.linalg.slogdet(matrix + np.eye(len(matrix)))[1])
     needed = 2.0 * NAMING.threshold * screened.candidate.spread + odds
+    least = math.sqrt(needed) + float(norm.isf(COMPARISON.missed)) * math.sqrt(screened.candidate.spread)
     for unknown, known in zip(screened.candidate.amplitudes(), np.diag(matrix).tolist(), strict=True):
-        share = math.sqrt(needed / known) if known > 0.0 else math.inf
+        share = least / math.sqrt(known) if known > 0.0 else math.inf
         reach = max(unknown.bounds[1], -unknown.bounds[0])
         size = unknown.scale * min(share, reach)
         yield (

@@ -35,10 +35,14 @@ def test_a_number_that_nothing_shows_is_said_beside_those_that_are_shown() -> No
 
 
 def test_a_size_has_just_the_evidence_that_a_name_needs() -> None:
-    """Half of the information times its square, less the odds of so wide a prior: the threshold."""
+    """Half of the information times its square, less the odds of so wide a prior: the threshold.
+
+    That is of an estimate so far below the size that one in twenty lies below it.
+    """
     size = sizes_seen([screened("pressure_offset", [number("offset", 500.0)], [900.0])])["pressure_offset"]["offset"]
-    evidence = 0.5 * 900.0 * (size / 500.0) ** 2 - 0.5 * math.log(901.0)
-    assert evidence == pytest.approx(NAMING.threshold)
+    estimate = size / 500.0 - 1.6449 / math.sqrt(900.0)
+    evidence = 0.5 * 900.0 * estimate**2 - 0.5 * math.log(901.0)
+    assert evidence == pytest.approx(NAMING.threshold, rel=1e-4)
 
 
 def test_recordings_that_differ_among_themselves_hide_more() -> None:
@@ -60,10 +64,10 @@ def test_a_delay_goes_by_what_is_felt_of_it_and_by_its_stream() -> None:
 
 
 def test_a_factor_is_told_as_a_share_and_within_its_bounds() -> None:
-    """A thruster of e^0.3 is told as 35 % more; one that would have to be beyond its bounds is seen at no size."""
-    odds = 0.5 * math.log(1.0 + 20.0)
-    information = 2.0 * (NAMING.threshold + odds)
+    """A share of the logarithm is so much more of the thrust; what would have to be beyond its bounds is never seen."""
+    information = 1e3
+    share = sizes_seen([screened("wind", [number("force", 1.0)], [information])])["wind"]["force"]
     seen = sizes_seen([screened("thruster_gain:left", [number("left", 0.3, logarithmic=True)], [information])])
-    assert seen["thruster_gain:left"]["left"] == pytest.approx(math.expm1(0.3), rel=0.02)
-    bound = number("left", 0.3, (-0.5, 0.5), logarithmic=True)
+    assert seen["thruster_gain:left"]["left"] == pytest.approx(math.exp(0.3 * share) - 1.0)
+    bound = number("left", 0.3, (-0.1, 0.1), logarithmic=True)
     assert sizes_seen([screened("thruster_gain:left", [bound], [information])]) == {"thruster_gain:left": {}}
