@@ -1,12 +1,14 @@
 """Sizes from which a difference would be named, by stream, by thruster and by number: what silence does not tell.
 
 The evidence for an entry of which one number alone is off by q times its `large` is expected to be, with information
-J on all of its numbers and I on this one, and the spread s of recordings that should be alike (`control`),
+I on all of its numbers and the spread s of recordings that should be alike (`control`),
 
-    (I q^2 - log det(1 + J)) / (2 s)
+    (K q^2 - log det(1 + I)) / (2 s), K the number's own element of I (1 + I)^-1 I,
 
-and a difference is named from the threshold of evidence on. The estimate of q scatters by sqrt(s / I): the size that is
-told is so much larger that few are missed, as a detection limit is.
+which is the evidence of the screening, where it estimates a number of the size that is there. A difference is named
+from the threshold of evidence on. The estimate of q scatters by sqrt(s / K): the size that is told is so much larger
+that few are missed, as a detection limit is. Where there is little information, the prior draws the estimate to
+nothing, and K is much less than the information.
 Source: Currie, Analytical Chemistry 40 (1968) 586.
 """
 
@@ -71,10 +73,12 @@ def _smallest(screened: Sequence[Screened]) -> Mapping[str, Mapping[str, Size]]:
 
 def _sizes(screened: Screened) -> Iterator[tuple[str, Size]]:
     matrix = felt_share(screened) * screened.information
-    odds = float(np.linalg.slogdet(matrix + np.eye(len(matrix)))[1])
+    whole = matrix + np.eye(len(matrix))
+    odds = float(np.linalg.slogdet(whole)[1])
     needed = 2.0 * NAMING.threshold * screened.candidate.spread + odds
     least = math.sqrt(needed) + float(norm.isf(COMPARISON.missed)) * math.sqrt(screened.candidate.spread)
-    for unknown, known in zip(screened.candidate.amplitudes(), np.diag(matrix).tolist(), strict=True):
+    own = np.diag(matrix @ np.linalg.solve(whole, matrix))
+    for unknown, known in zip(screened.candidate.amplitudes(), own.tolist(), strict=True):
         share = least / math.sqrt(known) if known > 0.0 else math.inf
         reach = max(unknown.bounds[1], -unknown.bounds[0])
         size = unknown.scale * min(share, reach)

@@ -12,14 +12,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.detectability import OF_EVERY_STREAM
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
-
-STEP = 1e-4  # m, rad: of a start, for a slope
 
 
 def beyond_starts(screen: Screen, screened: Screened) -> Screened:
@@ -52,8 +51,10 @@ def start_slopes(fit: Fit, number: int) -> Floats:
     states = (X, Y, Z, YAW)
     found = np.zeros((len(states), len(passed.innovation)))
     for state, slope in zip(states, found, strict=True):
-        mean = filtering.start.mean.copy()
-        mean[state] += STEP
-        shifted = filtering.over(filtering.timeline, filtering.actuation, filtering.start._replace(mean=mean))
-        shifted.slope(row, passed, STEP, slope)
+        step = STEPS.start * float(filtering.start.spread[state])
+        if step > 0.0:
+            mean = filtering.start.mean.copy()
+            mean[state] += step
+            shifted = filtering.over(filtering.timeline, filtering.actuation, filtering.start._replace(mean=mean))
+            shifted.slope(row, passed, step, slope)
     return found.T

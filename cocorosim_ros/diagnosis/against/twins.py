@@ -15,8 +15,8 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, NearRival
 from cocorosim_ros.diagnosis.tracks.track import Track
 
-LATENCY = "sensor_latency"
-_TWINS = {DELAY: LATENCY, LATENCY: DELAY}
+LATE_READINGS = "sensor_latency"
+_TWINS = {DELAY: LATE_READINGS, LATE_READINGS: DELAY}
 
 
 def with_twin(effect: NamedEffect, candidates: Sequence[Candidate], tracks: Sequence[Track]) -> NamedEffect:

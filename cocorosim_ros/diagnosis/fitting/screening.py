@@ -140,7 +140,7 @@ class Screen:
     def gains_at(self, candidate: Candidate, values: dict[str, float], point: Floats) -> list[float]:
         """Gains of the log likelihood with a candidate of one number at q (n,), the same for all robots, noise held.
 
-        values: its shapes, by column. They are of the candidate's tracks, in the order of `everybody`.
+        values: its shapes, by column. One for each of the candidate's tracks, in their order.
         """
         new = (*self.fit.unknowns, *candidate.amplitudes())
         rows = candidate.write(self.fit.rows, values)

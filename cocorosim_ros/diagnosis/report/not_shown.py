@@ -1,4 +1,4 @@
-"""What recordings cannot show, for the page: effects, their streams and numbers, each with its smallest size."""
+"""Section of the page on effects, streams and numbers that recordings cannot show, each with its smallest size."""
 
 from __future__ import annotations
 

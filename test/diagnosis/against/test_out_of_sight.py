@@ -40,9 +40,19 @@ def test_a_size_has_just_the_evidence_that_a_name_needs() -> None:
     That is of an estimate so far below the size that one in twenty lies below it.
     """
     size = sizes_seen([screened("pressure_offset", [number("offset", 500.0)], [900.0])])["pressure_offset"]["offset"]
-    estimate = size / 500.0 - 1.6449 / math.sqrt(900.0)
-    evidence = 0.5 * 900.0 * estimate**2 - 0.5 * math.log(901.0)
+    own = 900.0**2 / 901.0
+    estimate = size / 500.0 - 1.6449 / math.sqrt(own)
+    evidence = 0.5 * own * estimate**2 - 0.5 * math.log(901.0)
     assert evidence == pytest.approx(NAMING.threshold, rel=1e-4)
+
+
+def test_where_the_prior_rules_sizes_are_beyond_belief() -> None:
+    """A hundredth of the prior's information: the estimate is a hundredth of what is there."""
+    weak, strong = (sizes_seen([screened("wind", [number("force", 1.0, (-1e9, 1e9))], [each])]) for each in (0.01, 1e4))
+    known = (0.01**2 / 1.01, 1e8 / 10001.0)
+    least = [math.sqrt(2.0 * NAMING.threshold + math.log1p(each)) + 1.6449 for each in (0.01, 1e4)]
+    for found, own, each in zip((weak, strong), known, least, strict=True):
+        assert found["wind"]["force"] == pytest.approx(each / math.sqrt(own), rel=1e-4)
 
 
 def test_recordings_that_differ_among_themselves_hide_more() -> None:
