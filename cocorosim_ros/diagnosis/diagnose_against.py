@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
 from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
 from cocorosim_ros.diagnosis.against.running import runnable, runs_away
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
@@ -70,6 +71,7 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     judged = _judged(joint, tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
     naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
     progress("writing down", 0.95)
+    naming = replace(naming, screened=alike.all_weighed(naming.screened))
     against = _against(good, learned, control, naming)
     return _told(naming, judged, intake, replace(against, taken_back=taken_back))
 
@@ -110,7 +112,10 @@ def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Nam
     spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
     every, _ = recalibrated(fitted(learned))
     origins = tuple(recording.origin for recording in good.recordings)
-    return Comparison(origins, learned_effects(learned), control, spreads, every)
+    named = {effect.candidate.entry.id for effect in naming.named}
+    in_doubt = tuple(name for name in naming.refused if name not in named)
+    seen = sizes_seen(naming.screened)
+    return Comparison(origins, learned_effects(learned), control, spreads, every, seen_from=seen, in_doubt=in_doubt)
 
 
 def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
@@ -134,7 +139,11 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
     tried = {each.candidate.entry.id for each in naming.screened}
     verdict = _verdict(effects, moved, unseen, nameless)
     named = {*(effect.id for effect in effects), *(each.parameter for each in moved)}
-    silent = (*unseen, *(name for name in streams_and_numbers_not_shown(naming.screened) if name not in named))
+    silent = (
+        *unseen,
+        *(name for name in streams_and_numbers_not_shown(naming.screened) if name not in named),
+        *(name for name in numbers_not_shown(naming.screened) if name.partition(":")[0] not in named),
+    )
     return Diagnosis(
         verdict,
         difference_sentence(verdict, effects, moved, nameless),
@@ -155,6 +164,7 @@ def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(nameless)),
+        untold=_of_doubts(against.in_doubt),
         against=against,
     )
 
@@ -181,6 +191,15 @@ def _of_nameless(law: str) -> tuple[str, ...]:
     return (
         f"Something differs that no entry of the catalogue clearly explains. It looks like '{law}', but this often "
         "stands in for something else; look at the residuals.",
+    )
+
+
+def _of_doubts(names: Sequence[str]) -> tuple[str, ...]:
+    """Sentences on differences that the readings speak for and free runs do not."""
+    return tuple(
+        f"'{name}' may differ: the readings speak for it, but free runs through data that no fit saw gain nothing by "
+        "it. These recordings cannot tell."
+        for name in names
     )
 
 

@@ -233,6 +233,9 @@ class Comparison:
     spreads: by difference, how often its evidence was divided because alike recordings differ too.
     before: the learned vehicle's numbers.
     taken_back: effects that were learned, but with which the model ran away from the recordings to be judged.
+    seen_from: by effect (effect:topic where each stream may have it) and number the size from which a difference would
+    have been named [unit of the number; share of a factor].
+    in_doubt: effects and numbers with evidence enough by which free runs through unseen data gain nothing; not named.
     """
 
     recordings: tuple[str, ...]
@@ -241,6 +244,8 @@ class Comparison:
     spreads: Mapping[str, float] = field(default_factory=dict)
     before: tuple[Recalibrated, ...] = ()
     taken_back: tuple[str, ...] = ()
+    seen_from: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    in_doubt: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -268,6 +273,6 @@ class Diagnosis:
     drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best
     step: float | None = None  # of the filter by which the numbers were found [s]; None where nothing was fitted
     warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
-    untold: tuple[str, ...] = ()  # sentences: errors of readings that no other reading tells
+    untold: tuple[str, ...] = ()  # sentences: errors that no other reading tells, differences that free runs doubt
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
     passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since their size may as well be nothing

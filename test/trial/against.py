@@ -86,19 +86,58 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
     if said is None:
         return {"outcome": NONE, "beside": [], "named": []}
     named = [*effects(said), *({"id": each["parameter"], "parameters": {}} for each in said["recalibrated"])]
-    own = [each for each in named if way and _is_it(each, way)]
+    own = [each for each in named if way and (_is_it(each, way) or _is_twin(each, way))]
     beside = [each["id"] for each in named if each not in own]
     outcome = RIGHT if own and any(_fits(each, way) for each in own) else WRONG if named else SILENT
     if way is None or way.effect == NOTHING:
         outcome = WRONG if named else RIGHT
-    elif outcome == SILENT and not _names_of(way).isdisjoint(said["not_shown_by_this_recording"]):
+    elif outcome == SILENT and _is_out_of_sight(said, way):
         outcome = BLIND
     return {"outcome": outcome, "beside": beside, "named": [each["id"] for each in named]}
 
 
 def _names_of(way: Way) -> set[str]:
     """By which a diagnosis may say that it cannot see an effect: the effect, that of the stream, that of the part."""
-    return {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}"}
+    return {way.effect, f"{way.effect}:{way.topic}", f"{way.effect}:{way.parameter}", *dict(_numbers_of(way))}
+
+
+def _is_out_of_sight(said: dict[str, Any], way: Way) -> bool:
+    """Tell whether a diagnosis says that it would not show a way, or only more of it, or that it cannot tell.
+
+    A size that it tells for the number itself counts before a list of what would not show at medium size.
+    """
+    if not _names_of(way).isdisjoint(said.get("against_in_doubt", [])):
+        return True
+    told = said.get("against_seen_from", {})
+    seen = [(told[name][number], number) for name, number in _numbers_of(way) if number in told.get(name, {})]
+    if seen:
+        return all(size > _size_of(way, number) for size, number in seen)
+    return not _names_of(way).isdisjoint(said["not_shown_by_this_recording"]) or any(
+        name in told for name, _ in _numbers_of(way)
+    )
+
+
+def _numbers_of(way: Way) -> list[tuple[str, str]]:
+    """Under which names, and of which numbers there, a diagnosis tells from what size on it would name a way."""
+    if way.effect == "thruster_asymmetry":  # of vehicles with a left thruster, the first, and a right one
+        part = "left" if way.how == "gain:0" else "right"
+        return [(f"thruster_gain:{part}", part), (way.effect, way.parameter)]
+    if way.effect == "thruster_gain":
+        return [(f"thruster_gain:{way.parameter}", way.parameter)]
+    return [(way.effect, way.parameter), (f"{way.effect}:{way.topic}", way.parameter)]
+
+
+def _size_of(way: Way, number: str) -> float:
+    """How far off a number was put; that of a thruster's factor is the same for twice and for half."""
+    if way.effect == "thruster_gain" or (way.effect == "thruster_asymmetry" and number != way.parameter):
+        factor = 1.0 / (1.0 + way.amount)
+        return max(factor, 1.0 / factor) - 1.0
+    return abs(way.change - (1.0 if way.effect in FACTORS else 0.0))
+
+
+def _is_twin(effect: dict[str, Any], way: Way) -> bool:
+    """Tell whether an effect is what these recordings cannot tell from the way, and says so itself."""
+    return effect["id"] == way.same[0] and way.effect in {each["id"] for each in effect.get("ambiguous_with", [])}
 
 
 def _is_it(effect: dict[str, Any], way: Way) -> bool:
@@ -110,7 +149,7 @@ def _fits(effect: dict[str, Any], way: Way | None) -> bool:
     """Tell whether the number of an effect is what was put in, within its interval or WITHIN."""
     if way is None or not way.parameter:
         return True
-    told = effect["parameters"].get(way.parameter)
+    told = effect["parameters"].get(way.same[1] if effect["id"] == way.same[0] else way.parameter)
     if told is None or told["value"] is None:
         return False
     low, high = (each if each is not None else math.nan for each in told["ci95"])
@@ -164,7 +203,11 @@ def _page(rows: list[dict[str, Any]], lines: list[str], source: dict[str, Any]) 
         f"{len(put_in)} altered: {', '.join(f'{count} {outcome}' for outcome, count in counts.items())}; "
         f"{beside} name something beside what was altered. {len(controls)} controls, half against half with nothing "
         f"altered: {sum(row['outcome'] == WRONG for row in controls)} name something.", "",
-        "Right: the effect is named and its number is what was put in, within 30 % or its interval.", "",
+        "Right: the effect is named and its number is what was put in, within 30 % or its interval. Where a vehicle",
+        "has poses alone, poses that are late and commands that act late are one thing to the recordings: the name of",
+        "the other is right where it says that it cannot be told from the one. Cannot be seen: nothing is named, and",
+        "the diagnosis lists the effect (of that stream, or that number of it) as not shown, tells a size from which",
+        "it would be named that is above the one put in, or warns that it may differ but that it cannot tell.", "",
         sentence(source), "",
         "| recordings | altered | to be found | outcome | named | halves of GOOD |", "|---|---|---|---|---|---|",
         *lines, "",

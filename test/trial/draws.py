@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from trial.recordings import dives, flights, hovercraft, minutes_in_the_pool, parts_of_a_mission
@@ -16,6 +16,9 @@ from trial.ways import Way
 
 NOTHING = "nothing"  # to be found of a stream that is hidden: the vehicle is as it was
 FACTORS = ("camera_scale", "thruster_gain", "pressure_gain", "gyro_scale")  # numbers that are 1 where nothing is wrong
+
+# Effects and numbers that are one thing where a vehicle has poses alone, by what was done.
+TWINS = {"sensor_latency": ("command_delay", "delay"), "command_delay": ("sensor_latency", "latency")}
 
 
 @dataclass(frozen=True)
@@ -27,11 +30,13 @@ class Draw:
     most: float
     both: bool = True
     thruster: str = ""  # name, where there are not two of them
+    poses_alone: bool = False  # no other stream, so that late poses are commands that act late
 
     def drawn(self, chance: random.Random) -> Way:
         """The way with an amount, and what it does."""
         amount = round(chance.uniform(self.least, self.most), 4)
-        return way_of(self.how, -amount if self.both and chance.random() < 0.5 else amount, self.thruster)
+        way = way_of(self.how, -amount if self.both and chance.random() < 0.5 else amount, self.thruster)
+        return replace(way, same=TWINS[way.effect]) if self.poses_alone else way
 
 
 @dataclass(frozen=True)
@@ -114,7 +119,8 @@ SETS = (
         "hovercraft_epfl", "hovercraft_epfl", _by_day, 6,
         (
             Draw("gain:0", -0.3, -0.1, both=False), Draw("gain:1", -0.3, -0.1, both=False),
-            Draw("delay:pose", 0.05, 0.2, both=False), Draw("delay:thruster_command", -0.3, -0.1, both=False),
+            Draw("delay:pose", 0.05, 0.2, both=False, poses_alone=True),
+            Draw("delay:thruster_command", -0.3, -0.1, both=False, poses_alone=True),
             Draw("scale", 0.05, 0.15),
         ),
     ),

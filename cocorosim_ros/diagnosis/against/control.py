@@ -6,7 +6,9 @@ over the tracks has a chi-squared distribution if they differ by their noise alo
 By that spread evidence from other recordings is divided, as variances are in quasi-likelihood, and by more where the
 recordings to be judged have more information each. Where the learned vehicle has no number of the candidate's kind, the
 difference of two amplitudes is asked for, and the one of the learned vehicle is known no better than its recordings
-tell.
+tell. The likelihood of a delay is rough: its slope goes with the noise of the readings and with where they fall on the
+filter's grid, which differs from track to track. So score and information on a delay are those of a parabola through
+the likelihood at three delays, as far apart as the starts of a search for one.
 Source: McCullagh and Nelder, Generalized Linear Models (1989), section 9.2; DerSimonian and Laird, Controlled Clinical
 Trials 7 (1986) 177.
 """
@@ -20,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import chi2
 
+from cocorosim_ros.diagnosis.against.joint import DELAY_COLUMNS
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
@@ -29,6 +32,7 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -52,6 +56,13 @@ class Alike:
         best = [self._weighed(each) for each in screened[: ALIKE.weighed]]
         return tuple(sorted((*best, *screened[ALIKE.weighed :]), key=lambda each: -each.nats))
 
+    def all_weighed(self, screened: Sequence[Screened]) -> tuple[Screened, ...]:
+        """Divide the evidence of all screened candidates by their spread, and keep their order.
+
+        What is asked of the best is whether they may be named; what is asked of all is from what size on they would be.
+        """
+        return tuple(each if each.candidate.spread > 1.0 else self._weighed(each) for each in screened)
+
     def _weighed(self, screened: Screened) -> Screened:
         spread = self.spread(screened)
         candidate = replace(screened.candidate, spread=spread)
@@ -70,10 +81,11 @@ class Alike:
         own = float(np.trace(screened.information)) / max(count, 1)
         mine = [float(np.trace(matrix)) / len(matrix) for matrix, _ in told]
         unknown_there = 0.0 if self._is_shared(candidate) else own / (sum(mine) + 1.0)
-        if not told or not sum(mine) > ALIKE.told:
-            return 1.0 + unknown_there
         tracks = len(candidate.everybody) / max(len(candidate.sharers), 1)
-        return 1.0 + unknown_there + (overdispersion(told) - 1.0) * (own / tracks) / (sum(mine) / len(mine))
+        if not told or not sum(mine) > ALIKE.told:
+            return 1.0 + unknown_there + self._within_a_step(screened) / tracks
+        differing = overdispersion(self._by_delays(candidate, screened.values) or told)
+        return 1.0 + unknown_there + (differing - 1.0) * (own / tracks) / (sum(mine) / len(mine))
 
     def _is_shared(self, candidate: Candidate) -> bool:
         """Tell whether all of the candidate's numbers are fitted for the learned vehicle too."""
@@ -81,14 +93,45 @@ class Alike:
 
     def _by_track(self, candidate: Candidate, values: dict[str, float]) -> list[Told]:
         """List what each track tells of the candidate's amplitudes, as if it were alone."""
-        numbers = [number for number, track in enumerate(self._fit.tracks) if _has(candidate, track.log.streams)]
+        numbers = self._having(candidate)
         if not numbers:
             return []
-        known = candidate.known[:1]
-        whole = replace(candidate, robots=("alike",), tracks=(tuple(numbers),), known=known)
+        whole = _as_one(candidate, numbers)
         moved = self._screen.slopes(whole, values, whole.amplitudes())
         found = [self._orthogonal(number, moved[number]) for number in numbers]
         return [each for each in found if np.isfinite(each.matrix).all() and np.isfinite(each.score).all()]
+
+    def _by_delays(self, candidate: Candidate, values: dict[str, float]) -> list[Told]:
+        """List what each track tells of a delay, by the likelihood at three delays, as far apart as starts of a search.
+
+        Empty for a candidate that is no delay, or one that cannot be less, and where the likelihood is not curved as
+        at a maximum: then slopes have to do.
+        """
+        if not _is_delay(candidate):
+            return []
+        starts = candidate.entry.amplitudes[0].searched
+        whole, step = _as_one(candidate, self._having(candidate)), min(map(abs, starts))
+        (unknown,) = whole.amplitudes()
+        if unknown.clipped(-step) != -step:
+            return []
+        points = step * np.array([-1.0, 0.0, 1.0])
+        gains = [self._screen.gains_at(whole, values, np.array([point])) for point in points]
+        return delays_told(points, np.array(gains))
+
+    def _within_a_step(self, screened: Screened) -> float:
+        """Nats twice over that a delay of a step of the filter would yield, by what a delay that was tried yields.
+
+        Alike recordings are taken to differ by so much in a delay of which theirs tell nothing: below a step it follows
+        from how readings fall on the grid. 0 for a candidate that is no delay.
+        """
+        if not _is_delay(screened.candidate) or not screened.nats > 0.0 or not screened.q.any():
+            return 0.0
+        step = max(track.timeline.grid.step for track in self._fit.tracks) / screened.candidate.amplitudes()[0].scale
+        return 2.0 * screened.nats * step**2 / float(np.max(screened.q**2))
+
+    def _having(self, candidate: Candidate) -> list[int]:
+        """List the numbers of the tracks that have readings of a candidate's stream."""
+        return [number for number, track in enumerate(self._fit.tracks) if _has(candidate, track.log.streams)]
 
     def _orthogonal(self, number: int, moved: Floats) -> Told:
         """Compute what slopes (m, n) on one track tell, the learned numbers' part taken out."""
@@ -102,6 +145,22 @@ class Alike:
             -weighted_products(moved, passed.innovation[:, None], passed.variance).ravel() - absorbed.T @ known.score
         )
         return Told(0.5 * (matrix + matrix.T), score)
+
+
+def delays_told(points: Floats, gains: Floats) -> list[Told]:
+    """List what each track tells of one number near 0, by parabolas; points (3,), gains (3, tracks) [nats].
+
+    Alike tracks have the information of their mean, since the curvature of one alone is as rough as its likelihood; []
+    where the likelihood is not curved as at a maximum.
+    """
+    gains = gains[:, np.isfinite(gains).all(axis=0)]
+    if not gains.size:
+        return []
+    bent, slopes, _ = np.polyfit(points, gains, 2)
+    information = float(np.mean(-2.0 * bent))
+    if not information > 0.0:
+        return []
+    return [Told(np.array([[information]]), np.array([slope])) for slope in slopes]
 
 
 def overdispersion(told: Sequence[Told]) -> float:
@@ -118,6 +177,17 @@ def overdispersion(told: Sequence[Told]) -> float:
     if freedom == 0:
         return 1.0
     return max(1.0, squares / float(chi2.ppf(ALIKE.quantile, freedom)))
+
+
+def _is_delay(candidate: Candidate) -> bool:
+    """Tell whether a candidate is one number that is a delay, of which a fit may begin at several."""
+    (amplitude, *others) = candidate.entry.amplitudes
+    return not others and bool(amplitude.searched) and COLUMN[amplitude.column] in DELAY_COLUMNS
+
+
+def _as_one(candidate: Candidate, numbers: Sequence[int]) -> Candidate:
+    """Copy a candidate, to act on tracks of the learned vehicle as on one robot's."""
+    return replace(candidate, robots=("alike",), tracks=(tuple(numbers),), known=candidate.known[:1])
 
 
 def _has(candidate: Candidate, streams: Collection[str]) -> bool:

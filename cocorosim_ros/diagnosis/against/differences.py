@@ -16,6 +16,8 @@ from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.numbers import number_entries
+from cocorosim_ros.diagnosis.against.starts import beyond_starts
+from cocorosim_ros.diagnosis.against.twins import with_twin
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
@@ -72,6 +74,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
     nameless = ""
+    refused: tuple[str, ...] = ()
     for number in range(SEARCH.most_rounds):
         progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
@@ -83,17 +86,20 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
+            refused = tuple(dict.fromkeys(each.entry.id for each in choice.refused))
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
-            first, first_laws = tuple(map(screen.felt, tested)), laws
+            first, first_laws = tuple(beyond_starts(screen, screen.felt(each)) for each in tested), laws
         if found is None:
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)
         if len(named) >= SEARCH.pruned_from:
             fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
-    return Naming(joint, fit, tuple(_foretold(effect, judged) for effect in named), first, first_laws, nameless)
+    candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
+    named = tuple(with_twin(_foretold(effect, judged), candidates, joint.tracks) for effect in named)
+    return Naming(joint, fit, named, first, first_laws, nameless, refused=refused)
 
 
 def _best(
@@ -161,10 +167,15 @@ def _laws(scene: Scene, joint: Fit, judged: Judged, named: Sequence[NamedEffect]
 def _tested(
     screen: Screen, judged: Judged, entries: Sequence[Entry], named: Sequence[NamedEffect]
 ) -> tuple[Screened, ...]:
-    """Screen entries on the judged tracks, best first, their evidence divided by what tracks differ that are alike."""
+    """Screen entries on the judged tracks, best first, their evidence divided by what tracks differ that are alike.
+
+    Delays are searched from the beginning: the slope of one of several steps may promise nothing, and then a lag, which
+    is like it, would be named in its place.
+    """
     taken = {key for effect in named for key in keys_of(effect.candidate)}
     candidates = [each for each in _candidates(screen.fit, judged, entries) if not taken & keys_of(each)]
-    return judged.alike.weighed(ranked(screen, candidates))
+    tested = [screen.searched(each) for each in ranked(screen, candidates)]
+    return judged.alike.weighed(sorted(tested, key=lambda each: -each.nats))
 
 
 def _candidates(fit: Fit, judged: Judged, entries: Sequence[Entry]) -> list[Candidate]:

@@ -64,9 +64,13 @@ def _factor(identifier: str, column: str, channel: str, group: str, name: str = 
 
 
 def _delay() -> Entry:
+    """Make the entry of commands that act late: an error of stamps, which with poses alone is one of the poses' stamps.
+
+    So its channel is the clock, and it is told by the readings alone as theirs is, not by free runs.
+    """
     ends = tuple(-each for each in reversed(DELAYS))
     amplitude = Amplitude(COMMAND_DELAY, "delay", "s", CHANGES.large_delay, searched=(*ends, *DELAYS))
-    return Entry(DELAY, "commands that act later than they are logged", "F(t) = F_command(t - delay)", "surge",
+    return Entry(DELAY, "commands that act later than they are logged", "F(t) = F_command(t - delay)", "clock",
                  (amplitude,), group=LATE)  # fmt: skip
 
 

@@ -245,6 +245,9 @@ class StepCriteria:
     measured."""
     at_bound: float = 1e-3
     """[of q] nearer to its bound a number stands at it: steps are cut there exactly. Chosen, not measured."""
+    start: float = 0.01
+    """[of what a track's start may be off] for slopes by it: far above rounding, and small beside 1. Chosen, not
+    measured."""
     least_push: float = 1e-9
     """[of an unknown's unit] by which a bound is tried: far below any step. Chosen, not measured."""
 

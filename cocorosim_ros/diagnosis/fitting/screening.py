@@ -115,19 +115,35 @@ class Screen:
     def felt(self, screened: Screened) -> Screened:
         """Try by how much a delay of medium size is felt, where a candidate is one.
 
-        The slope by a delay goes with the noise of the readings too, so that its information promises too much.
+        The slope by a delay goes with the noise of the readings too, so that its information promises too much. Where
+        the recordings have a delay, as `searched` finds it, what is tried is one that is medium larger or smaller. A
+        slope that points away from delays says as little: then one twice as large tells how the likelihood is bent.
         """
         if not _starts(screened):
             return screened
         medium = np.full(len(screened.q), DETECTABILITY.medium)
-        score = screened.z * np.sqrt(np.diag(screened.information))
-        return replace(screened, felt=max(0.0, float(score @ medium) - self._gain_at(screened, medium)))
+        found = self._gain_at(screened, screened.q) if screened.q.any() else 0.0
+        if found > 0.0:
+            lowest = np.array([unknown.bounds[0] for unknown in screened.candidate.amplitudes()])
+            around = [q for q in (screened.q + medium, screened.q - medium) if (q >= lowest).all()]
+            left = float(np.mean([self._gain_at(screened, q) for q in around]))
+            return replace(screened, felt=max(0.0, found - left))
+        score, near = screened.z * np.sqrt(np.diag(screened.information)), self._gain_at(screened, medium)
+        felt = float(score @ medium) - near
+        if not felt > 0.0:
+            felt = near - 0.5 * self._gain_at(screened, 2.0 * medium)
+        return replace(screened, felt=max(0.0, felt))
 
     def _gain_at(self, screened: Screened, point: Floats) -> float:
-        """Gain of the log likelihood with a candidate of one number at q (n,), the same for all robots, noise held."""
-        candidate = screened.candidate
+        return sum(self.gains_at(screened.candidate, screened.values, point))
+
+    def gains_at(self, candidate: Candidate, values: dict[str, float], point: Floats) -> list[float]:
+        """Gains of the log likelihood with a candidate of one number at q (n,), the same for all robots, noise held.
+
+        values: its shapes, by column. One for each of the candidate's tracks, in their order.
+        """
         new = (*self.fit.unknowns, *candidate.amplitudes())
-        rows = candidate.write(self.fit.rows, screened.values)
+        rows = candidate.write(self.fit.rows, values)
         filled = replace(self.fit, rows=rows, unknowns=new, q=np.concatenate([self.fit.q, point])).filled
         own = self._tried.setdefault((candidate.entry.id, candidate.entry.topic, float(point[0])), {})
         # A candidate for one robot alone has the same rows there as the one for all robots.
@@ -136,7 +152,7 @@ class Screen:
         found = of_each_track(lambda place: tracks[left[place]].filter.full(filled[left[place]]), len(left))
         for number, passed in zip(left, found, strict=True):
             own[number] = passed.log_likelihood - passes[number].log_likelihood
-        return sum(own[number] for number in candidate.everybody)
+        return [own[number] for number in candidate.everybody]
 
 
 def _starts(screened: Screened) -> list[Floats]:

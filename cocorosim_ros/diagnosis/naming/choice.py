@@ -38,13 +38,15 @@ class Choice:
     """Free runs of the models that one more effect makes of `fit`; those of a model are run once.
 
     onsets: columns of moments of events that the fit has, of which what is held out may tell alone. must_gain: no
-    candidate that moves is named without a gain, however likely a small loss is by chance.
+    candidate that moves is named without a gain, however likely a small loss is by chance. refused: candidates with
+    evidence enough, which free runs were against.
     """
 
     unseen: Unseen
     fit: Fit
     onsets: frozenset[str] = frozenset()
     must_gain: bool = False
+    refused: list[Candidate] = field(default_factory=list)
     _known: list[tuple[Refined, Floats]] = field(default_factory=list)
 
     @cached_property

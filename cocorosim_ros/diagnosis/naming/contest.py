@@ -24,11 +24,15 @@ from cocorosim_ros.world.terms.search import Scene
 
 @dataclass(frozen=True)
 class Refined:
-    """A candidate in a fit of all unknowns and the noise; `nats`: log Bayes factor over the model without it."""
+    """A candidate in a fit of all unknowns and the noise; `nats`: log Bayes factor over the model without it.
+
+    usual: nats that were taken off because recordings that should be alike differ too.
+    """
 
     candidate: Candidate
     fit: Fit
     nats: float
+    usual: float = 0.0
 
 
 @dataclass(frozen=True)

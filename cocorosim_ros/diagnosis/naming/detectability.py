@@ -57,8 +57,15 @@ def expected_nats(screened: Screened, size: float) -> float:
     Between recordings that should be alike it counts as much as evidence does.
     """
     by_slopes = 0.5 * size**2 * float(np.trace(screened.information))
-    as_felt = screened.felt * (size / DETECTABILITY.medium) ** 2
-    return float(np.fmin(by_slopes, as_felt)) / screened.candidate.spread
+    return felt_share(screened) * by_slopes / screened.candidate.spread
+
+
+def felt_share(screened: Screened) -> float:
+    """Share (0 to 1) of the information by slopes that is felt: less than 1 for a delay that was tried."""
+    at_medium = 0.5 * DETECTABILITY.medium**2 * float(np.trace(screened.information))
+    if math.isnan(screened.felt) or not at_medium > 0.0:
+        return 1.0
+    return min(1.0, screened.felt / at_medium)
 
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
@@ -72,13 +79,14 @@ def streams_and_numbers_not_shown(screened: Sequence[Screened]) -> tuple[str, ..
 
     Numbers are those of the platform that may differ, such as the thrust of a single thruster.
     """
-    names = dict.fromkeys(_own_name(each) for each in screened if each.candidate.entry.law is None)
-    seen = {_own_name(each) for each in screened if _is_seen(each)}
+    names = dict.fromkeys(own_name(each) for each in screened if each.candidate.entry.law is None)
+    seen = {own_name(each) for each in screened if _is_seen(each)}
     whole = not_shown(screened)
     return tuple(name for name in names if name not in IDS and name not in seen and name.split(":")[0] not in whole)
 
 
-def _own_name(screened: Screened) -> str:
+def own_name(screened: Screened) -> str:
+    """Name of a screened candidate: its entry's, or effect:topic for an entry that each stream may have by itself."""
     entry = screened.candidate.entry
     return f"{entry.id}:{entry.topic}" if entry.id in OF_EVERY_STREAM else entry.id
 

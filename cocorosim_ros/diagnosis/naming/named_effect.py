@@ -52,7 +52,8 @@ class Naming:
     """Result of the contest.
 
     base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
-    known: effects that the base has already, with their evidence.
+    known: effects that the base has already, with their evidence. refused: entries with evidence enough that free runs
+    were against when nothing more could be named.
     """
 
     base: Fit
@@ -62,3 +63,4 @@ class Naming:
     laws: tuple[Screened, ...]  # outside the catalogue
     nameless: str = ""  # law that explains what is left over, where laws are not named
     known: tuple[NamedEffect, ...] = ()
+    refused: tuple[str, ...] = ()

@@ -31,8 +31,16 @@ from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.natural_limits import is_at_its_limit
-from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, is_like, is_tiny, needed_nats, standing
+from cocorosim_ros.diagnosis.naming.needed_evidence import (
+    held_against,
+    is_like,
+    is_tiny,
+    needed_nats,
+    standing,
+    usual_gain,
+)
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
+from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.world.terms.search import Scene
 
@@ -191,7 +199,7 @@ def _first_believed(
     The best is the one with most evidence, or one that may be named too and foretells unseen data clearly better. One
     that makes free runs worse is not named. After it the order of evidence counts for less: what follows has to gain.
     """
-    refined.sort(key=lambda each: -standing(each))
+    refined = by_rank(refined, stage)
     for place, leader in enumerate(refined):
         if standing(leader) < needed_nats(stage.named, leader.candidate, leader.fit):
             return None
@@ -199,7 +207,7 @@ def _first_believed(
         if own is None:
             continue
         if choice is None or not moves(leader.candidate):
-            return _addition(leader, _rivals(leader, refined, choice), own)
+            return _addition(leader, near_rivals(leader, refined, choice), own)
         others = (
             (each, _held_out_if_nameable(each, stage, passed_over))
             for each in choice.better(leader, refined[place + 1 :])
@@ -207,8 +215,9 @@ def _first_believed(
         best, held_out = next(((each, found) for each, found in others if found is not None), (leader, own))
         gain = choice.gain(best)
         if not choice.refuses(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
-            return _addition(best, _rivals(best, refined, choice), held_out, gain)
+            return _addition(best, near_rivals(best, refined, choice), held_out, gain)
         passed_over.harmful.append(best.candidate)
+        choice.refused.append(best.candidate)
     return None
 
 
@@ -240,25 +249,6 @@ def _addition(
     return best.fit, NamedEffect(best.candidate, best.nats, tuple(rivals), held_out, gain)
 
 
-def _rivals(best: Refined, refined: Sequence[Refined], choice: Choice | None) -> list[NearRival]:
-    """List entries of the catalogue that explain nearly as much as the best candidate, or more: its ambiguity set.
-
-    Those that foretell clearly worse than it are none.
-    """
-    near = [
-        each
-        for each in refined
-        if each is not best and each.candidate.entry.law is None and best.nats - each.nats <= NAMING.ambiguity
-    ]
-    return [
-        NearRival(other.candidate, max(0.0, best.nats - other.nats))
-        for other in near
-        if not is_beyond_instrument(other.candidate, other.fit)
-        and not is_at_its_limit(other.candidate, other.fit)
-        and not (choice is not None and choice.excludes(best, other))
-    ]
-
-
 def _regained(refined: Refined, before: Fit) -> float:
     """Standing [nats] of a candidate over a model without it that starts at the fit with it and is fitted anew.
 
@@ -273,7 +263,8 @@ def _regained(refined: Refined, before: Fit) -> float:
 def _refined(fit: Fit, begun: Begun, base_evidence: float) -> Refined:
     """Refine a candidate, and take from its evidence the nats that count against it."""
     result = refine(begun, base_evidence)
-    return replace(result, nats=result.nats - held_against(begun.candidate, fit, result.fit))
+    usual = usual_gain(begun.candidate, fit, result.fit)
+    return replace(result, nats=result.nats - held_against(begun.candidate, fit, result.fit), usual=usual)
 
 
 def _worth_refining(tested: Sequence[Screened]) -> list[Screened]:

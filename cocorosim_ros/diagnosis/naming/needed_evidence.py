@@ -22,13 +22,18 @@ def held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
     without, fit: the model without and with the candidate.
     """
     against = candidate.entry.prior_nats + (quiet_gain(without, fit) if candidate.entry.of_pump else 0.0)
-    if candidate.spread > 1.0:
-        against += max(fit.objective - without.objective, 0.0) * (1.0 - 1.0 / candidate.spread)
-    return against
+    return against + usual_gain(candidate, without, fit)
+
+
+def usual_gain(candidate: Candidate, without: Fit, fit: Fit) -> float:
+    """Nats of a candidate's gain that count against it, because recordings that should be alike differ in it too."""
+    if not candidate.spread > 1.0:
+        return 0.0
+    return max(fit.objective - without.objective, 0.0) * (1.0 - 1.0 / candidate.spread)
 
 
 def standing(refined: Refined) -> float:
-    """Evidence of a candidate by which it is ranked [nats]; that of a law outside the catalogue less a margin.
+    """Evidence of a candidate by which it may be named [nats]; that of a law outside the catalogue less a margin.
 
     There are many such laws: one is named only if it is clearly better than all entries of the catalogue.
     """

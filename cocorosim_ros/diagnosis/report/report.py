@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
 from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
     estimate_words,
@@ -48,7 +49,6 @@ from cocorosim_ros.diagnosis.report.words import (
     effect_words,
     nothing_missing_words,
     odds_words,
-    parameter_unit,
     verdict_words,
 )
 from cocorosim_ros.study.pictures.page import page_template
@@ -72,7 +72,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         **_where(diagnosis, origin),
         **_what(diagnosis),
         **_fit(diagnosis),
-        **_blind(diagnosis),
+        **not_shown_context(diagnosis),
     )
 
 
@@ -275,22 +275,3 @@ def _parameter(found: Recalibrated) -> Context:
         "moved": math.isfinite(low + high) and not found.estimate.holds(found.nominal),
         "robots": ", ".join(found.robots),
     }
-
-
-def _blind(diagnosis: Diagnosis) -> Context:
-    least = {each.id: _least(each.id, each.detectable) for each in diagnosis.screened}
-    # What needs a topic that was not recorded, or another robot, stands in diagnosis.json alone.
-    tried = [name for name in diagnosis.not_shown if name in least or not least]
-    return {
-        "blind": [{"name": effect_words(name), "least": least.get(name, "")} for name in tried],
-        "detectable": [{"name": effect_words(name), "least": words} for name, words in sorted(least.items())],
-    }
-
-
-def _least(effect: str, detectable: Any) -> str:
-    shown = [
-        f"{name.replace('_', ' ')} {quantity_words(value, parameter_unit(effect, name))}"
-        for name, value in detectable.items()
-        if math.isfinite(value)
-    ]
-    return ", ".join(shown)

@@ -84,11 +84,11 @@ CHECKS = {
 
 
 def effect_words(identifier: str) -> str:
-    """An identifier of the catalogue, or of a law outside it, as words."""
+    """An identifier of the catalogue, with a stream or a number after a colon, or of a law outside it, as words."""
     if is_law(identifier):
         equation, product = subject_and_product(identifier)
         return f"unknown law of {equation.replace('_', ' ')} in proportion to {product.text.replace('*', chr(0xB7))}"
-    return identifier.replace("_", " ")
+    return identifier.replace("_", " ").replace(":", ", ")
 
 
 def check_words(identifier: str) -> str:

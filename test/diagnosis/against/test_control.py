@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any, cast
+
 import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from cocorosim_ros.diagnosis.against.control import Told, overdispersion
+from cocorosim_ros.diagnosis.against.control import Alike, Told, delays_told, overdispersion
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
+from cocorosim_ros.diagnosis.fitting.screening import Screened
 
 
 def told(sizes: list[float], information: float = 4.0) -> list[Told]:
@@ -35,3 +39,34 @@ def test_parts_that_tell_nothing_leave_evidence_as_it_is() -> None:
     """No information, or very calm parts, never make evidence stronger."""
     assert overdispersion([Told(np.zeros((2, 2)), np.zeros(2))]) == 1.0
     assert overdispersion(told([0.01, 0.02])) == 1.0
+
+
+def test_a_delay_is_told_by_a_parabola_and_not_by_the_rough_slope_at_zero() -> None:
+    """Likelihoods of which each has its maximum at its own delay: score and information are those of the parabolas."""
+    points, maxima, information = np.array([-0.5, 0.0, 0.5]), np.array([0.2, -0.1, 0.0]), 8.0
+    gains = -0.5 * information * ((points[:, None] - maxima) ** 2 - maxima**2)
+    told = delays_told(points, gains)
+    assert [float(each.matrix[0, 0]) for each in told] == pytest.approx([information] * 3)
+    assert [float(each.score[0]) for each in told] == pytest.approx((information * maxima).tolist())
+
+
+def test_a_likelihood_without_a_maximum_tells_nothing_of_delays() -> None:
+    """It is the best at both ends; or a model ran away at one of the delays."""
+    points = np.array([0.0, 0.5, 1.0])
+    assert delays_told(points, np.array([[0.0, 0.0], [-3.0, -4.0], [0.0, 0.0]])) == []
+    assert delays_told(points, np.array([[0.0], [-np.inf], [-3.0]])) == []
+
+
+@pytest.mark.parametrize(("steps", "spread"), [(1.0, 1.0 + 20.0), (4.0, 1.0 + 20.0 / 16.0)])
+def test_a_delay_of_which_alike_recordings_tell_nothing_may_be_a_step_by_chance(steps: float, spread: float) -> None:
+    """20 nats on two tracks by a delay of one step are worth one; of four steps they are worth nine."""
+    amplitude = SimpleNamespace(column="sensor_latency.pose", searched=(0.25,), factor=False)
+    entry = SimpleNamespace(amplitudes=(amplitude,), topic="pose")
+    unknown = SimpleNamespace(scale=0.15)
+    late: Any = SimpleNamespace(entry=entry, amplitudes=lambda: [unknown], everybody=(0, 1), sharers=((),))
+    grid = SimpleNamespace(step=0.02)
+    track = SimpleNamespace(timeline=SimpleNamespace(grid=grid), log=SimpleNamespace(streams={}))
+    alike = Alike.__new__(Alike)
+    alike._fit, alike._over = cast("Any", SimpleNamespace(tracks=[track])), frozenset()
+    q = np.array([steps * 0.02 / 0.15])
+    assert alike.spread(Screened(late, {}, q, 20.0, np.zeros((1, 1)), q)) == pytest.approx(spread)

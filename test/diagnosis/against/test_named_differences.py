@@ -185,3 +185,22 @@ def test_a_delay_below_a_step_of_the_filter_is_no_difference(swim: Any) -> None:
     """Half a step of 0.1 s: as much as halves of sound recordings differ by."""
     diagnosis = compared(swim, recordings(swim, vehicle(WELL), BAD, compass_after(0.05)))
     assert "sensor_latency" not in [each.id for each in diagnosis.effects]
+
+
+def test_late_poses_without_another_stream_are_told_with_their_twin(swim: Any) -> None:
+    """With poses alone, commands that act 0.25 s late are the same thing: one is named, the other is its rival."""
+
+    def poses(log: Any) -> Any:
+        return replace(log, streams={"pose": log.streams["pose"]})
+
+    def late_poses(log: Any) -> Any:
+        pose = log.streams["pose"]
+        return replace(log, streams={"pose": replace(pose, time=pose.time + 0.25)})
+
+    from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
+
+    good, bad = recordings(swim, vehicle(WELL), GOOD, poses), recordings(swim, vehicle(WELL), BAD, late_poses)
+    (found,) = diagnose_against(bad, good, lambda words, share: None).effects
+    assert {found.id, found.ambiguous_with[0].id} == {"command_delay", "sensor_latency"}
+    (number,) = found.parameters.values()
+    assert number.value == pytest.approx(0.25, abs=0.05)

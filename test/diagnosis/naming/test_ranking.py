@@ -1,0 +1,60 @@
+"""Which of several candidates is named first, where recordings that should be alike differ too."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from cocorosim_ros.diagnosis.naming.contest import Refined
+from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
+
+STAGE: Any = SimpleNamespace(named=())
+
+
+def refined(name: str, nats: float, usual: float = 0.0) -> Refined:
+    """A candidate with evidence beyond the usual, and the usual that was taken off."""
+    entry = SimpleNamespace(id=name, law=None, channel="surge", topic=None)
+    candidate: Any = SimpleNamespace(entry=entry, spread=(nats + usual) / nats, key=(name, None, ("a",)))
+    fit: Any = SimpleNamespace(unknowns=())
+    return Refined(candidate, fit, nats, usual)
+
+
+def names(found: list[Refined]) -> list[str]:
+    """Names in their order."""
+    return [each.candidate.entry.id for each in found]
+
+
+def test_what_explains_the_readings_best_leads_although_alike_recordings_differ_in_it() -> None:
+    """A delay with 540 nats, of which 440 are usual, before a lag with 200, of which hardly any are."""
+    assert names(by_rank([refined("lag", 190.0, 10.0), refined("delay", 100.0, 440.0)], STAGE)) == ["delay", "lag"]
+
+
+def test_what_is_usual_gives_way_where_both_explain_as_much() -> None:
+    """A candidate of which alike recordings differ by 38 times their noise is not ahead by 40 nats of 380."""
+    assert names(by_rank([refined("lever", 10.0, 370.0), refined("gain", 330.0, 10.0)], STAGE)) == ["gain", "lever"]
+
+
+def test_what_is_no_more_than_usual_is_not_ranked() -> None:
+    """It explains more than anything else, as it does in recordings that are alike."""
+    assert names(by_rank([refined("lever", 4.0, 900.0), refined("gain", 30.0, 10.0)], STAGE)) == ["gain"]
+
+
+@pytest.mark.parametrize("nats", [(9.0, 30.0, 12.0), (30.0, 29.0, 28.0), (5.0, 3.0, 40.0)])
+def test_without_anything_usual_evidence_alone_ranks(nats: tuple[float, ...]) -> None:
+    """As in a diagnosis of a platform's file; also of what has too little evidence, which ends the search."""
+    found = by_rank([refined(str(each), each) for each in nats], STAGE)
+    assert names(found) == [str(each) for each in sorted(nats, reverse=True)]
+
+
+def test_a_rival_is_one_that_explains_nearly_as_much(monkeypatch: pytest.MonkeyPatch) -> None:
+    """20 nats less are 2 where alike recordings differ by ten times their noise; without that they are 20."""
+    for check in ("is_beyond_instrument", "is_at_its_limit"):
+        monkeypatch.setattr(f"cocorosim_ros.diagnosis.naming.ranking.{check}", lambda candidate, fit: False)
+    best, late = refined("delay", 100.0, 900.0), refined("latency", 98.0, 882.0)
+    (rival,) = near_rivals(best, [best, late, refined("lag", 700.0)], None)
+    assert rival.candidate is late.candidate
+    assert rival.behind == pytest.approx(2.0)
+    best = refined("delay", 1000.0)
+    assert near_rivals(best, [best, refined("latency", 980.0)], None) == []

@@ -1,0 +1,58 @@
+"""What counts as seen, as out of sight and as the same thing where altered logs are judged."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+from trial.against import judged
+from trial.draws import Draw, way_of
+
+NONE: dict[str, Any] = {"effects": [], "recalibrated": [], "not_shown_by_this_recording": []}
+
+
+def test_silence_counts_as_blind_only_below_the_size_that_is_told() -> None:
+    """A diagnosis that would name an offset from 0.2 rad on is blind to 0.1 and silent about 0.3."""
+    seen = {"compass_distortion": {"offset": 0.2, "sin": 0.01}, "sensor_latency:imu": {"latency": 0.1}}
+    told = NONE | {"against_seen_from": seen}
+    assert judged(told, way_of("heading", -0.1))["outcome"] == "cannot be seen"
+    assert judged(told, way_of("heading", 0.3))["outcome"] == "silent"
+    assert judged(told, way_of("compass", 0.1))["outcome"] == "silent"
+    assert judged(told, way_of("delay:imu", 0.3))["outcome"] == "silent"
+    assert judged(told, way_of("delay:pressure", 0.3))["outcome"] == "silent"
+    assert judged(NONE, way_of("heading", 0.1))["outcome"] == "silent"
+    listed = told | {"not_shown_by_this_recording": ["compass_distortion"]}  # not at medium size, but more was put in
+    assert judged(listed, way_of("heading", 0.3))["outcome"] == "silent"
+    assert judged(told | {"against_seen_from": {"compass_distortion": {}}}, way_of("heading", 0.3))["outcome"] == (
+        "cannot be seen"
+    )
+    gain = NONE | {"against_seen_from": {"thruster_gain:down": {"down": 0.5}}}
+    assert judged(gain, way_of("gain:2", 0.4, "down"))["outcome"] == "cannot be seen"
+    assert judged(gain, way_of("gain:2", 0.6, "down"))["outcome"] == "silent"
+    assert judged(gain, way_of("gain:2", -0.5, "down"))["outcome"] == "silent"
+    assert judged(gain, way_of("gain:1", -0.2, "right"))["outcome"] == "silent"
+
+
+def test_late_commands_stand_for_late_poses_only_where_that_is_said() -> None:
+    """With poses alone the two are one thing; a diagnosis that knows has the one as the other's rival."""
+    late = Draw("delay:pose", 0.1, 0.1, both=False, poses_alone=True).drawn(random.Random(1))
+    delay = {"delay": {"value": 0.11, "ci95": [0.11, 0.11], "unit": "s"}}
+    effect: dict[str, Any] = {"id": "command_delay", "parameters": delay, "ambiguous_with": []}
+    found = NONE | {"effects": [effect]}
+    assert judged(found, late)["outcome"] == "something else"
+    effect["ambiguous_with"] = [{"id": "sensor_latency", "nats_behind": 0.5}]
+    assert judged(found, late)["outcome"] == "right"
+    assert judged(found, late)["beside"] == []
+    other = Draw("delay:pose", 0.1, 0.1, both=False).drawn(random.Random(1))
+    assert judged(found, other)["outcome"] == "something else"
+    delay["delay"] = {"value": 0.3, "ci95": [0.3, 0.3], "unit": "s"}
+    assert judged(found, late)["outcome"] == "something else"
+
+
+def test_a_doubt_about_the_right_thruster_is_no_silence() -> None:
+    """It is said that the thrust of one may differ and that the recordings cannot tell; of the other nothing."""
+    doubt = NONE | {"against_in_doubt": ["thruster_gain:left", "thruster_gain:down"]}
+    assert judged(doubt, way_of("gain:0", -0.2))["outcome"] == "cannot be seen"
+    assert judged(doubt, way_of("gain:1", -0.2))["outcome"] == "silent"
+    assert judged(doubt, way_of("gain:2", -0.2, "down"))["outcome"] == "cannot be seen"
+    assert judged(doubt, way_of("gain:0", -0.2, "ahead"))["outcome"] == "silent"
