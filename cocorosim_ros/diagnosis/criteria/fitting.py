@@ -102,6 +102,9 @@ class ColouredReadingsCriteria:
     correlated: float = 0.2
     """[1] correlation of an innovation with the one before of its kind, from which on colour is tried: readings then
     count 1.5 times too often. Chosen, not measured."""
+    material: float = 0.5
+    """[of what the filter expects] mean square of innovations; below it readings are more exact than any noise. Chosen,
+    not measured: of noise that is fitted it is 1."""
     most_correlated: float = 1.0 - 1e-6
     """[1] correlation that is taken for a memory: more is rounding. Chosen, not measured."""
     fewest: int = 30

@@ -141,7 +141,10 @@ def _suspects(fit: Fit) -> Iterator[Unknown]:
 
 
 def _likeness(fit: Fit, numbers: Sequence[int], column: str) -> tuple[float, float] | None:
-    """Correlation of innovations with those before of the same kind, and mean gap between these [s]; None if little."""
+    """Correlation of innovations with those before of the same kind, and mean gap between these [s]; None if little.
+
+    Exact readings, of which the filter expects more noise than they have, err by its steps, which are alike.
+    """
     products, squares = [np.zeros(0)], [np.zeros(0)]
     for number in numbers:
         passed, readings = fit.passes[number], _readings(fit, number)
@@ -154,7 +157,7 @@ def _likeness(fit: Fit, numbers: Sequence[int], column: str) -> tuple[float, flo
         squares.append(now[both] ** 2)
     product, square = np.concatenate(products), np.concatenate(squares)
     gap = _mean_gap(fit, numbers, column)
-    if gap is None or len(product) < COLOURED.fewest or not square.any():
+    if gap is None or len(product) < COLOURED.fewest or square.mean() < COLOURED.material:
         return None
     correlation = float(product.mean() / square.mean())
     return (correlation, gap) if correlation > COLOURED.correlated else None
