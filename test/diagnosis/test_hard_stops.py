@@ -12,6 +12,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
+from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, objections, stopped
@@ -174,6 +175,21 @@ def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
     assert sentences(hard_stops.uneven_pushes, case(0.6, 0.5)) == []  # free runs gain five times their spread
     assert sentences(hard_stops.uneven_pushes, case(0.0, 0.1)) == []
     assert sentences(hard_stops.uneven_pushes, named(case(0.6, 0.1), "torque_bias", torque=1.5)) == []  # of no free run
+
+
+def test_a_delay_beside_errors_that_last(sound: Case) -> None:
+    """It may be a part of the filter's step; what is no delay is not, nor is a delay beside white errors."""
+    owner = Owner(READING, ("lily_01",), "compass_memory", "s")
+    memory = Unknown(owner, "memory.compass", (0,), base=math.log(0.5))
+
+    def lasting(case: Case) -> Case:
+        noise, q_noise = (*case.final.noise, memory), np.append(case.final.q_noise, 0.0)
+        return replace(case, final=replace(case.final, noise=noise, q_noise=q_noise))
+
+    late = named(sound, "sensor_latency", latency=1.5)
+    assert len(sentences(hard_stops.lasting_errors, lasting(late))) == 1
+    assert sentences(hard_stops.lasting_errors, late) == []
+    assert sentences(hard_stops.lasting_errors, lasting(named(sound, "torque_bias", torque=1.5))) == []
 
 
 def test_noise_that_is_a_guess(sound: Case) -> None:

@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.filter.records import Rates, Readings, When
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.world.state.state import SURGE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.motors import Motors
 
@@ -41,7 +42,13 @@ def error_before(
     kind, earlier = readings.kind[index], readings.before[index]
     after = readings.after[index] - readings.gap[index]
     when = When(readings.stamp[earlier], after, abs(after), math.copysign(1.0, after))
-    error: float = deviation(kind, readings.value[earlier], expected(kind, when, row, rates, sensor, water, motors))
+    behind, level, passed = stack_array(8), stack_array(8), stack_array(4)
+    for column in range(8):  # forces change at grid points: the rates before this one led here
+        behind[column] = rates.mean[column] - 0.5 * rates.leap[column]
+    for column in range(4):  # readings of it are taken as if at their grid point
+        passed[column] = water[column] - readings.gap[index] * behind[SURGE + column]
+    shown = expected(kind, when, row, Rates(behind, level), sensor, passed, motors)
+    error: float = deviation(kind, readings.value[earlier], shown)
     return error
 
 

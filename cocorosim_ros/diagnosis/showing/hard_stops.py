@@ -21,13 +21,24 @@ from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, MEMORY_COLUMNS, NEUTRAL, READING_COLUMNS, WHITE
+from cocorosim_ros.diagnosis.tracks.columns import (
+    COLUMN,
+    COMMAND_DELAY,
+    LATENCY,
+    MEMORY_COLUMNS,
+    NEUTRAL,
+    READING_COLUMNS,
+    READING_MEMORY,
+    SKEW,
+    WHITE,
+)
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 
 _OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
+_OF_TIME = (*LATENCY, *SKEW, COMMAND_DELAY)
 
 
 @dataclass(frozen=True)
@@ -193,6 +204,23 @@ def _coloured(track: Track, passed: Pass) -> Iterator[str]:
             yield f"{KIND_NAMES[kind]} by {scale:.2g} times what the filter expects, correlation {related:.2f}"
 
 
+def lasting_errors(case: Case) -> Iterator[Objection]:
+    """Object to delays and skews of robots whose readings have errors that last.
+
+    The filter follows such errors from reading to reading by the rates at grid points, so that a part of a step may
+    pass for a delay.
+    """
+    robots = {name for each in case.final.noise if each.column in READING_MEMORY for name in each.owner.robots}
+    for found, named in _named(case):
+        columns = {each.column for each in named.candidate.entry.amplitudes}
+        if not columns.isdisjoint(_OF_TIME) and not robots.isdisjoint(found.robots):
+            yield Objection(
+                "Errors of these readings last, and the filter follows them from one reading to the next by whole "
+                "steps, so that a part of a step may pass for a delay.",
+                effect=found,
+            )
+
+
 def unknown_noise(case: Case) -> Iterator[Objection]:
     """Object to readings many of which were interpolated or repeated, so that their noise is a guess."""
     for track in case.final.tracks:
@@ -214,6 +242,7 @@ STOPS: tuple[Stop, ...] = (
     collapsed_base,
     strayed_course,
     coloured_innovations,
+    lasting_errors,
     unknown_noise,
 )
 
