@@ -12,13 +12,14 @@ import pytest
 from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows
 from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
 from cocorosim_ros.diagnosis.fitting.fit import evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_MEMORY
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, MEMORY_COLUMNS, READING_MEMORY
 from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -164,6 +165,21 @@ def test_lasting_errors_of_all_instruments_are_found_in_the_first_fit(swum: Any,
         assert levels[f"reading.{kind}"].value == pytest.approx(size, rel=3.0 * math.sqrt(memory / DURATION))
     with_memory = {unknown.column for unknown in fit.noise if unknown.column.startswith("memory.")}
     assert with_memory >= {"memory.pose_xy", "memory.pose_yaw", "memory.pressure"}
+
+
+def test_the_reading_before_is_expected_where_the_robot_was(swim: Any) -> None:
+    """Of an exact swim whose pump changes its force at grid points, depth is foreseen as well as with white errors."""
+    (track,) = make_tracks(swim(load_platform("lily"), 60.0, seed=5, disturbance=0.0, blur=0.0))
+    white = base_rows([track])[0]
+    for kind, size in (("pose_z", 0.002), ("pressure", 8.0)):
+        white[COLUMN[f"reading.{kind}"]] = math.log(size)
+    lasting = white.copy()
+    lasting[MEMORY_COLUMNS] = math.log(0.5)
+    with_white, with_lasting = track.filter.full(white), track.filter.full(lasting)
+    for kind in ("pose_z", "pressure"):
+        chosen = track.timeline.kind == KIND_NAMES.index(kind)
+        errors = [np.sqrt(np.mean(each.innovation[chosen] ** 2)) for each in (with_white, with_lasting)]
+        assert 0.0 < errors[1] < errors[0]  # a difference of errors is less than these
 
 
 def test_white_errors_have_no_memory(swum: Any) -> None:
