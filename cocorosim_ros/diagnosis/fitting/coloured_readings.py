@@ -130,9 +130,14 @@ def _coloured(fit: Fit, memory: Unknown) -> Fit:
 
 
 def _suspects(fit: Fit) -> Iterator[Unknown]:
-    """Memories of those numbers of noise whose innovations resemble the ones before, at the size that this gives."""
+    """Memories of those numbers of noise whose innovations resemble the ones before, at the size that this gives.
+
+    Slow errors of few instruments cannot be told from slow motion, since no others show the motion without them.
+    """
     fitted = {(unknown.column, number) for unknown in fit.noise for number in unknown.tracks}
     for robot, every in tracks_by_robot(fit.tracks).items():
+        if len(_streams([each for each in fit.noise if robot in each.owner.robots])) < COLOURED.instruments:
+            continue
         for column, memory in MEMORY_OF.items():
             numbers = tuple(number for number in every if (column, number) in fitted and (memory, number) not in fitted)
             likeness = _likeness(fit, numbers, column)
