@@ -65,8 +65,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
 
     selection = (options["replicates"], options["groups"], options["numerics"], options["controller"])
     design = load_design(options["design"], *selection)
-    if options["workers"] is not None and options["workers"] < 1:
-        raise CocorosimError(f"--workers has {options['workers']}; give 1 or more.")
+    check_workers(options["workers"])
     for cell in design.cells:
         check_plain(cell.scenario.robots)
     console = console_beside(options["json_file"], force=options["force"])
@@ -83,6 +82,12 @@ def command(ctx: click.Context, /, **options: Any) -> None:
         click.echo(f"cocorosim: {error} What is finished is in {options['out']}.", err=True)
         status = FAILED
     ctx.exit(status)
+
+
+def check_workers(workers: int | None) -> None:
+    """Raise CocorosimError for a number of processes that is none."""
+    if workers is not None and workers < 1:
+        raise CocorosimError(f"--workers has {workers}; give 1 or more.")
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,6 @@ from rich.table import Table
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say, show_table
-from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file, write_text
 
 if TYPE_CHECKING:
@@ -45,6 +44,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     The stages of each factorial are run in FOLDER/NAME/STAGE: a screening of a fraction of all settings, rounds about
     the best of them, and many runs of the best.
     """
+    from cocorosim_ros.commands.experiment import check_workers
     from cocorosim_ros.study.experiments.factorial import load_factorial
     from cocorosim_ros.study.figure4.page import figure_page
     from cocorosim_ros.study.figure4.published import published_figure
@@ -52,8 +52,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
 
     console = console_beside(options["json_file"], force=options["force"])
     check_file(options["out"], force=options["force"])
-    if options["workers"] is not None and options["workers"] < 1:
-        raise CocorosimError(f"--workers has {options['workers']}; give 1 or more.")
+    check_workers(options["workers"])
     loaded = [load_factorial(name) for name in options["factorials"]]
     figures = [published_figure(factorial.figure) for factorial in loaded]
     found = []

@@ -22,7 +22,6 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import chi2
 
-from cocorosim_ros.diagnosis.against.joint import DELAY_COLUMNS
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
@@ -32,7 +31,7 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.naming.residual import scene_of
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.diagnosis.tracks.columns import OF_TIME
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -182,7 +181,7 @@ def overdispersion(told: Sequence[Told]) -> float:
 def _is_delay(candidate: Candidate) -> bool:
     """Tell whether a candidate is one number that is a delay, of which a fit may begin at several."""
     (amplitude, *others) = candidate.entry.amplitudes
-    return not others and bool(amplitude.searched) and COLUMN[amplitude.column] in DELAY_COLUMNS
+    return not others and bool(amplitude.searched) and amplitude.column in OF_TIME
 
 
 def _as_one(candidate: Candidate, numbers: Sequence[int]) -> Candidate:

@@ -12,12 +12,11 @@ from cocorosim_ros.diagnosis.fitting.base_model import base_rows, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import climbed
 from cocorosim_ros.diagnosis.fitting.unknowns import Z95, Unknown, write_values
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, COMMAND_DELAY, READING_NOISE, TIMING, WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, OF_TIME, READING_NOISE, WATER_NOISE
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
-DELAY_COLUMNS = {*np.arange(len(COLUMN))[TIMING].tolist(), COLUMN[COMMAND_DELAY]}
 NOISE_COLUMNS = [COLUMN[name] for name in (*WATER_NOISE, *READING_NOISE)]
 
 
@@ -94,12 +93,12 @@ def _as_learned(noise: Unknown, known: Floats) -> float:
 
 def _with_kept_delays(learned: Fit) -> Iterator[Unknown]:
     """The unknowns of a learned vehicle, delays with bounds by their 95 % intervals."""
-    if not any(COLUMN[unknown.column] in DELAY_COLUMNS for unknown in learned.unknowns):
+    if not any(unknown.column in OF_TIME for unknown in learned.unknowns):
         yield from learned.unknowns
         return
     spread = np.sqrt(np.diag(covariance(learned)))
     for unknown, q, off in zip(learned.unknowns, learned.q.tolist(), (Z95 * spread).tolist(), strict=True):
-        is_delay = COLUMN[unknown.column] in DELAY_COLUMNS
+        is_delay = unknown.column in OF_TIME
         low, high = unknown.bounds
         yield replace(unknown, bounds=(max(low, q - off), min(high, q + off))) if is_delay else unknown
 

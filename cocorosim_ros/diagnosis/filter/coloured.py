@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from cocorosim_ros.diagnosis.criteria.filter import FILTER
+from cocorosim_ros.diagnosis.filter.motion import Motion
 from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
 from cocorosim_ros.diagnosis.filter.records import Rates, Readings, When
 from cocorosim_ros.foundation.arrays import Floats
@@ -35,7 +36,7 @@ def share_left(readings: Readings, index: int, memory: Floats) -> float:
 
 
 @outlined_kernel
-def error_before(
+def _error_before(
     readings: Readings, index: int, row: Floats, rates: Rates, sensor: Floats, water: Floats, motors: Motors
 ) -> float:
     """Error of the reading of the same kind before this one, as the state at the grid point of this one has it."""
@@ -49,6 +50,18 @@ def error_before(
         passed[column] = water[column] - readings.gap[index] * behind[SURGE + column]
     shown = expected(kind, when, row, Rates(behind, level), sensor, passed, motors)
     error: float = deviation(kind, readings.value[earlier], shown)
+    return error
+
+
+@kernel
+def error_left(
+    readings: Readings, index: int, left: float, motion: Motion, sensor: Floats, water: Floats, motors: Motors
+) -> float:
+    """Part of this reading's error that the one before had: its share `left` times that error."""
+    if left == 0.0:
+        return 0.0
+    rates = Rates(motion.rate, motion.leap)
+    error: float = left * _error_before(readings, index, motion.row, rates, sensor, water, motors)
     return error
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from cocorosim_ros.diagnosis.filter.coloured import error_before, share_left, take_off_before
+from cocorosim_ros.diagnosis.filter.coloured import error_left, share_left, take_off_before
 from cocorosim_ros.diagnosis.filter.correction import correct
 from cocorosim_ros.diagnosis.filter.covariance import (
     GATE,
@@ -155,10 +155,8 @@ def _filter(
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
             left = share_left(readings, index, numbers.memory)
-            if left > 0.0:
-                rates = Rates(motion.rate, motion.leap)
-                innovation -= left * error_before(readings, index, row, rates, sensor, water, motors)
-                variance *= 1.0 - left * left
+            innovation -= error_left(readings, index, left, motion, sensor, water, motors)
+            variance *= 1.0 - left * left
             if is_upright(kind):
                 sensitivity_upright(kind, after, row, sensor, parts.high_slope, seen)
                 if left > 0.0:
@@ -212,9 +210,7 @@ def _slope(
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
                 left = share_left(readings, index, numbers.memory)
-                if left > 0.0:
-                    rates = Rates(motion.rate, motion.leap)
-                    innovation -= left * error_before(readings, index, row, rates, sensor, water, motors)
+                innovation -= error_left(readings, index, left, motion, sensor, water, motors)
                 slope[origin] = deviation(kind, innovation, past.innovation[origin]) / step
             correct(motion, body, kind, past.gain[origin], innovation)
 

@@ -154,7 +154,7 @@ def _likeness(fit: Fit, numbers: Sequence[int], column: str) -> tuple[float, flo
     for number in numbers:
         passed, readings = fit.passes[number], _readings(fit, number)
         scaled = np.where(passed.believed, passed.innovation / np.sqrt(passed.variance), np.nan)[readings.origin]
-        scaled = _without_means(scaled, readings.kind)
+        scaled = _without_means(scaled, readings.kind, _kinds_of(column))
         chosen = _with_one_before(readings, column)
         now, before = scaled[chosen], scaled[readings.before[chosen]]
         both = np.isfinite(now) & np.isfinite(before)
@@ -184,14 +184,18 @@ def _readings(fit: Fit, number: int) -> Readings:
 
 def _with_one_before(readings: Readings, column: str) -> Integers:
     """Places of the readings of a column's kinds that have one before of the same kind."""
-    kinds = [code for code, name in enumerate(READING_NOISE_OF_KIND) if f"reading.{name}" == column]
-    return np.flatnonzero(np.isin(readings.kind, kinds) & (readings.before >= 0))
+    return np.flatnonzero(np.isin(readings.kind, _kinds_of(column)) & (readings.before >= 0))
 
 
-def _without_means(scaled: Floats, kind: Integers) -> Floats:
-    """Take the mean of each kind off innovations (m,) with NaN: what is off by the same all the time has no memory."""
+def _kinds_of(column: str) -> list[int]:
+    """Codes of the kinds of readings that share a number of noise."""
+    return [code for code, name in enumerate(READING_NOISE_OF_KIND) if f"reading.{name}" == column]
+
+
+def _without_means(scaled: Floats, kind: Integers, kinds: Sequence[int]) -> Floats:
+    """Take the means of some kinds off innovations (m,) with NaN: what is off by a constant has no memory."""
     found = scaled.copy()
-    for code in np.unique(kind):
+    for code in kinds:
         chosen = kind == code
         if np.isfinite(scaled[chosen]).any():
             found[chosen] -= np.nanmean(scaled[chosen])

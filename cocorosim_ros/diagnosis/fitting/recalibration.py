@@ -83,18 +83,18 @@ def climbed(first: Fit) -> Fit:
 
     Where the first climb shows that errors of most instruments last, it begins again with such errors.
     """
-    plain = not any(_is_shut(first, unknown) for unknown in first.noise)
-    way = settled(first if plain else _opened(first), RECALIBRATION.most_rounds)
+    opened = _opened(first)
+    way = settled(opened, RECALIBRATION.most_rounds)
     coloured = with_obvious_colour(first, way)
     if coloured is not None:
         return climbed(coloured)
-    if plain:
+    if opened is first:  # no readings lie beyond the gate in numbers
         return way
     starts = [_at_random(first)]
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
     ways = [way, *(settled(_opened(start), RECALIBRATION.most_rounds) for start in starts)]
-    ways.append(settled(with_noise(_opened(first), RECALIBRATION.most_rounds), RECALIBRATION.most_rounds))
+    ways.append(settled(with_noise(opened, RECALIBRATION.most_rounds), RECALIBRATION.most_rounds))
     best = max(ways, key=lambda fit: fit.objective)
     if any(q >= unknown.bounds[1] for unknown, q in zip(best.noise, best.q_noise, strict=True)):
         again = _at_random(evaluated(replace(best, q_noise=first.q_noise)))

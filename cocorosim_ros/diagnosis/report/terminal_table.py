@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from rich.console import Group, RenderableType
 from rich.table import Table
@@ -42,9 +43,7 @@ def _effects(diagnosis: Diagnosis) -> Table:
         numbers = [(name, *estimate_words(each)) for name, each in found.parameters.items()]
         if found.correction is not None:
             numbers.append(("correction", found.correction, ""))
-        for index, number in enumerate(numbers or [("", "", "")]):
-            start, end = (first, [plain_number(found.nats), rivals or NONE]) if index == 0 else (["", ""], ["", ""])
-            table.add_row(*(Text(cell) for cell in (*start, *number, *end)))
+        _add(table, first, numbers, [plain_number(found.nats), rivals or NONE])
     return table
 
 
@@ -55,11 +54,16 @@ def _passed_over(diagnosis: Diagnosis) -> Table:
     )
     for passed in diagnosis.passed_over:
         found = passed.found
-        for index, (name, each) in enumerate(found.parameters.items()):
-            first, nats = [_name(found), ", ".join(found.robots)], plain_number(found.nats)
-            start, end = (first, nats) if index == 0 else (["", ""], "")
-            table.add_row(*(Text(cell) for cell in (*start, name, *estimate_words(each), end)))
+        numbers = [(name, *estimate_words(each)) for name, each in found.parameters.items()]
+        _add(table, [_name(found), ", ".join(found.robots)], numbers, [plain_number(found.nats)])
     return table
+
+
+def _add(table: Table, start: Sequence[str], numbers: Sequence[Sequence[str]], end: Sequence[str]) -> None:
+    """Add a row for each number of an effect; what stands before and behind the numbers is in the first alone."""
+    for index, number in enumerate(numbers or [("", "", "")]):
+        before, behind = (start, end) if index == 0 else ([""] * len(start), [""] * len(end))
+        table.add_row(*(Text(cell) for cell in (*before, *number, *behind)))
 
 
 def _parameters(diagnosis: Diagnosis) -> Table:

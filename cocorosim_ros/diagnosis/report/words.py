@@ -6,9 +6,9 @@ import math
 
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis
+from cocorosim_ros.diagnosis.tracks.columns import NOISE_WORDS
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law, subject_and_product
-from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS, units_of
 
 VERDICTS = {
@@ -69,12 +69,8 @@ NOISES = {
     "random.smoothness": "smoothness of the random forces (0 rough, 1 smooth)",
     "random.with_speed": "random force that comes with speed (at the highest, over that at rest)",
     "random.with_thrust": "random force that comes with thrust (at the highest, over that at rest)",
-    **{f"reading.{kind.noise or kind.name}": kind.noise_words for kind in KINDS.values() if kind.noise_words},
-    **{
-        f"memory.{kind.noise or kind.name}": f"memory of the errors of {kind.noise_words}"
-        for kind in KINDS.values()
-        if kind.noise_words
-    },
+    **{f"reading.{name}": words for name, words in NOISE_WORDS.items()},
+    **{f"memory.{name}": f"memory of the errors of {words}" for name, words in NOISE_WORDS.items()},
 }
 
 CHECKS = {

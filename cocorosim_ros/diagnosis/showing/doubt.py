@@ -32,6 +32,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 from cocorosim_ros.diagnosis.naming.pruning import taken_back
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
+from cocorosim_ros.diagnosis.showing.hard_stops import FORETELLS_NOTHING
 from cocorosim_ros.foundation.arrays import Flags
 
 MAY_BE_NOTHING = (
@@ -61,10 +62,8 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
     while (weakest := _weakest(naming)) is not None:
         numbers = fitted(naming.fit)
         fewer, gone = taken_back(naming, *weakest)
-        passed += [
-            PassedOver(found, stands=_stands(gone), because=(MAY_BE_NOTHING, *_of_free_runs(gone.foretold)))
-            for found in found_effects(naming.fit, [gone], numbers)
-        ]
+        because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
+        passed += [PassedOver(found, _stands(gone), because) for found in found_effects(naming.fit, [gone], numbers)]
         naming = fewer
     return naming, tuple(passed)
 
@@ -105,10 +104,9 @@ def _stands(gone: NamedEffect) -> bool:
 
     The model without the effect is worse by enough, and free runs do not contradict that.
     """
-    return gone.nats >= NAMING.threshold and (gone.foretold is None or gone.foretold.mean > 0.0)
+    return gone.nats >= NAMING.threshold and not _of_free_runs(gone.foretold)
 
 
 def _of_free_runs(gain: Gain | None) -> tuple[str, ...]:
-    if gain is None or gain.mean > 0.0:
-        return ()
-    return ("Free runs through data that no fit saw err no less with it than without it.",)
+    """The sentence on free runs that speak against an effect; none where they gain by it, or cannot judge it."""
+    return () if gain is None or gain.mean > 0.0 else (FORETELLS_NOTHING,)

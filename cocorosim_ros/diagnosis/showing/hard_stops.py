@@ -6,6 +6,7 @@ readings, explains the fault of that fit. Its name stays, since it may help; its
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -23,13 +24,11 @@ from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.tracks.columns import (
     COLUMN,
-    COMMAND_DELAY,
-    LATENCY,
     MEMORY_COLUMNS,
     NEUTRAL,
+    OF_TIME,
     READING_COLUMNS,
     READING_MEMORY,
-    SKEW,
     WHITE,
 )
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
@@ -38,7 +37,8 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 
 _OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
-_OF_TIME = (*LATENCY, *SKEW, COMMAND_DELAY)
+
+FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,7 @@ def foretells_nothing(case: Case) -> Iterator[Objection]:
     """Object to effects by which free runs on unseen data gain nothing."""
     for found, named in _named(case):
         if named.foretold is not None and named.foretold.mean <= 0.0:
-            yield Objection("Free runs through data that no fit saw err no less with it than without it.", effect=found)
+            yield Objection(FORETELLS_NOTHING, effect=found)
 
 
 def uneven_pushes(case: Case) -> Iterator[Objection]:
@@ -172,7 +172,7 @@ def _left(track: Track, course: Smoothed, row: Floats) -> Iterator[str]:
             continue
         chosen = track.timeline.kind == kind
         off = float(np.quantile(np.abs(deviation(track, chosen, course, row)), HARD_STOPS.most))
-        noise = max(_noise(track, kind), _coloured_noise(track, kind, row))
+        noise = _noise(track, kind, row)
         if off > HARD_STOPS.strayed * noise:
             yield f"{name} by {off:.3g} {KINDS[name].unit}, {off / noise:.3g} times their noise"
 
@@ -212,8 +212,8 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
     """
     robots = {name for each in case.final.noise if each.column in READING_MEMORY for name in each.owner.robots}
     for found, named in _named(case):
-        columns = {each.column for each in named.candidate.entry.amplitudes}
-        if not columns.isdisjoint(_OF_TIME) and not robots.isdisjoint(found.robots):
+        is_of_time = any(each.column in OF_TIME for each in named.candidate.entry.amplitudes)
+        if is_of_time and not robots.isdisjoint(found.robots):
             yield Objection(
                 "Errors of these readings last, and the filter follows them from one reading to the next by whole "
                 "steps, so that a part of a step may pass for a delay.",
@@ -274,25 +274,19 @@ def _named(case: Case) -> Iterator[tuple[FoundEffect, NamedEffect]]:
                 yield found, named
 
 
-def _noise(track: Track, kind: int) -> float:
-    """Noise of most readings of a kind, as averaged for the filter, and never less than the filter's steps err by."""
+def _noise(track: Track, kind: int, row: Floats) -> float:
+    """Noise of most readings of a kind, as averaged for the filter, and never less than the filter's steps err by.
+
+    Of errors that last differences show a part alone; then it is no less than what the fit has, row (columns,).
+    """
     topic = next(name for name, kinds in KINDS_OF_STREAM.items() if kind in kinds)
     single = float(track.log.streams[topic].noise[KINDS_OF_STREAM[topic].index(kind)])
+    if not np.isfinite(single):
+        return np.inf
+    if row[MEMORY_COLUMNS[kind]] != WHITE:
+        single = max(single, float(np.exp(row[READING_COLUMNS[kind]])))
     share = float(np.median(track.timeline.share[track.timeline.kind == kind]))
-    least = KINDS[KIND_NAMES[kind]].least_noise
-    return max(single * np.sqrt(share), least) if np.isfinite(single) else np.inf
-
-
-def _coloured_noise(track: Track, kind: int, row: Floats) -> float:
-    """Noise of most readings of a kind as fitted, where their errors last, so that differences do not show it; else 0.
-
-    row (columns,): the numbers of the fit.
-    """
-    if row[MEMORY_COLUMNS[kind]] == WHITE:
-        return 0.0
-    return float(
-        np.exp(row[READING_COLUMNS[kind]]) * np.sqrt(np.median(track.timeline.share[track.timeline.kind == kind]))
-    )
+    return max(single * math.sqrt(share), KINDS[KIND_NAMES[kind]].least_noise)
 
 
 def _listed(robots: Sequence[str]) -> str:

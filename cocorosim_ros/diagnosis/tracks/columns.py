@@ -24,6 +24,9 @@ READING_NOISE_OF_KIND = tuple(kind.noise or kind.name for kind in KINDS.values()
 READING_NOISE = tuple(dict.fromkeys(f"reading.{name}" for name in READING_NOISE_OF_KIND))
 # Logarithms of correlation times of errors of readings, one for each number above; next to nothing: they are white.
 READING_MEMORY = tuple(f"memory.{column.partition('.')[2]}" for column in READING_NOISE)
+NOISE_WORDS = {
+    name: kind.noise_words for name, kind in zip(READING_NOISE_OF_KIND, KINDS.values(), strict=True) if kind.noise_words
+}
 # Units of the noise itself; a row holds logarithms.
 NOISE_UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
@@ -54,6 +57,7 @@ READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_
 MEMORY_COLUMNS = np.array([COLUMN[f"memory.{name}"] for name in READING_NOISE_OF_KIND])
 ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
 BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in NAMES], dtype=np.int64)
+OF_TIME = frozenset((*LATENCY, *SKEW, COMMAND_DELAY))  # columns of errors of stamps, those of commands too
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
 ACTUATING = np.flatnonzero(
