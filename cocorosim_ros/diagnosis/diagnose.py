@@ -33,12 +33,13 @@ from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
-from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt
+from cocorosim_ros.diagnosis.showing.case import Case
+from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
-from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
+from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -77,6 +78,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     naming, free, passed = _beyond_doubt(naming, unseen)
     table = free.table
     progress("writing down", 0.95)
+    passed = (*passed, *(() if is_exact(table) else refused_effects(naming)))
     numbers = fitted(naming.fit)
     effects = (*mixed_up(intake), *found_effects(naming.fit, naming.named, numbers))
     every, moved = recalibrated(numbers)

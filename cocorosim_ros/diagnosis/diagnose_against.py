@@ -30,11 +30,12 @@ from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects, streams_and_numbers_not_shown
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
+from cocorosim_ros.diagnosis.showing.case import Case
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
-from cocorosim_ros.diagnosis.showing.hard_stops import Case, objections, stopped
+from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
@@ -113,7 +114,8 @@ def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Nam
     every, _ = recalibrated(fitted(learned))
     origins = tuple(recording.origin for recording in good.recordings)
     named = {effect.candidate.entry.id for effect in naming.named}
-    in_doubt = tuple(name for name in naming.refused if name not in named)
+    refused = dict.fromkeys(each.effect.candidate.entry.id for each in naming.refused)
+    in_doubt = tuple(name for name in refused if name not in named)
     seen = sizes_seen(naming.screened)
     return Comparison(origins, learned_effects(learned), control, spreads, every, seen_from=seen, in_doubt=in_doubt)
 

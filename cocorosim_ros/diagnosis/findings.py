@@ -115,12 +115,13 @@ class PassedOver:
     """An effect that evidence speaks for, but that gets no name; it is not in the found model.
 
     found: as it would have been named, with the nats by which the model is worse without it. stands: whether something
-    is missing all the same. because: sentences, why it gets no name.
+    is missing all the same. because: sentences, why it gets no name. shortly: the first of them in a few words.
     """
 
     found: FoundEffect
     stands: bool
     because: tuple[str, ...]
+    shortly: str
 
 
 @dataclass(frozen=True)
@@ -275,4 +276,4 @@ class Diagnosis:
     warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
     untold: tuple[str, ...] = ()  # sentences: errors that no other reading tells, differences that free runs doubt
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
-    passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since their size may as well be nothing
+    passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since there is doubt that they are there

@@ -15,7 +15,8 @@ from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
-from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, Case, Objection, objections, stopped
+from cocorosim_ros.diagnosis.showing.case import Case, Objection
+from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, objections, stopped
 
 
 @pytest.fixture(scope="module")

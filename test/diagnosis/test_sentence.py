@@ -21,6 +21,7 @@ from cocorosim_ros.diagnosis.findings import (
 )
 from cocorosim_ros.diagnosis.report.sentence import detail_lines, difference_sentence, sentence_of
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 
@@ -93,11 +94,13 @@ def test_what_has_no_name_is_likened_to_something() -> None:
     """The strongest of those by which something is missing, in the headline; all in the lines; none beside a name."""
     names = {each.name for each in ENTRIES}
     for name in names:
-        one = PassedOver(replace(LAG, name=name, robots=ROBOTS, nats=9.0), stands=True, because=())
+        one = PassedOver(
+            replace(LAG, name=name, robots=ROBOTS, nats=9.0), stands=True, because=(), shortly=SIZE_MAY_BE_NOTHING
+        )
         told = sentence_of("mismatch", [], [], [one])
         assert name in told and len(told.split()) <= 25 and told.count(".") == 1, told
     weak, strong, none = (
-        PassedOver(replace(LAG, name=name, nats=nats), stands=stands, because=())
+        PassedOver(replace(LAG, name=name, nats=nats), stands=stands, because=(), shortly=SIZE_MAY_BE_NOTHING)
         for name, nats, stands in (("a drag", 9.0, True), ("a torque", 12.0, True), ("a tether", 90.0, False))
     )
     assert sentence_of("mismatch", [], [], [weak, strong, none]) == (
@@ -107,9 +110,9 @@ def test_what_has_no_name_is_likened_to_something() -> None:
     assert "missing" in sentence_of("consistent", [], [], [none])
     lines = [plain(line) for line in detail_lines(found(passed_over=(strong, none)))]
     assert lines == [
-        "not named: a torque of lily_01 (12.0 nats), since it may as well be nothing: "
+        "not named: a torque of lily_01 (12.0 nats), since its size may as well be nothing: "
         "time constant 314 ms (301 to 327 ms)",
-        "not named: a tether of lily_01 (without the evidence that it needs), since it may as well be nothing: "
+        "not named: a tether of lily_01 (without the evidence that it needs), since its size may as well be nothing: "
         "time constant 314 ms (301 to 327 ms)",
     ]
 

@@ -32,7 +32,7 @@ from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import Choice
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage, onsets_of
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Refused, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.naming import best_addition, keys_of, ranked
 from cocorosim_ros.diagnosis.naming.pruning import pruned
 from cocorosim_ros.diagnosis.naming.residual import scene_of
@@ -74,7 +74,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
     nameless = ""
-    refused: tuple[str, ...] = ()
+    refused: tuple[Refused, ...] = ()
     for number in range(SEARCH.most_rounds):
         progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
@@ -86,7 +86,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
-            refused = tuple(dict.fromkeys(each.entry.id for each in choice.refused))
+            refused = tuple(choice.refused)
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:

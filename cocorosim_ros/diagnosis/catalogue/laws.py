@@ -120,12 +120,12 @@ def law_entries(scene: Scene, place: str) -> list[Entry]:
         if scene.scales[product.first.name] > 0.0 and scene.scales[product.second.name] > 0.0
     ]
     return [
-        *(_entry(place, law, scene) for law in plain),
+        *(law_entry(place, law, scene) for law in plain),
         *(_swinging(place, equation, scene) for equation in SWINGING),
     ]
 
 
-def _entry(place: str, law: Law, scene: Scene) -> Entry:
+def law_entry(place: str, law: Law, scene: Scene) -> Entry:
     """Make the entry of one law; its amplitude is the coefficient, with `typical` as the large value."""
     force, product = EQUATION[law.of].symbol, law.product
     size = typical(scene, law)
@@ -179,7 +179,7 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
     """Make the entry of a force c sin(omega t + phase), with the periods at which the residual swings most as grid."""
     omega, phase = f"{place}.omega", f"{place}.phase"
     return replace(
-        _entry(place, Law(equation, single("sin_t")), scene),
+        law_entry(place, Law(equation, single("sin_t")), scene),
         equation=f"{EQUATION[equation].symbol} = c sin(omega t + phase)",
         shapes=(
             Shape(

@@ -40,6 +40,11 @@ def open_set(scene: Scene, found: Sequence[Entry], rows: Floats, *, water: bool)
     return [replace(entry, prior_nats=against) for entry in every]
 
 
+def free_place(rows: Floats) -> str | None:
+    """Name the first place for a law of motion that no law of a model, rows (tracks, columns), has taken."""
+    return next((place for place in LAWS if not _coefficient(rows, place).any()), None)
+
+
 def _coefficient(rows: Floats, place: str) -> Floats:
     """Coefficients (tracks,) of the law in a place, 0 where there is none."""
     return rows[:, COLUMN[f"{place}.coefficient"]]

@@ -44,6 +44,25 @@ class SearchCriteria:
 
 
 @dataclass(frozen=True)
+class PairLawCriteria:
+    """Laws of two regressors, of which there are a thousand (`naming.promising_laws`)."""
+
+    part: float = 10.0
+    """[s] parts of a recording in which what is left of the force is compared with a law: longer than a random force
+    remembers, so that parts scatter by themselves. Chosen, not measured."""
+    fewest_parts: int = 8
+    """[parts] whose scatter tells something. Chosen, not measured."""
+    clear: float = 2.5
+    """[standard deviations] from which a law is screened: of a thousand laws that are not there, about twelve are.
+    Reckoned from the normal distribution."""
+    most: int = 48
+    """[laws] that are screened at most, each of which costs a slope. Chosen, not measured."""
+    lead: float = 1.5
+    """[of the nats of the best entry of the catalogue] that a law of so many needs to be asked beside it: an effect
+    whose form is not quite that of the catalogue has the greater part of them still. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class NamingCriteria:
     """Evidence that an effect needs to be named (`naming.naming`)."""
 
@@ -64,7 +83,11 @@ class NamingCriteria:
     """[of an effect's nats] the same for laws outside the catalogue, which fill what any form leaves. Chosen, not
     measured."""
     law_share: float = 0.4
-    """[of a motion's nats] the same for laws of readings, which follow effects of motion. Chosen, not measured."""
+    """[of a motion's nats] the same for laws of readings, which follow effects of motion; and for errors of readings
+    beside a motion that free runs refused a name. Chosen, not measured."""
+    nameless: float = 24.0
+    """[nats] from which something is missing although free runs do not gain by the effect that explains it best: three
+    times what a name needs. Chosen, not measured."""
     law_margin: float = 3.0
     """[nats] by which a law outside the catalogue has to beat it: there are many laws. Chosen, not measured."""
 
@@ -110,6 +133,7 @@ class SwingCriteria:
 
 
 SEARCH = SearchCriteria()
+PAIR_LAWS = PairLawCriteria()
 NAMING = NamingCriteria()
 DETECTABILITY = DetectabilityCriteria()
 PUMP = PumpCriteria()

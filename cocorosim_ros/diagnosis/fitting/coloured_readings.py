@@ -83,6 +83,11 @@ def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
     return settled(_begun(_without(fit, present), found, wanted), RECALIBRATION.most_rounds)
 
 
+def robots_with_lasting_errors(fit: Fit) -> frozenset[str]:
+    """Names of the robots some of whose readings have errors that last in a fit."""
+    return frozenset(name for unknown in _memories(fit) for name in unknown.owner.robots)
+
+
 def _memories(fit: Fit) -> tuple[Unknown, ...]:
     return tuple(unknown for unknown in fit.noise if unknown.column in READING_MEMORY)
 

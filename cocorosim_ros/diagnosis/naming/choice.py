@@ -8,7 +8,7 @@ run has no readings.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -20,12 +20,22 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, Gain, rows_without_held_out
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined
+from cocorosim_ros.diagnosis.naming.named_effect import Refused
 from cocorosim_ros.foundation.arrays import Floats
 
 
 def moves(candidate: Candidate) -> bool:
     """Tell whether a candidate acts on the motion, and not on readings alone."""
     return candidate.entry.channel not in SENSOR_CHANNELS
+
+
+def can_be_law(candidate: Candidate, lasting: Collection[str]) -> bool:
+    """Tell whether a law may be that of a candidate, beside robots some of whose readings have errors that last.
+
+    The filter follows such errors by whole steps, so that what changes within a step, as a command does, may pass for a
+    law of these readings.
+    """
+    return moves(candidate) or set(lasting).isdisjoint(candidate.robots)
 
 
 def harms(candidate: Candidate, gain: Gain) -> bool:
@@ -46,7 +56,7 @@ class Choice:
     fit: Fit
     onsets: frozenset[str] = frozenset()
     must_gain: bool = False
-    refused: list[Candidate] = field(default_factory=list)
+    refused: list[Refused] = field(default_factory=list)
     _known: list[tuple[Refined, Floats]] = field(default_factory=list)
 
     @cached_property
@@ -64,6 +74,11 @@ class Choice:
     def refuses(self, candidate: Candidate, gain: Gain) -> bool:
         """Tell whether free runs are against naming a candidate that moves."""
         return harms(candidate, gain) or (self.must_gain and gain.mean <= 0.0)
+
+    def may_be_trace(self, candidate: Candidate, nats: float) -> bool:
+        """Tell whether an error of readings may be what a motion leaves there that free runs refused a name."""
+        refused = max((each.effect.nats for each in self.refused), default=0.0)
+        return not moves(candidate) and nats < NAMING.law_share * refused
 
     def better(self, leader: Refined, others: Sequence[Refined]) -> list[Refined]:
         """List the entries of the catalogue that foretell clearly better than a leader that moves, best first.

@@ -47,13 +47,20 @@ class Stage(NamedTuple):
     named: tuple[NamedEffect, ...]
 
 
+class Refused(NamedTuple):
+    """A candidate with evidence enough that free runs were against, and the fit with it."""
+
+    fit: Fit
+    effect: NamedEffect
+
+
 @dataclass(frozen=True)
 class Naming:
     """Result of the contest.
 
     base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
-    known: effects that the base has already, with their evidence. refused: entries with evidence enough that free runs
-    were against when nothing more could be named.
+    known: effects that the base has already, with their evidence. refused: candidates with evidence enough that free
+    runs were against when nothing more could be named.
     """
 
     base: Fit
@@ -63,4 +70,4 @@ class Naming:
     laws: tuple[Screened, ...]  # outside the catalogue
     nameless: str = ""  # law that explains what is left over, where laws are not named
     known: tuple[NamedEffect, ...] = ()
-    refused: tuple[str, ...] = ()
+    refused: tuple[Refused, ...] = ()

@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lasting_errors
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_columns
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
@@ -25,11 +26,11 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
-from cocorosim_ros.diagnosis.naming.choice import Choice, moves
+from cocorosim_ros.diagnosis.naming.choice import Choice, can_be_law, moves
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined, begin, log_evidence, refine
 from cocorosim_ros.diagnosis.naming.instruments import is_beyond_instrument
 from cocorosim_ros.diagnosis.naming.known_effects import known_effects
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Stage, onsets_of
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, NearRival, Refused, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.natural_limits import is_at_its_limit
 from cocorosim_ros.diagnosis.naming.needed_evidence import (
     held_against,
@@ -39,6 +40,7 @@ from cocorosim_ros.diagnosis.naming.needed_evidence import (
     standing,
     usual_gain,
 )
+from cocorosim_ros.diagnosis.naming.promising_laws import leading, pair_candidates
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 from cocorosim_ros.diagnosis.naming.residual import scene_of
@@ -63,11 +65,14 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
     named: tuple[NamedEffect, ...] = ()
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
+    refused: tuple[Refused, ...] = ()
     entries_of_catalogue = _undeclared(base)
     known = known_effects(base)
+    lasting = robots_with_lasting_errors(base)
     for round_number in range(SEARCH.most_rounds):
         progress("looking for what is missing", round_number / (round_number + SEARCH.pruned_from))
-        scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(base))
+        courses = smoothed_tracks(fit)
+        scene = scene_of(fit.tracks, courses, drag_form_of(base))
         screen = Screen(fit, scene)
         taken = {key for effect in named for key in keys_of(effect.candidate)}
         entries = [each for each in expand(entries_of_catalogue, fit.tracks, fit.rows) if not taken & keys_of(each)]
@@ -75,18 +80,24 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
         water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
         found = [effect.candidate.entry for effect in named]
         laws = expand(open_set(scene, found, base.rows, water=water), fit.tracks, base.rows)
-        tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each)])
-        if round_number == 0:
-            first, first_laws = tuple(map(screen.felt, tested)), tested_laws
+        tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each) and can_be_law(each, lasting)])
         choice = Choice(unseen, fit, onsets_of(named)) if unseen is not None else None
+        pairs: tuple[Screened, ...] = ()
+        if round_number == 0:
+            pairs = ranked(screen, pair_candidates(screen, courses))
+            tested_laws = _ordered((*leading(pairs, tested), *tested_laws))
+            first, first_laws = tuple(map(screen.felt, tested)), tested_laws
         best = best_addition((*known, *named), screen, tested, tested_laws, choice)
+        if best is None and pairs:
+            best = _best_by_slopes(known, screen, (), pairs, choice)
         if best is None:
+            refused = tuple(choice.refused) if choice is not None else ()
             break
         fit, named = settled(best[0], SEARCH.settling), (*named, best[1])
         if len(named) >= SEARCH.pruned_from:
             fit, named = pruned(Stage(fit, named), base, known, unseen)
     fit, named = pruned(Stage(fit, named), base, known, unseen)
-    return Naming(base, polished(fit) if named else fit, named, first, first_laws, known=known)
+    return Naming(base, polished(fit) if named else fit, named, first, first_laws, known=known, refused=refused)
 
 
 def _undeclared(base: Fit) -> list[Entry]:
@@ -203,13 +214,13 @@ def _first_believed(
     for place, leader in enumerate(refined):
         if standing(leader) < needed_nats(stage.named, leader.candidate, leader.fit):
             return None
-        own = _held_out_if_nameable(leader, stage, passed_over)
+        own = _held_out_if_nameable(leader, stage, passed_over, choice)
         if own is None:
             continue
         if choice is None or not moves(leader.candidate):
             return _addition(leader, near_rivals(leader, refined, choice), own)
         others = (
-            (each, _held_out_if_nameable(each, stage, passed_over))
+            (each, _held_out_if_nameable(each, stage, passed_over, choice))
             for each in choice.better(leader, refined[place + 1 :])
         )
         best, held_out = next(((each, found) for each, found in others if found is not None), (leader, own))
@@ -217,17 +228,19 @@ def _first_believed(
         if not choice.refuses(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
             return _addition(best, near_rivals(best, refined, choice), held_out, gain)
         passed_over.harmful.append(best.candidate)
-        choice.refused.append(best.candidate)
+        choice.refused.append(Refused(*_addition(best, (), held_out, gain)))
     return None
 
 
-def _held_out_if_nameable(refined: Refined, stage: Stage, passed_over: PassedOver) -> HeldOutGain | None:
+def _held_out_if_nameable(
+    refined: Refined, stage: Stage, passed_over: PassedOver, choice: Choice | None
+) -> HeldOutGain | None:
     """Held-out gain of a candidate that may be named; None for one that may not.
 
     It may if its evidence suffices, also over a model without it that was fitted anew where evidence is weak, if it is
     large enough to be believed and no larger than such an effect or an instrument's error can be, and if it foretells
-    held-out blocks. One that
-    is too small is noted; candidates that may stand for what was passed over are passed over too.
+    held-out blocks. One that is too small is noted; candidates that may stand for what was passed over, or refused by
+    free runs, are passed over too.
     """
     needed = needed_nats(stage.named, refined.candidate, refined.fit)
     if standing(refined) < needed or (refined.nats < NAMING.checked and _regained(refined, stage.fit) < needed):
@@ -238,6 +251,8 @@ def _held_out_if_nameable(refined: Refined, stage: Stage, passed_over: PassedOve
     if is_beyond_instrument(refined.candidate, refined.fit) or is_at_its_limit(refined.candidate, refined.fit):
         return None
     if any(is_like(refined.candidate, other) for other in (*passed_over.negligible, *passed_over.harmful)):
+        return None
+    if choice is not None and choice.may_be_trace(refined.candidate, standing(refined)):
         return None
     held_out = held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns)
     return held_out if held_out.total > 0.0 else None

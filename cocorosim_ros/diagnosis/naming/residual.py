@@ -18,7 +18,6 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
 from cocorosim_ros.world.terms.search import Scene
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
-IN_BODY = ("surge", "sway")
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: float = 0.0) -> Scene:
@@ -30,9 +29,8 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
     seen = np.concatenate([course.mean for course in courses])
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + SWINGS.least_extent)
     duration = max(float(course.time[-1]) for course in courses)
-    forces = {name: [course.mean[:, column] for course in courses] for name, column in FORCE_COLUMNS.items()}
-    forces |= {name: [_in_body(course.mean)[axis] for course in courses] for axis, name in enumerate(IN_BODY)}
-    periods = {name: _periods(courses, force) for name, force in forces.items()}
+    forces = [forces_by_equation(course.mean) for course in courses]
+    periods = {name: _periods(courses, [each[name] for each in forces]) for name in forces[0]}
     return Scene(
         tuple(lower.tolist()),
         tuple(upper.tolist()),
@@ -59,11 +57,12 @@ def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
     return bool(np.mean(thrust**2) > np.mean(seen[:, FORCE_X : FORCE_Y + 1] ** 2))
 
 
-def _in_body(mean: Floats) -> tuple[Floats, Floats]:
-    """Random force of a smoothed course, forwards and to the left: each (points,) [N; body]."""
+def forces_by_equation(mean: Floats) -> dict[str, Floats]:
+    """Random force of a smoothed course (points, COURSE_SIZE) in each equation: (points,) [N, N m]."""
     sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
     east, north = mean[:, FORCE_X], mean[:, FORCE_Y]
-    return east * cosine + north * sine, north * cosine - east * sine
+    forces = {name: mean[:, column] for name, column in FORCE_COLUMNS.items()}
+    return {**forces, "surge": east * cosine + north * sine, "sway": north * cosine - east * sine}
 
 
 def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:

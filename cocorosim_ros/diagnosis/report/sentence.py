@@ -38,8 +38,8 @@ def sentence_of(
         begin = "Nothing is missing from the model, but its numbers have shifted:"
         return _as_many_as_fit(list(_numbers(moved)), lambda told: f"{begin} {told}.")
     if not effects:
-        likeliest = max((each.found for each in passed if each.stands), key=lambda found: found.nats)
-        return f"Something is missing, most like {likeliest.name}, but its size may as well be nothing."
+        likeliest = max((each for each in passed if each.stands), key=lambda each: each.found.nats)
+        return f"Something is missing, most like {likeliest.found.name}, but {likeliest.shortly}."
     whose = _whose(effects[0].robots) if len({each.robots for each in effects}) == 1 else ""
     certain, doubtful = ([each for each in effects if each.tier == tier] for tier in ("confirmed", "suspected"))
     if not certain:
@@ -123,7 +123,7 @@ def _passed_over(passed: PassedOver) -> str:
     numbers = [f"{_plain(name)} {value} ({interval})" for name, (value, interval) in told.items()]
     size = f": {_shortened(numbers)}" if numbers else ""
     evidence = f"{plain_number(found.nats)} nats" if passed.stands else "without the evidence that it needs"
-    return f"not named: {found.name}{_whose(found.robots)} ({evidence}), since it may as well be nothing{size}"
+    return f"not named: {found.name}{_whose(found.robots)} ({evidence}), since {passed.shortly}{size}"
 
 
 def _whose(robots: Sequence[str]) -> str:

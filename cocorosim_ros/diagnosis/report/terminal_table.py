@@ -49,13 +49,13 @@ def _effects(diagnosis: Diagnosis) -> Table:
 
 def _passed_over(diagnosis: Diagnosis) -> Table:
     table = _table(
-        "not named, since it may as well be nothing",
-        ("most like", "robots", "parameter", "value", "95 % interval", "nats"),
+        "explains something, but is not named",
+        ("most like", "robots", "parameter", "value", "95 % interval", "nats", "since"),
     )
     for passed in diagnosis.passed_over:
         found = passed.found
         numbers = [(name, *estimate_words(each)) for name, each in found.parameters.items()]
-        _add(table, [_name(found), ", ".join(found.robots)], numbers, [plain_number(found.nats)])
+        _add(table, [_name(found), ", ".join(found.robots)], numbers, [plain_number(found.nats), passed.shortly])
     return table
 
 

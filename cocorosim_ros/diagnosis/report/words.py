@@ -35,7 +35,7 @@ VERDICTS = {
 WITHOUT_NAME = (
     "Something is missing",
     "No choice of the platform's own numbers explains the recording, and no effect does beyond doubt: those that "
-    "explain something may as well be nothing, each by itself.",
+    "explain something may as well be nothing, each by itself, or foretell nothing.",
 )
 """Words of a mismatch without a name."""
 DIFFERENCES = {
@@ -136,7 +136,7 @@ def nothing_missing_words(diagnosis: Diagnosis) -> str:
     if diagnosis.verdict == "insufficient":
         return "Nothing could be tested, because the recording holds too little information."
     if diagnosis.passed_over:
-        return "No effect is named: those below explain something, but each may as well be nothing."
+        return "No effect is named: those below explain something, but none beyond doubt."
     if diagnosis.against is not None:
         return "No effect of the catalogue, and no law outside it, differs from the compared recordings."
     return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."

@@ -1,4 +1,6 @@
-"""Effects that get no name although evidence speaks for them: those whose size may as well be nothing.
+"""Effects that get no name although evidence speaks for them.
+
+Those are of two kinds: the size may as well be nothing, or free runs do not gain by the effect (`refused_effects`).
 
 Evidence is reckoned with noise that is white and a law that is the same throughout. Where the one is coloured or the
 other differs, numbers of single parts of the recordings scatter by far more than readings should let them, and whatever
@@ -40,6 +42,13 @@ MAY_BE_NOTHING = (
     "is so badly known, that it may be zero."
 )
 
+GAINS_TOO_LITTLE = (
+    "Held-out readings bear it out, but free runs through data that no fit saw do not gain by it: something like it is "
+    "missing, perhaps another law of the same force."
+)
+SIZE_MAY_BE_NOTHING = "its size may as well be nothing"
+NOT_FORETOLD = "free runs do not gain by it"
+
 
 class Clear(NamedTuple):
     """Flags (unknowns,) of a fit: whether a number is more than nothing in any part, and whether its mean is."""
@@ -63,9 +72,28 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
         numbers = fitted(naming.fit)
         fewer, gone = taken_back(naming, *weakest)
         because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
-        passed += [PassedOver(found, _stands(gone), because) for found in found_effects(naming.fit, [gone], numbers)]
+        every = found_effects(naming.fit, [gone], numbers)
+        passed += [PassedOver(found, _stands(gone), because, SIZE_MAY_BE_NOTHING) for found in every]
         naming = fewer
     return naming, tuple(passed)
+
+
+def refused_effects(naming: Naming) -> tuple[PassedOver, ...]:
+    """List the effect of most evidence that free runs refused a name, where something is missing all the same.
+
+    Free runs are short and few, and of the many laws a name needs that they gain by it. Evidence that held-out readings
+    bear out, and that free runs do not contradict, says that something is missing, but not whether it is that.
+    """
+    known = {effect.candidate.key for effect in naming.named}
+    asked = [each for each in naming.refused if each.effect.candidate.key not in known]
+    if not asked:
+        return ()
+    fit, effect = max(asked, key=lambda each: each.effect.nats)
+    lost = effect.foretold is not None and effect.foretold.is_loss
+    if effect.nats < NAMING.nameless or lost or effect.held_out.p >= ESTIMATES.held_out_p:
+        return ()
+    every = found_effects(fit, [effect], fitted(fit))
+    return tuple(PassedOver(found, True, (GAINS_TOO_LITTLE,), NOT_FORETOLD) for found in every)
 
 
 def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:

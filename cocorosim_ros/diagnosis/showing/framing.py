@@ -5,7 +5,7 @@ from __future__ import annotations
 from cocorosim_ros.diagnosis.criteria.showing import FRAMING
 from cocorosim_ros.diagnosis.evidence.intake import Intake, Mixup
 from cocorosim_ros.diagnosis.findings import FoundEffect
-from cocorosim_ros.diagnosis.showing.hard_stops import Objection
+from cocorosim_ros.diagnosis.showing.case import Objection
 
 
 def mixed_up(intake: Intake) -> tuple[FoundEffect, ...]:

@@ -7,20 +7,20 @@ readings, explains the fault of that fit. Its name stays, since it may help; its
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
-from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
-from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.findings import FoundEffect
+from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lasting_errors
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
 from cocorosim_ros.diagnosis.foretelling.deviation import deviation
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
+from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.tracks.columns import (
     COLUMN,
@@ -28,7 +28,6 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     NEUTRAL,
     OF_TIME,
     READING_COLUMNS,
-    READING_MEMORY,
     WHITE,
 )
 from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
@@ -39,39 +38,6 @@ from cocorosim_ros.world.sensors import KINDS
 _OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
-
-
-@dataclass(frozen=True)
-class Case:
-    """A finished diagnosis as the stops look at it.
-
-    final: the fit with all named effects; courses: its smoothed course for each track; table: errors of free runs.
-    """
-
-    final: Fit
-    named: Sequence[NamedEffect]
-    found: Sequence[FoundEffect]
-    courses: Sequence[Smoothed]
-    table: Mapping[str, HeldOut]
-
-
-class Objection(NamedTuple):
-    """A sentence against all effects of some robots, () for all robots, or against one effect alone."""
-
-    sentence: str
-    robots: tuple[str, ...] = ()
-    effect: FoundEffect | None = None
-
-    def concerns(self, found: FoundEffect) -> bool:
-        """Tell whether an effect is concerned; one that was put right before any fit is never."""
-        if found.correction is not None:
-            return False
-        if self.effect is not None:
-            return self.effect is found
-        return not self.robots or not set(self.robots).isdisjoint(found.robots)
-
-
-Stop = Callable[[Case], Iterator[Objection]]
 
 
 def number_at_a_bound(case: Case) -> Iterator[Objection]:
@@ -90,7 +56,7 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
 
 def effect_at_a_bound(case: Case) -> Iterator[Objection]:
     """Object to effects with a number at the end of what is looked for, but for one that is neutral there."""
-    for found, named in _named(case):
+    for found, named in effects_of(case):
         for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
             if named.candidate.owns(unknown) and set(found.robots) <= set(unknown.owner.robots):
                 neutral = {each.column: each.neutral for each in named.candidate.entry.amplitudes}
@@ -106,7 +72,7 @@ def effect_at_a_bound(case: Case) -> Iterator[Objection]:
 
 def interval_holds_zero(case: Case) -> Iterator[Objection]:
     """Object to effects each of whose amplitudes may as well be neutral."""
-    for found, named in _named(case):
+    for found, named in effects_of(case):
         if named.candidate.entry.may_be_nothing(found.parameters):
             yield Objection(
                 "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds zero.", effect=found
@@ -115,7 +81,7 @@ def interval_holds_zero(case: Case) -> Iterator[Objection]:
 
 def foretells_nothing(case: Case) -> Iterator[Objection]:
     """Object to effects by which free runs on unseen data gain nothing."""
-    for found, named in _named(case):
+    for found, named in effects_of(case):
         if named.foretold is not None and named.foretold.mean <= 0.0:
             yield Objection(FORETELLS_NOTHING, effect=found)
 
@@ -129,7 +95,7 @@ def uneven_pushes(case: Case) -> Iterator[Objection]:
     if not uneven:
         return
     growth = " and ".join(f"{each.quantity} (by {each.growth:.0%} for each standard deviation)" for each in uneven)
-    for found, named in _named(case):
+    for found, named in effects_of(case):
         if named.foretold is not None and not named.foretold.is_clear:
             yield Objection(
                 f"What the model errs by grows with {growth}, which its evidence takes for the same at all times; free "
@@ -210,8 +176,8 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
     The filter follows such errors from reading to reading by the rates at grid points, so that a part of a step may
     pass for a delay.
     """
-    robots = {name for each in case.final.noise if each.column in READING_MEMORY for name in each.owner.robots}
-    for found, named in _named(case):
+    robots = robots_with_lasting_errors(case.final)
+    for found, named in effects_of(case):
         is_of_time = any(each.column in OF_TIME for each in named.candidate.entry.amplitudes)
         if is_of_time and not robots.isdisjoint(found.robots):
             yield Objection(
@@ -244,6 +210,7 @@ STOPS: tuple[Stop, ...] = (
     coloured_innovations,
     lasting_errors,
     unknown_noise,
+    remainder,
 )
 
 
@@ -263,15 +230,6 @@ def stopped(found: Sequence[FoundEffect], against: Sequence[Objection]) -> tuple
 
 def _stopped(effect: FoundEffect, sentences: Sequence[str]) -> FoundEffect:
     return replace(effect, tier="suspected", because=tuple(sentences)) if sentences else effect
-
-
-def _named(case: Case) -> Iterator[tuple[FoundEffect, NamedEffect]]:
-    """Effects as they are reported, each with the named effect that it is of."""
-    for found in case.found:
-        for named in case.named:
-            entry = named.candidate.entry
-            if (entry.id, entry.topic) == (found.id, found.topic) and set(found.robots) <= set(named.candidate.robots):
-                yield found, named
 
 
 def _noise(track: Track, kind: int, row: Floats) -> float:

@@ -1,6 +1,7 @@
 """Buoyancy that is lost with depth, because the hull shrinks: Z = -gradient depth; none at the surface.
 
-Assumes: it shrinks in proportion to the pressure, as a stiff hull does.
+Assumes: it shrinks in proportion to the pressure, as a stiff hull does. Gas gives way less the more it is pressed; what
+swells is no gas, and goes in proportion to depth.
 Source: Graver, Underwater Gliders (2005), section 4.1.
 """
 
@@ -23,7 +24,8 @@ def hull_compressibility(row: Floats, relative: Floats, moment: Moment, paramete
     """Add the buoyancy that is lost."""
     gradient, gas = unpack(parameters, 2)
     depth = max(-row[Z], 0.0)
-    total[2] -= gradient * depth / (1.0 + gas * depth / ATMOSPHERE)
+    yielding = gas if gradient > 0.0 else 0.0
+    total[2] -= gradient * depth / (1.0 + yielding * depth / ATMOSPHERE)
 
 
 HULL_COMPRESSIBILITY = Effect(
@@ -45,7 +47,7 @@ HULL_COMPRESSIBILITY = Effect(
         Number(
             "gas",
             "1",
-            "0: an elastic hull, in proportion to depth; 1: a volume of gas, by Boyle's law",
+            "0: an elastic hull, in proportion to depth; 1: a volume of gas that shrinks, by Boyle's law",
             gives="1",
             search=Grid(lambda scene: [0.0, 1.0], fixed=True),
             example=Example(0.0, "staircase of depths"),

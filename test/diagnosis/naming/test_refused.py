@@ -29,4 +29,5 @@ def test_what_free_runs_refuse_is_noted(monkeypatch: pytest.MonkeyPatch, refuses
         refused=[],
     )
     found = naming._first_believed(stage, [Refined(candidate, fit, 50.0)], naming.PassedOver([], []), choice)
-    assert (found is None, choice.refused) == ((True, [candidate]) if refuses else (False, []))
+    kept = [each.effect.candidate for each in choice.refused]
+    assert (found is None, kept) == ((True, [candidate]) if refuses else (False, []))

@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.findings import (
     Rival,
     ScreenedEffect,
 )
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
 
@@ -181,7 +182,7 @@ GYRO = FoundEffect(
 def nameless() -> Diagnosis:
     """A robot that lacks something whose size may as well be nothing."""
     found = mismatch()
-    passed = PassedOver(GYRO, stands=True, because=("Its size may as well be nothing.",))
+    passed = PassedOver(GYRO, stands=True, because=("Its size may as well be nothing.",), shortly=SIZE_MAY_BE_NOTHING)
     sentence = "Something is missing, most like a gyroscope that shows too little, but its size may as well be nothing."
     return replace(found, sentence=sentence, effects=(), passed_over=(passed,))
 

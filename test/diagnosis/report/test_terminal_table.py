@@ -35,7 +35,7 @@ def test_a_mismatch_shows_effects_numbers_and_errors(example: Example) -> None:
 def test_what_has_no_name_has_a_table_of_its_own(example: Example) -> None:
     """With interval and nats; there is no table of effects."""
     text = shown(example("nameless"))
-    assert "not named, since it may as well be nothing" in text and "what is missing" not in text
+    assert "explains something, but is not named" in text and "what is missing" not in text
     row = next(line for line in text.splitlines() if "gyro_scale of imu" in line)
     assert "0.97" in row and "1.07" in row and "52.3" in row
 

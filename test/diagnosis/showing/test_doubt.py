@@ -15,9 +15,9 @@ from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Refused
 from cocorosim_ros.diagnosis.showing import doubt
-from cocorosim_ros.diagnosis.showing.doubt import Clear, beyond_doubt, doubtful_robots
+from cocorosim_ros.diagnosis.showing.doubt import Clear, beyond_doubt, doubtful_robots, refused_effects
 from cocorosim_ros.diagnosis.showing.form_width import Heterogeneity
 
 ROBOTS, TRACKS = ("a", "b"), ((0, 2), (1,))
@@ -108,6 +108,27 @@ def test_when_something_is_missing_all_the_same(nats: float, mean: float | None,
     gone = effect(candidate("torque_bias"), nats * NAMING.threshold, mean)
     assert doubt._stands(gone) is stands
     assert len(doubt._of_free_runs(gone.foretold)) == (mean is not None and mean <= 0.0)
+
+
+@pytest.mark.parametrize(
+    ("nats", "p", "mean", "told"),
+    [(1.1, 0.01, 0.05, 1), (1.1, 0.01, -0.05, 1), (1.1, 0.01, -0.5, 0), (0.9, 0.01, 0.05, 0), (1.1, 0.2, 0.05, 0)],
+)
+def test_what_free_runs_refuse_a_name(
+    nats: float, p: float, mean: float, told: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is told where it has thrice the evidence, held-out readings bear it out and free runs do not clearly lose."""
+    monkeypatch.setattr(doubt, "fitted", lambda fit: ())
+    monkeypatch.setattr(doubt, "found_effects", lambda fit, named, numbers: [each.candidate.entry.id for each in named])
+    strong = replace(
+        effect(candidate("linear_drag"), nats * NAMING.nameless, mean), held_out=HeldOutGain(np.zeros(1), p)
+    )
+    weak = replace(strong, candidate=candidate("torque_bias"), nats=0.5 * NAMING.nameless)
+    fit: Any = "fit"
+    naming = Naming(fit, fit, (), (), (), refused=(Refused(fit, weak), Refused(fit, strong)))
+    passed = refused_effects(naming)
+    assert [(each.found, each.stands) for each in passed] == [("linear_drag", True)] * told
+    assert refused_effects(replace(naming, named=(strong, weak))) == ()
 
 
 def test_a_diagnosis_without_a_name(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -221,6 +221,15 @@ def test_the_pump_holds_a_compressible_hull(acceleration: Swim) -> None:
     )
 
 
+@pytest.mark.parametrize(("gradient", "share"), [(2e-3, 10.33 / 12.33), (-2e-3, 1.0)])
+def test_only_a_hull_that_shrinks_is_a_gas(
+    acceleration: Swim, lily: SimpleNamespace, gradient: float, share: float
+) -> None:
+    """At 2 m, under 12.33 m of water and air, gas has given way by 10.33/12.33 of what it would at its first rate."""
+    rates = acceleration({"hull_compressibility.gradient": gradient, "hull_compressibility.gas": 1.0}, {Z: -2.0})
+    assert rates[2] * lily.mass == pytest.approx(-gradient * 2.0 * share, rel=1e-9)
+
+
 @pytest.mark.parametrize(
     ("depth", "share"), [(0.5, 0.0), (0.98, 0.0), (1.0, 0.5), (1.01, 0.84375), (1.02, 1.0), (2, 1)]
 )
