@@ -11,7 +11,8 @@ named effect is a question with four answers, whose weights are
 so that at the threshold of naming an effect is about as likely as nothing, and every nat beyond makes it likelier. Nats
 are tempered, because a likelihood that holds for one exact model is too sure where no model is exact (Grünwald and
 van Ommen, Bayesian Analysis 12 (2017) 1069). The last question is what has been passed over: nothing has the weight 1,
-something else `missing` or `further` times the share of effects that these recordings would not show (`hidden_share`).
+something else `missing` or `further` times the share of effects that these recordings would not show (`hidden_share`);
+where evidence stands for something that gets no name, both are as probable as what a hard stop speaks against.
 Where nothing was named, an entry of the catalogue that explains something has exp(temper * (nats - threshold)), so that
 none is more probable than nothing; its nats do not count if they would have sufficed: then it was fitted, and did not
 hold what its slope had promised. The answers are taken as independent. All weights are fields of
@@ -100,10 +101,11 @@ def _stopped(answers: Answers, by: ProbabilityCriteria) -> Answers:
 def _of_the_rest(diagnosis: Diagnosis, by: ProbabilityCriteria) -> Answers:
     """Answers to whether a diagnosis has passed something over; beside a name, nothing of it has one."""
     hidden = hidden_share(diagnosis.screened, by)
+    without_name = any(each.stands for each in diagnosis.passed_over)
+    if without_name or (diagnosis.verdict == "mismatch" and not diagnosis.effects):
+        return {SOMETHING_ELSE: by.stopped, NO_EFFECT: 1.0 - by.stopped}
     if diagnosis.effects:
         return _scaled({NO_EFFECT: 1.0, SOMETHING_ELSE: by.further * hidden})
-    if diagnosis.verdict == "mismatch":  # something differs that has no name
-        return {SOMETHING_ELSE: by.stopped, NO_EFFECT: 1.0 - by.stopped}
     weights = {NO_EFFECT: 1.0, SOMETHING_ELSE: by.outside + by.missing * hidden}
     for each in diagnosis.screened:
         if each.nats > 0.0:

@@ -12,7 +12,15 @@ import pytest
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.probability import PROBABILITY
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
-from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Rival, ScreenedEffect, Verdict
+from cocorosim_ros.diagnosis.findings import (
+    Comparison,
+    Diagnosis,
+    FoundEffect,
+    PassedOver,
+    Rival,
+    ScreenedEffect,
+    Verdict,
+)
 from cocorosim_ros.diagnosis.showing.probability import hidden_share, probabilities_of
 
 SHARP = tuple(ScreenedEffect(name, -3.0, {}, 0.01) for name in ("thruster_lag", "tether", "battery_sag", "pump_lag"))
@@ -46,6 +54,7 @@ CASES = {
     "silent": diagnosis(),
     "near": diagnosis(screened=(ScreenedEffect("tether", 5.0, {}, 0.2), *SHARP)),
     "blind": diagnosis(verdict="insufficient", screened=()),
+    "passed over": diagnosis(effect(), passed_over=(PassedOver(effect("tether"), True, (), ""),)),
     "no name": diagnosis(verdict="mismatch", against=Comparison(("good",), (), ())),
 }
 
@@ -112,6 +121,20 @@ def test_nothing_is_a_rest_of_axes_that_were_put_right() -> None:
     mixed_up = effect("frame_mixup", 1e4, correction="its sign is flipped")
     beside = probabilities_of(diagnosis(mixed_up, effect("tether", 300.0))).of_effects
     assert beside[1] == probabilities_of(diagnosis(effect("tether", 300.0))).of_effects[0] == beside[0]
+
+
+@pytest.mark.parametrize("others", [(), (effect("battery_sag", 300.0),)])
+def test_what_gets_no_name_may_well_be_there(others: tuple[FoundEffect, ...]) -> None:
+    """If its evidence stands, something else is as probable as what a hard stop speaks against; else nothing moves."""
+    passed, gone = (PassedOver(effect("tether"), stands, (), "") for stands in (True, False))
+    plain = probabilities_of(diagnosis(*others))
+    verdict: Verdict = "mismatch" if others else "recalibrate"
+    stands = probabilities_of(diagnosis(*others, verdict="mismatch", passed_over=(passed,)))
+    missing = sum(share for told, share in stands.told.items() if "something else" in told)
+    assert missing == pytest.approx(PROBABILITY.stopped, abs=0.02)
+    assert missing > 2.0 * plain.told["something else"]
+    assert stands.of_effects == plain.of_effects
+    assert probabilities_of(diagnosis(*others, verdict=verdict, passed_over=(gone,))) == plain
 
 
 def test_robots_with_the_same_effect_are_one_suspect() -> None:
