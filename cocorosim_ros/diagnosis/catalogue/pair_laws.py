@@ -13,10 +13,10 @@ from cocorosim_ros.diagnosis.catalogue.laws import COVERED, EVERYTHING, LAWS_OF
 from cocorosim_ros.world.laws.law import ONE, Factor, Law, Product
 from cocorosim_ros.world.terms.search import Scene
 
-SPEEDS = ("u", "v", "w", "r")
+SIGNED_SPEEDS = ("u", "v", "w", "r")
 WITHOUT_SIGN = ("speed", "wall_distance", "t")  # regressors that are never negative
 EQUATIONS = tuple(LAWS_OF)
-PAIRED = tuple(name for name in EVERYTHING if name not in (ONE.name, "pump_rate"))
+IN_PAIRS = tuple(name for name in EVERYTHING if name not in (ONE.name, "pump_rate"))
 """Regressors of pairs. A rate of the pump tells when the pump acts, by parts of a tick, and so of the clocks."""
 WATER_PUSHES = ("1",)  # along axes of the world: what a current does
 
@@ -37,7 +37,7 @@ def laws_of_open_set(scene: Scene) -> list[Law]:
         Law(equation, product)
         for equation, products in LAWS_OF.items()
         for product in _occurring(products, scene)
-        if {product.first.name, product.second.name} <= {ONE.name, *PAIRED}
+        if {product.first.name, product.second.name} <= {ONE.name, *IN_PAIRS}
     ]
 
 
@@ -52,10 +52,10 @@ def _covered(equation: str) -> list[Product]:
 
 def _products() -> list[Product]:
     """List all products of two factors, and of one that is squared, in a fixed order."""
-    factors = [ONE, *map(Factor, PAIRED)]
-    amounts = [amount(name).first for name in SPEEDS]
+    factors = [ONE, *map(Factor, IN_PAIRS)]
+    amounts = [amount(name).first for name in SIGNED_SPEEDS]
     pairs = [Product(other, one) for one, other in itertools.combinations(factors, 2)]
     pairs += [Product(one, other) for one in amounts for other in factors if other.name != one.name]
-    pairs += [square(name) for name in PAIRED]
-    pairs += [signed_power(name, 2.0) for name in PAIRED if name not in WITHOUT_SIGN]
+    pairs += [square(name) for name in IN_PAIRS]
+    pairs += [signed_power(name, 2.0) for name in IN_PAIRS if name not in WITHOUT_SIGN]
     return pairs

@@ -29,9 +29,6 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.regressors import values_along
 
-LEAST = 1e-300
-"""Sums are divided by at least that."""
-
 
 def pair_candidates(screen: Screen, courses: Sequence[Smoothed]) -> list[Candidate]:
     """Make candidates of the laws of two regressors that what is left of the force resembles.
@@ -90,14 +87,14 @@ class _Sums(NamedTuple):
         """Sizes (laws,) of the means of products over the parts, in standard deviations; 0 where parts are few."""
         if len(self.products) < PAIR_LAWS.fewest_parts:
             return np.zeros(self.products.shape[1])
-        spread = np.sqrt(np.maximum((self.products**2).sum(axis=0), LEAST))
+        spread = np.sqrt(np.maximum((self.products**2).sum(axis=0), 1e-300))
         return np.asarray(np.abs(self.products.sum(axis=0)) / spread)
 
     @property
     def likeness(self) -> Floats:
         """Squares (laws,) of the cosines between force and regressors, from 0 to 1."""
         sizes = self.of_regressors.sum(axis=0) * self.of_force.sum(axis=0)
-        return np.asarray(self.products.sum(axis=0) ** 2 / np.maximum(sizes, LEAST))
+        return np.asarray(self.products.sum(axis=0) ** 2 / np.maximum(sizes, 1e-300))
 
 
 def _sums(laws: Sequence[Law], fit: Fit, number: int, course: Smoothed) -> _Sums:

@@ -22,7 +22,7 @@ from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.world.laws.law import Law
 
 HORIZONTAL = ("surge", "sway", "world_x", "world_y")
-TOGETHER = {name: HORIZONTAL for name in HORIZONTAL}
+SAME_FORCE = {name: HORIZONTAL for name in HORIZONTAL}
 """Equations whose forces are one force in other axes, by each of them."""
 
 
@@ -58,7 +58,7 @@ def remainder(case: Case) -> Iterator[Objection]:
         return
     every = left_over(case.final, case.courses)
     for found, named in moving:
-        own = (named.candidate.entry.channel, *TOGETHER.get(named.candidate.entry.channel, ()))
+        own = (named.candidate.entry.channel, *SAME_FORCE.get(named.candidate.entry.channel, ()))
         rest = next((one for one in every if one.law.of in own and not set(one.robots).isdisjoint(found.robots)), None)
         if rest is not None and rest.nats > REMAINDER.share * found.nats:
             yield Objection(
