@@ -8,6 +8,7 @@ noise.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -61,8 +62,8 @@ def with_quick_colour(first: Fit, white: Fit) -> Fit | None:
 
     A tracker whose readings are held until the next one, or come with stamps that jitter, errs alike for some readings
     in a row. With white errors the water has to shake the robot by as much, harder than its own actuators could. So
-    lasting errors are tried for few instruments too, although slow ones could not be told from slow motion there; the
-    likelihood decides. white: the fit from that first guess.
+    lasting errors are tried for few instruments too, although slow ones could not be told from slow motion there, and
+    with water that is no stronger than the actuators; the likelihood decides. white: the fit from that first guess.
     """
     begun = first
     for numbers in tracks_by_robot(first.tracks).values():
@@ -70,14 +71,32 @@ def with_quick_colour(first: Fit, white: Fit) -> Fit | None:
             erring = [column for column in MEMORY_OF if not _is_exact(white, numbers, column)]
             gaps = [gap for column in erring if (gap := _mean_gap(white, numbers, column)) is not None]
             if gaps:
-                begun = _all_coloured(begun, numbers, float(np.log(COLOURED.quick * min(gaps))), erring)
+                begun = _all_coloured(_unshaken(begun, numbers), numbers, math.log(COLOURED.quick * min(gaps)), erring)
     return evaluated(begun) if begun is not first else None
+
+
+def _strongest(fit: Fit, numbers: Sequence[int]) -> dict[str, float]:
+    """Logarithm of what all actuators of a robot deliver at their limits, by column of the random force."""
+    full = full_forces(fit.tracks[numbers[0]].vehicle)
+    return {"random.force": math.log(full.across), "random.moment": math.log(full.yaw)}
 
 
 def _is_shaken(fit: Fit, numbers: Sequence[int]) -> bool:
     """Tell whether the random force on a robot is stronger than all its actuators at their limits."""
-    row, full = fit.filled[numbers[0]], full_forces(fit.tracks[numbers[0]].vehicle)
-    return bool(np.exp(row[COLUMN["random.force"]]) > full.across or np.exp(row[COLUMN["random.moment"]]) > full.yaw)
+    row = fit.filled[numbers[0]]
+    return any(row[COLUMN[column]] > most for column, most in _strongest(fit, numbers).items())
+
+
+def _unshaken(fit: Fit, numbers: Sequence[int]) -> Fit:
+    """Bound the random force on a robot by all its actuators at their limits; the fit is not evaluated."""
+    strongest = _strongest(fit, numbers)
+    noise = tuple(
+        replace(each, bounds=(each.bounds[0], max(strongest[each.column] - each.base, each.bounds[0])))
+        if each.column in strongest and set(each.tracks) <= set(numbers)
+        else each
+        for each in fit.noise
+    )
+    return replace(fit, noise=noise)
 
 
 def _is_exact(fit: Fit, numbers: Sequence[int], column: str) -> bool:

@@ -92,7 +92,7 @@ def climbed(first: Fit) -> Fit:
     best = way if opened is first else _best_way(first, opened, way)  # if it is, no reading lies beyond the gate
     shaken = with_quick_colour(first, best)
     if shaken is not None:
-        steadier = climbed(shaken)
+        steadier = leapt(climbed(shaken), RECALIBRATION.most_rounds)
         if steadier.objective > best.objective + COLOURED.worth:
             return steadier
     return best if opened is first else polished(leapt(best, RECALIBRATION.most_rounds))
