@@ -22,7 +22,7 @@ from trial.recordings import (
     zigzags,
 )
 from trial.sealed import diagnose
-from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, ships
+from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, WINDY_DAY, ships
 from trial.unseen import OnUnseen, on_unseen
 from trial.ways import answer, effects
 
@@ -75,8 +75,11 @@ def _tanker(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[
 
 
 def _windy(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    # Half of the zigzags, which all run to the north, so that wind abeam looks like a ship that pulls to one side; and
+    # half of the random drives of the same day. Other days have other winds.
     own = pond(data, out, "zigzag")
-    yield WINDY, "esso_osaka", own[0::2], own[1::2]
+    to_all_sides = [bag for bag in pond(data, out, "random") if WINDY_DAY in bag.name]
+    yield WINDY, "esso_osaka", own[0::2] + to_all_sides[0::2], own[1::2] + to_all_sides[1::2]
 
 
 SETS: dict[str, Callable[[Path, Path], Iterator[tuple[str, str, list[Path], list[Path]]]]] = {

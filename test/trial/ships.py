@@ -11,7 +11,7 @@ import numpy as np
 from trial.recordings import Group
 from trial.ways import answer, effects
 
-TANKER, WINDY = "kvlcc2_hsva", "esso_osaka_zigzag"
+TANKER, WINDY, WINDY_DAY = "kvlcc2_hsva", "esso_osaka_july", "31-Jul-2020"
 FITTED_ZIGZAGS = ("Z_10_05", "Z_20_05", "Z_20_10_P", "Z_30_05")
 WINDOW, AROUND, STEP = 40.0, 0.5, 0.05  # s: of a free run, of readings that give its start, of the simulation
 BAR = (0.97, 0.98, 0.98)  # R2 of u, v, r that has to be reached
@@ -32,9 +32,9 @@ def ships(pairs: Sequence[tuple[Group, Group]], data: Path, out: Path) -> list[s
                 f"{len(others.bags)} zigzags explain (R2, bar {bar}): {told}."
             )
         if some.name == WINDY and answer(folder) is not None:
-            lines.append(
-                wind_line(answer(folder), [data / "esso_osaka" / "zigzag" / f"{b.name}.csv" for b in some.bags])
-            )
+            kinds = [bag.name.partition("_")[0] for bag in some.bags]  # zigzag, random: folders as well
+            logs = [data / "esso_osaka" / kind / f"{bag.name}.csv" for kind, bag in zip(kinds, some.bags, strict=True)]
+            lines.append(wind_line(answer(folder), logs))
     return lines
 
 
