@@ -1,4 +1,4 @@
-"""What is left of the force although effects are named: a law that it follows says that a name is not the whole cause.
+"""Force that is left over although effects are named: a law that it follows says that a name is not the whole cause.
 
 A force that no entry of the catalogue is takes the name of the one that resembles it most, with much evidence and free
 runs that gain. But where the name stands for another law, most of that law is left over, and a law of one or two
