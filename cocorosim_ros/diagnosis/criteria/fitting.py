@@ -120,9 +120,6 @@ class ColouredReadingsCriteria:
     """[of a robot's instruments] have to show colour if it is to be taken into the first fit. Chosen, not measured."""
     instruments: int = 3
     """[instruments] at least that have to do so: one fault does not concern so many. Chosen, not measured."""
-    quick: float = 3.0
-    """[readings] for which errors last at first, where white ones would need a random force beyond all actuators.
-    Chosen, not measured."""
     rounds: int = 2
     """[steps] of memory and noise of a kind, in which its colour has to show. Chosen, not measured: where errors last
     for five readings it gains hundreds of nats in the first."""

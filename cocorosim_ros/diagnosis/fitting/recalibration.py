@@ -8,11 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.fitting import COLOURED, RECALIBRATION
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
-from cocorosim_ros.diagnosis.fitting.coloured_readings import with_obvious_colour, with_quick_colour
+from cocorosim_ros.diagnosis.fitting.coloured_readings import with_obvious_colour
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
@@ -81,25 +81,15 @@ def climbed(first: Fit) -> Fit:
     come down any more. Then one more climb starts from these numbers, with the first guess of that noise.
     The best of all goes on by leaps (`leaps`), and by exact slopes in the end (`polishing`).
 
-    Where the first climb shows that errors of most instruments last, it begins again with such errors; so it does where
-    the best climb needs water that is stronger than the actuators, and the better of the two is taken.
+    Where the first climb shows that errors of most instruments last, it begins again with such errors.
     """
     opened = _opened(first)
     way = settled(opened, RECALIBRATION.most_rounds)
     coloured = with_obvious_colour(first, way)
     if coloured is not None:
         return climbed(coloured)
-    best = way if opened is first else _best_way(first, opened, way)  # if it is, no reading lies beyond the gate
-    shaken = with_quick_colour(first, best)
-    if shaken is not None:
-        steadier = leapt(climbed(shaken), RECALIBRATION.most_rounds)
-        if steadier.objective > best.objective + COLOURED.worth:
-            return steadier
-    return best if opened is first else polished(leapt(best, RECALIBRATION.most_rounds))
-
-
-def _best_way(first: Fit, opened: Fit, way: Fit) -> Fit:
-    """Climb from other first guesses of the noise too, and return the best; way: the climb from `opened`."""
+    if opened is first:  # no readings lie beyond the gate in numbers
+        return way
     starts = [_at_random(first)]
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
@@ -109,7 +99,7 @@ def _best_way(first: Fit, opened: Fit, way: Fit) -> Fit:
     if any(q >= unknown.bounds[1] for unknown, q in zip(best.noise, best.q_noise, strict=True)):
         again = _at_random(evaluated(replace(best, q_noise=first.q_noise)))
         best = max(best, settled(again, RECALIBRATION.most_rounds), key=lambda fit: fit.objective)
-    return best
+    return polished(leapt(best, RECALIBRATION.most_rounds))
 
 
 def _at_random(fit: Fit) -> Fit:
