@@ -17,6 +17,11 @@ def typical_size(product: Product, scene: Scene) -> float:
     return size
 
 
+def occurs(product: Product, scene: Scene) -> bool:
+    """Tell whether both factors of a product occur in the recordings."""
+    return all(scene.scales[factor.name] > 0.0 for factor in (product.first, product.second))
+
+
 def single(name: str) -> Product:
     """Product of one regressor alone."""
     return Product(Factor(name))

@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     amount,
     both,
     given,
+    occurs,
     signed_power,
     single,
     square,
@@ -113,15 +114,19 @@ def law_entries(scene: Scene, place: str) -> list[Entry]:
 
     place: one of LAWS, the simulator's effect that acts for them.
     """
-    plain = [
+    return [
+        *(law_entry(place, law, scene) for law in plain_laws(scene)),
+        *(_swinging(place, equation, scene) for equation in SWINGING),
+    ]
+
+
+def plain_laws(scene: Scene) -> list[Law]:
+    """Make all laws of motion whose regressors occur in the scene, but those that swing."""
+    return [
         Law(equation, product)
         for equation, products in LAWS_OF.items()
         for product in products
-        if scene.scales[product.first.name] > 0.0 and scene.scales[product.second.name] > 0.0
-    ]
-    return [
-        *(law_entry(place, law, scene) for law in plain),
-        *(_swinging(place, equation, scene) for equation in SWINGING),
+        if occurs(product, scene)
     ]
 
 

@@ -6,10 +6,9 @@ A law that no list foresaw has its own regressors and powers; the pair nearest t
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
 
-from cocorosim_ros.diagnosis.catalogue.law_forms import amount, signed_power, single, square
-from cocorosim_ros.diagnosis.catalogue.laws import COVERED, EVERYTHING, LAWS_OF
+from cocorosim_ros.diagnosis.catalogue.law_forms import amount, occurs, signed_power, single, square
+from cocorosim_ros.diagnosis.catalogue.laws import COVERED, EVERYTHING, LAWS_OF, plain_laws
 from cocorosim_ros.world.laws.law import ONE, Factor, Law, Product
 from cocorosim_ros.world.terms.search import Scene
 
@@ -23,26 +22,19 @@ WATER_PUSHES = ("1",)  # along axes of the world: what a current does
 
 def pair_laws(scene: Scene) -> list[Law]:
     """Make all laws of one or two regressors that occur in the scene, without those of the open set."""
+    occurring = [product for product in _products() if occurs(product, scene)]
     return [
         Law(equation, product)
         for equation in EQUATIONS
-        for product in _occurring(_products(), scene)
+        for product in occurring
         if product not in LAWS_OF[equation] and product not in _covered(equation)
     ]
 
 
 def laws_of_open_set(scene: Scene) -> list[Law]:
     """Make the laws of motion of the open set that occur in the scene and have the regressors of pairs."""
-    return [
-        Law(equation, product)
-        for equation, products in LAWS_OF.items()
-        for product in _occurring(products, scene)
-        if {product.first.name, product.second.name} <= {ONE.name, *IN_PAIRS}
-    ]
-
-
-def _occurring(products: Sequence[Product], scene: Scene) -> list[Product]:
-    return [each for each in products if all(scene.scales[one.name] > 0.0 for one in (each.first, each.second))]
+    known = {ONE.name, *IN_PAIRS}
+    return [law for law in plain_laws(scene) if {law.product.first.name, law.product.second.name} <= known]
 
 
 def _covered(equation: str) -> list[Product]:

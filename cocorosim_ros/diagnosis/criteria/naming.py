@@ -86,8 +86,8 @@ class NamingCriteria:
     """[of a motion's nats] the same for laws of readings, which follow effects of motion; and for errors of readings
     beside a motion that free runs refused a name. Chosen, not measured."""
     nameless: float = 24.0
-    """[nats] from which something is missing although free runs do not gain by the effect that explains it best: three
-    times what a name needs. Chosen, not measured."""
+    """[nats] from which something is missing although free runs do not gain by the effect that explains it best, and
+    from which a force that is left over is told: three times what a name needs. Chosen, not measured."""
     law_margin: float = 3.0
     """[nats] by which a law outside the catalogue has to beat it: there are many laws. Chosen, not measured."""
 

@@ -53,8 +53,6 @@ class RemainderCriteria:
     share: float = 0.5
     """[of an effect's nats] from which what is left over says that the effect stands for another law. Chosen, not
     measured: laws of another form than the catalogue's leave a tenth, those that only resemble one half and more."""
-    least: float = 24.0
-    """[nats] less is not told: three times what a name needs. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

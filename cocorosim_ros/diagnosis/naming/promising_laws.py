@@ -1,15 +1,15 @@
 """Laws of two regressors that what is left of the force resembles: a quick choice among a thousand, by sums alone.
 
 Where a law is missing from the model, the force that the model needs at random goes with the law's regressors: its
-products with them have the same sign in most parts of the recordings. The mean of the sums over parts, in its standard
-deviations, orders the laws. The base model's own laws need no care: at the fit their products add up to nothing. The
-few laws that stand out are then screened as all candidates are.
+products with them have the same sign in most parts of the recordings. Laws whose mean over the parts is many standard
+deviations stand out, ordered by the cosine between force and regressors. The base model's own laws need no care: at the
+fit their products add up to nothing. The few that stand out are then screened as all candidates are.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -104,15 +104,16 @@ def _sums(laws: Sequence[Law], fit: Fit, number: int, course: Smoothed) -> _Sums
     size = max(1, round(PAIR_LAWS.part / float(course.time[1] - course.time[0])))
     begins = np.arange(0, len(course.time) - size + 1, size)
 
-    def summed(columns: Iterable[Floats]) -> Floats:
-        if len(begins) == 0:
-            return np.zeros((0, len(laws)))
-        found = np.column_stack([np.add.reduceat(column, begins) for column in columns])
-        return np.asarray(np.nan_to_num(found, posinf=0.0, neginf=0.0))
+    def summed(column: Floats) -> Floats:
+        return np.asarray(np.nan_to_num(np.add.reduceat(column, begins), posinf=0.0, neginf=0.0))
 
-    regressors = [law.product.along(values) for law in laws]
+    if len(begins) == 0:
+        return _Sums(*np.zeros((3, 0, len(laws))))
+    along = {product: product.along(values) for product in dict.fromkeys(law.product for law in laws)}
+    of_regressors = {product: summed(each**2) for product, each in along.items()}
+    of_force = {name: summed(each**2) for name, each in force.items()}
     return _Sums(
-        summed(force[law.of] * each for law, each in zip(laws, regressors, strict=True)),
-        summed(each**2 for each in regressors),
-        summed(force[law.of] ** 2 for law in laws),
+        np.column_stack([summed(force[law.of] * along[law.product]) for law in laws]),
+        np.column_stack([of_regressors[law.product] for law in laws]),
+        np.column_stack([of_force[law.of] for law in laws]),
     )

@@ -8,12 +8,13 @@ import numpy as np
 from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.criteria.naming import SWINGS
+from cocorosim_ros.diagnosis.foretelling.nameless_force import turn_back
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.state import YAW, X, Z
+from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
 from cocorosim_ros.world.terms.search import Scene
 
@@ -59,10 +60,9 @@ def _driven(tracks: Sequence[Track], seen: Floats) -> bool:
 
 def forces_by_equation(mean: Floats) -> dict[str, Floats]:
     """Random force of a smoothed course (points, COURSE_SIZE) in each equation: (points,) [N, N m]."""
-    sine, cosine = np.sin(mean[:, YAW]), np.cos(mean[:, YAW])
-    east, north = mean[:, FORCE_X], mean[:, FORCE_Y]
+    in_body = turn_back(mean[:, FORCE_X : YAW_MOMENT + 1], mean[:, YAW])
     forces = {name: mean[:, column] for name, column in FORCE_COLUMNS.items()}
-    return {**forces, "surge": east * cosine + north * sine, "sway": north * cosine - east * sine}
+    return {**forces, "surge": in_body[:, X], "sway": in_body[:, Y]}
 
 
 def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.pair_laws import laws_of_open_set, pair_laws
+from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import REMAINDER
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen
@@ -46,7 +47,7 @@ def left_over(fit: Fit, courses: Sequence[Smoothed]) -> tuple[LeftOver, ...]:
     found = [
         LeftOver(each.candidate.entry.form, each.nats, each.candidate.robots)
         for each in tested
-        if each.nats >= REMAINDER.least and each.candidate.entry.form is not None
+        if each.nats >= NAMING.nameless and each.candidate.entry.form is not None
     ]
     return tuple(sorted(found, key=lambda each: -each.nats))
 
