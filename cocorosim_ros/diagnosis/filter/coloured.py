@@ -12,13 +12,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.filter.motion import Motion
 from cocorosim_ros.diagnosis.filter.reading import deviation, expected, is_upright, sensitivity, sensitivity_upright
 from cocorosim_ros.diagnosis.filter.records import Rates, Readings, When
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
-from cocorosim_ros.foundation.compiling.stack import stack_array
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
 from cocorosim_ros.world.state.state import SURGE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.motors import Motors
@@ -26,13 +28,18 @@ from cocorosim_ros.world.terms.motors import Motors
 FORGOTTEN = FILTER.forgotten
 
 
-@kernel
-def share_left(readings: Readings, index: int, memory: Floats) -> float:
-    """Share k of the error of the reading before that is still in this one; 0 where errors are white."""
-    memory_of_kind = memory[readings.kind[index]]
-    if readings.before[index] < 0 or readings.gap[index] > FORGOTTEN * memory_of_kind:
-        return 0.0
-    return math.exp(-readings.gap[index] / memory_of_kind)
+@allocating_kernel
+def shares_left(readings: Readings, memory: Floats) -> Floats:
+    """Share k (m,) of the error of the reading before that is still in each; 0 where errors are white.
+
+    memory (KINDS,): correlation time of the errors of readings of each kind [s].
+    """
+    left = np.zeros(readings.kind.shape[0])
+    for index in range(left.shape[0]):
+        memory_of_kind = memory[readings.kind[index]]
+        if readings.before[index] >= 0 and not readings.gap[index] > FORGOTTEN * memory_of_kind:
+            left[index] = math.exp(-readings.gap[index] / memory_of_kind)
+    return left
 
 
 @outlined_kernel
@@ -43,7 +50,7 @@ def _error_before(
     kind, earlier = readings.kind[index], readings.before[index]
     after = readings.after[index] - readings.gap[index]
     when = When(readings.stamp[earlier], after, abs(after), math.copysign(1.0, after))
-    behind, level, passed = stack_array(8), stack_array(8), stack_array(4)
+    behind, level, passed = unset_stack_array(8), stack_array(8), unset_stack_array(4)
     for column in range(8):  # forces change at grid points: the rates before this one led here
         behind[column] = rates.mean[column] - 0.5 * rates.leap[column]
     for column in range(4):  # readings of it are taken as if at their grid point
@@ -74,7 +81,7 @@ def take_off_before(
     slope: of the block of the state that the reading belongs to, as `sensitivity` takes it.
     """
     kind, after = readings.kind[index], readings.after[index] - readings.gap[index]
-    earlier = stack_array(12)
+    earlier = unset_stack_array(12)
     if is_upright(kind):
         sensitivity_upright(kind, after, row, sensor, slope, earlier)
     else:

@@ -9,9 +9,10 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.filter.random_force import Fading
+from cocorosim_ros.diagnosis.filter.row_sums import set_sum_of_rows, take_off_products
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.foundation.compiling.stack import add_four, stack_array
+from cocorosim_ros.foundation.compiling.stack import add_four, stack_array, unset_stack_array
 from cocorosim_ros.world.terms.blocks import HFX, HGX, HORIZONTAL, VERTICAL, VFZ, VGZ
 
 GATE = FILTER.gate
@@ -29,6 +30,18 @@ def _add_row(target: Floats, at: int, source: Floats, first: int, factor: float)
     """target[at : at + HORIZONTAL] += factor * source[first : first + HORIZONTAL]."""
     _add_eight(target, at, source, first, factor)
     add_four(target, np.uint64(at + 8), source, np.uint64(first + 8), factor)
+
+
+@kernel
+def _set_four(target: Floats, at: int, factors: Floats, begin: int, source: Floats, first: int) -> None:
+    """target[at : at + 4] = factors[begin : begin + HORIZONTAL] times four columns of `source`, from `first` on."""
+    set_sum_of_rows(target, at, factors, begin, source, first, 12, 12)
+
+
+@kernel
+def _set_last_four(target: Floats, at: int, factors: Floats, begin: int, source: Floats, first: int) -> None:
+    """`_set_four` with the last six rows of `source` alone."""
+    set_sum_of_rows(target, at, factors, begin, source, first, 12, 6)
 
 
 @kernel
@@ -71,13 +84,13 @@ def spread(covariance: Floats, ahead: Floats, back: Floats) -> None:
         _add_row(work, i * HORIZONTAL, covariance, i * HORIZONTAL, ahead[i * HORIZONTAL + i])
     for i in range(HFX, HGX):
         _add_row(work, i * HORIZONTAL, covariance, (i + 3) * HORIZONTAL, ahead[i * HORIZONTAL + i + 3])
-    for i in range(HORIZONTAL):
-        for j in range(HORIZONTAL):
-            covariance[i * HORIZONTAL + j] = 0.0
-        for k in range(HFX):  # the forces' own columns are zero there, but for two in the second four
-            _add_eight(covariance, i * HORIZONTAL, back, k * HORIZONTAL, work[i * HORIZONTAL + k])
-        for k in range(HFX, HORIZONTAL):
-            _add_row(covariance, i * HORIZONTAL, back, k * HORIZONTAL, work[i * HORIZONTAL + k])
+    for i in range(HORIZONTAL):  # the lower triangle by fours
+        _set_four(covariance, np.uint64(i * HORIZONTAL), work, np.uint64(i * HORIZONTAL), back, np.uint64(0))
+    for i in range(4, HORIZONTAL):
+        _set_four(covariance, np.uint64(i * HORIZONTAL + 4), work, np.uint64(i * HORIZONTAL), back, np.uint64(4))
+    for i in range(8, HORIZONTAL):  # the first rows of `back` are zero there
+        row = np.uint64(i * HORIZONTAL)
+        _set_last_four(covariance, row + np.uint64(8), work, row + np.uint64(HFX), back, np.uint64(HFX * 12 + 8))
     for i in range(HORIZONTAL):
         for j in range(i):
             covariance[j * HORIZONTAL + i] = covariance[i * HORIZONTAL + j]
@@ -91,17 +104,20 @@ def update(covariance: Floats, seen: Floats, noise: float, gain: Floats, gate: f
     """
     for i in range(HORIZONTAL):
         gain[i] = 0.0
+    count, felt = 0, stack_array(12)  # the columns that are not zero, without a branch on each
     for j in range(HORIZONTAL):
-        if seen[j] != 0.0:
-            _add_row(gain, 0, covariance, j * HORIZONTAL, seen[j])
+        felt[count] = j
+        count += seen[j] != 0.0
+    for place in range(count):
+        _add_row(gain, 0, covariance, int(felt[place]) * HORIZONTAL, seen[int(felt[place])])
     variance = noise
-    for i in range(HORIZONTAL):
-        variance += seen[i] * gain[i]
-    doubted, share = gate > GATE * GATE * variance, stack_array(12)
+    for place in range(count):
+        variance += seen[int(felt[place])] * gain[int(felt[place])]
+    doubted, share = gate > GATE * GATE * variance, unset_stack_array(12)
     for i in range(HORIZONTAL):
         share[i] = gain[i] / variance
-    for i in range(0 if doubted else HORIZONTAL):
-        _add_row(covariance, i * HORIZONTAL, gain, 0, -share[i])
+    if not doubted:
+        take_off_products(covariance, share, gain, 12)
     for i in range(HORIZONTAL):
         gain[i] = share[i]
     return variance

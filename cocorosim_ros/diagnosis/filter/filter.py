@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from cocorosim_ros.diagnosis.filter.coloured import error_left, share_left, take_off_before
+from cocorosim_ros.diagnosis.filter.coloured import error_left, take_off_before
 from cocorosim_ros.diagnosis.filter.correction import correct
 from cocorosim_ros.diagnosis.filter.covariance import (
     GATE,
@@ -137,7 +137,7 @@ def _filter(
     motors = Motors(body.is_pump, body.actuator_curve, body.actuator_limit)
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
     grown = NewVariance(fade.new_force, fade.new_common, fade.new_gust)
-    keep = belief.history.after.shape[0] > 0
+    keep, keep_gain = belief.history.after.shape[0] > 0, belief.gain.shape[0] > 0
     responses(motion, readings.begin, body, parts.response)
     for point in range(readings.first.shape[0] - 1):
         time = readings.begin + point * readings.step
@@ -154,7 +154,7 @@ def _filter(
             shown = expected(kind, when, row, Rates(motion.rate, motion.leap), sensor, water, motors)
             innovation = deviation(kind, readings.value[index], shown)
             variance = reading_variance[kind] * readings.share[index]
-            left = share_left(readings, index, numbers.memory)
+            left = numbers.left[index]
             innovation -= error_left(readings, index, left, motion, sensor, water, motors)
             variance *= 1.0 - left * left
             if is_upright(kind):
@@ -170,7 +170,7 @@ def _filter(
             if innovation * innovation > GATE * GATE * variance:
                 innovation = math.copysign(GATE * math.sqrt(variance), innovation)
             belief.innovation[origin], belief.variance[origin] = innovation, variance
-            for column in range(VERTICAL if is_upright(kind) else HORIZONTAL):
+            for column in range(0 if not keep_gain else VERTICAL if is_upright(kind) else HORIZONTAL):
                 belief.gain[origin, column] = gain[column]
             correct(motion, body, kind, gain, innovation)
         if keep:
@@ -209,7 +209,7 @@ def _slope(
             innovation, slope[origin] = past.innovation[origin], 0.0
             if past.believed[origin]:
                 innovation = deviation(kind, readings.value[index], shown)
-                left = share_left(readings, index, numbers.memory)
+                left = numbers.left[index]
                 innovation -= error_left(readings, index, left, motion, sensor, water, motors)
                 slope[origin] = deviation(kind, innovation, past.innovation[origin]) / step
             correct(motion, body, kind, past.gain[origin], innovation)

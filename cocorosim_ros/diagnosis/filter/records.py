@@ -95,7 +95,7 @@ class PassNumbers(NamedTuple):
     sensor: Floats  # by SENSOR_COLUMNS
     random_force: Floats  # by WATER_NOISE, no logarithms
     reading_variance: Floats  # (KINDS,) of a single reading of each kind
-    memory: Floats  # (KINDS,) s, correlation time of the errors of readings of each kind; next to nothing if white
+    left: Floats  # (m,) share of the error of the reading before that is still in each, in the order of the grid
     swell: Floats  # (points,) factors of the random force's variance; empty if it is the same at all times
 
 
@@ -104,7 +104,7 @@ class SlopeNumbers(NamedTuple):
 
     sensor: Floats  # by SENSOR_COLUMNS
     random_force: Floats  # by WATER_NOISE, no logarithms
-    memory: Floats  # (KINDS,) s, correlation time of the errors of readings of each kind; next to nothing if white
+    left: Floats  # (m,) share of the error of the reading before that is still in each, in the order of the grid
     step: float  # by which the number is off
 
 
@@ -120,7 +120,7 @@ class Belief(NamedTuple):
 
     innovation: Floats  # (m,)
     variance: Floats  # (m,) of the innovation
-    gain: Floats  # (m, HORIZONTAL); vertical readings use the first four
+    gain: Floats  # (m, HORIZONTAL), vertical readings use the first four; empty if not wanted
     history: History  # empty if not wanted
 
 

@@ -75,7 +75,7 @@ def make_fit(tracks: Sequence[Track], rows: Floats, unknowns: Sequence[Unknown],
 def evaluated(fit: Fit) -> Fit:
     """Run the filter over every track at the fit's q, and return the fit with these passes."""
     filled = fit.filled
-    passes = of_each_track(lambda number: fit.tracks[number].filter.full(filled[number]), len(fit.tracks))
+    passes = of_each_track(lambda number: fit.tracks[number].filter.lately(filled[number]), len(fit.tracks))
     return replace(fit, passes=tuple(passes))
 
 

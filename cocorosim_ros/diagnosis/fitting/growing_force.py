@@ -50,7 +50,7 @@ def with_growing_force(fit: Fit, fitted: Fit, courses: Sequence[Smoothed]) -> Fi
     best = max(range(len(WAYS)), key=gains.__getitem__)
     if gains[best] <= 0.0 or not _is_felt(ways[best]):
         return None
-    begun = _begun(fit, tracks, WAYS[best])
+    begun = ways[best] if fit is fitted else _begun(fit, tracks, WAYS[best])
     grown = settled(begun, RECALIBRATION.most_rounds)
     return grown if grown.objective - fit.objective > GROWING_FORCE.worth * _count(grown, fit) else None
 

@@ -48,17 +48,21 @@ def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tupl
 
     rows: for each noise the track's row with that noise a step off; None for noise that is not of this track.
     """
-    mean, spread = np.zeros((2, len(rows), len(passed.innovation)))
+    mean, relative = np.zeros((2, len(rows), len(passed.innovation)))
+    angles = np.flatnonzero(track.timeline.is_angle)
     for column, row in enumerate(rows):
         if row is None:
             continue
-        other = track.filter.full(row)
-        believed = passed.believed & other.believed
-        change = _shorter(other.innovation - passed.innovation, track)
-        mean[column] = np.where(believed, change / STEPS.noise_difference, 0.0)
-        spread[column] = (other.variance - passed.variance) / STEPS.noise_difference
+        other = track.filter.full(row, with_gains=False)
+        change, growth = mean[column], relative[column]  # written in place: these arrays are large
+        np.subtract(other.innovation, passed.innovation, out=change)
+        change[angles] = _shorter(change[angles])
+        change /= STEPS.noise_difference
+        change[~(passed.believed & other.believed)] = 0.0
+        np.subtract(other.variance, passed.variance, out=growth)
+        growth /= STEPS.noise_difference
+        growth /= passed.variance
     excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
-    relative = spread / passed.variance
     one = np.ones_like(passed.variance)
     score = -weighted_products(mean.T, passed.innovation[:, None], passed.variance)[:, 0]
     score += 0.5 * weighted_products(relative.T, excess[:, None], one)[:, 0]
@@ -66,9 +70,9 @@ def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tupl
     return score, matrix + 0.5 * weighted_products(relative.T, relative.T, one)
 
 
-def _shorter(change: Floats, track: Track) -> Floats:
-    """Changes (m,) of the innovations of a track, those of angles by the shorter way round."""
-    return np.where(track.timeline.is_angle, change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)), change)
+def _shorter(change: Floats) -> Floats:
+    """Changes (n,) of angles by the shorter way round."""
+    return np.asarray(change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)))
 
 
 def noise_covariance(fit: Fit) -> Floats:

@@ -78,7 +78,7 @@ def _slope(fit: Fit, curvature: Floats) -> Floats:
         for index, unknown in enumerate(unknowns):
             if number in unknown.tracks:
                 row = nudged(filled[number], unknown, float(q[index]), float(steps[index]))
-                found[index] = (track.filter.full(row).log_likelihood - known) / steps[index]
+                found[index] = (track.filter.full(row, with_gains=False).log_likelihood - known) / steps[index]
         return found
 
     of_tracks = np.sum(of_each_track(of_track, len(fit.tracks)), axis=0)

@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, Information, information, slopes
 from cocorosim_ros.diagnosis.fitting.solving import clipped, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
+from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.search import Scene
@@ -149,7 +150,11 @@ class Screen:
         # A candidate for one robot alone has the same rows there as the one for all robots.
         left = [number for number in candidate.everybody if number not in own]
         tracks, passes = self.fit.tracks, self.fit.passes
-        found = of_each_track(lambda place: tracks[left[place]].filter.full(filled[left[place]]), len(left))
+
+        def of_track(place: int) -> Pass:
+            return tracks[left[place]].filter.full(filled[left[place]], with_gains=False)
+
+        found = of_each_track(of_track, len(left))
         for number, passed in zip(left, found, strict=True):
             own[number] = passed.log_likelihood - passes[number].log_likelihood
         return [own[number] for number in candidate.everybody]

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.filter import FILTER
+from cocorosim_ros.diagnosis.filter.coloured import shares_left
 from cocorosim_ros.diagnosis.filter.covariance import GATE
 from cocorosim_ros.diagnosis.filter.filter import filter_pass, slope_pass
 from cocorosim_ros.diagnosis.filter.motion import run_free
@@ -24,7 +25,8 @@ from cocorosim_ros.diagnosis.filter.records import (
 from cocorosim_ros.diagnosis.filter.smoother import smooth
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.agitation import Agitation
-from cocorosim_ros.diagnosis.tracks.columns import MEMORY_COLUMNS, READING_COLUMNS, SENSORS, WATER
+from cocorosim_ros.diagnosis.tracks.columns import MEMORY_COLUMNS, READING_COLUMNS, SENSORS, TIMING, WATER
+from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.diagnosis.tracks.passes import COURSE_SIZE, Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
@@ -35,6 +37,12 @@ from cocorosim_ros.world.terms.course import Course
 
 NO_PUSH = np.zeros((0, 4))
 NO_SWELL = np.zeros(0)
+KEPT_PASSES = 2
+"""Passes that are kept: of a fit, and of the last trial around it."""
+KEPT_SHARES = 2
+"""Shares of errors that are kept: of a model, and of the same with another memory or stamps."""
+KEPT_COURSES = 2
+"""Smoothed courses that are kept: of the recalibrated model, and of the one with all its effects."""
 
 
 def _blank_history(points: int) -> History:
@@ -58,6 +66,9 @@ class TrackFilter:
     ) -> None:  # fmt: skip
         self.timeline, self.actuation, self.start = timeline, actuation, start
         self._course, self._agitation = course, agitation
+        self._passes: Lately[Pass] = Lately(KEPT_PASSES)
+        self._left: Lately[Floats] = Lately(KEPT_SHARES)
+        self._courses: Lately[Smoothed] = Lately(KEPT_COURSES)
 
     def over(self, timeline: Timeline, actuation: Actuation, start: Start | None = None) -> TrackFilter:
         """Copy the filter for other readings and forces of the same robot; the rest stays, the start if not given."""
@@ -67,12 +78,20 @@ class TrackFilter:
         """Copy the filter with what the random force may grow with."""
         return TrackFilter(self.timeline, self.actuation, self.start, self._course, agitation)
 
-    def full(self, row: Floats) -> Pass:
+    def lately(self, row: Floats) -> Pass:
+        """Return what `full` does, without running the filter again where the same row was asked for just before.
+
+        Steps of the numbers of one robot leave the rows of all others as they were.
+        """
+        return self._passes.once(row.tobytes(), lambda: self.full(row))
+
+    def full(self, row: Floats, with_gains: bool = True) -> Pass:
         """Run the filter: likelihood, innovations and gains, in the order of the timeline.
 
-        Where the model runs away, the likelihood is minus infinity.
+        Where the model runs away, the likelihood is minus infinity. Gains (0, HORIZONTAL) are left out where no slopes
+        will be asked for: they are most of what a pass writes.
         """
-        innovation, variance, gain, _ = self._believe(row, _blank_history(0))
+        innovation, variance, gain, _ = self._believe(row, _blank_history(0), with_gains)
         sound = (variance > 0.0) & np.isfinite(variance) & np.isfinite(innovation)
         if not sound.all():  # numbers under which the model cannot be run
             innovation, variance = np.where(sound, innovation, 0.0), np.where(sound, variance, 1.0)
@@ -81,7 +100,13 @@ class TrackFilter:
         return Pass(innovation, variance, gain, squared < GATE * GATE * (1.0 - FILTER.rounding), likelihood)
 
     def smoothed(self, row: Floats) -> Smoothed:
-        """Smooth: the most likely state at each grid point given all readings, later ones too."""
+        """Smooth: the most likely state at each grid point given all readings, later ones too.
+
+        The last courses are kept, since several stages ask for that of the same model.
+        """
+        return self._courses.once(row.tobytes(), lambda: self._smoothed(row))
+
+    def _smoothed(self, row: Floats) -> Smoothed:
         grid = self.timeline.grid
         mean, spread = smooth(self._believe(row, _blank_history(grid.points)).history)
         return Smoothed(grid.moments, mean[:, :COURSE_SIZE], spread[:, :COURSE_SIZE])
@@ -107,21 +132,27 @@ class TrackFilter:
         row: the numbers of that pass, but for the unknown, of which q is `step` off. The derivative is 0 for readings
         beyond the gate.
         """
-        numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), np.exp(row[MEMORY_COLUMNS]), step)
+        numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), self._shares_left(row), step)
         kept = Past(past.innovation, past.gain, past.believed)
         body = self.actuation.vehicle.body(row)
         slope_pass(self.readings(row), self.actuation.drive(row), self.start.mean, body, numbers, kept, slope)
 
-    def _believe(self, row: Floats, kept: History) -> Belief:
+    def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""
         count = len(self.timeline.kind)
-        belief = Belief(np.empty(count), np.empty(count), np.zeros((count, HORIZONTAL)), kept)
+        gain = np.zeros((count if with_gains else 0, HORIZONTAL))
+        belief = Belief(np.empty(count), np.empty(count), gain, kept)
         swell = self._agitation.variance(row, self.timeline.grid.moments) if self._agitation else NO_SWELL
-        variance, memory = np.exp(2.0 * row[READING_COLUMNS]), np.exp(row[MEMORY_COLUMNS])
-        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, memory, swell)
+        variance = np.exp(2.0 * row[READING_COLUMNS])
+        numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, self._shares_left(row), swell)
         body = self.actuation.vehicle.body(row)
         filter_pass(self.readings(row), self.actuation.drive(row), self.start, body, numbers, belief)
         return belief
+
+    def _shares_left(self, row: Floats) -> Floats:
+        """Shares (m,) of errors that are left of those before, in the order of `readings` under the same row."""
+        key = row[TIMING].tobytes(), row[MEMORY_COLUMNS].tobytes()
+        return self._left.once(key, lambda: shares_left(self.timeline.under(row), np.exp(row[MEMORY_COLUMNS])))
 
     def readings(self, row: Floats) -> Readings:
         """Readings on the grid, stamps corrected and the errors by laws of readings taken off, as the row has both."""
