@@ -81,14 +81,15 @@ def _first_better(fit: Fit, trials: Iterable[Fit]) -> Fit | None:
     return next(better, None)
 
 
-def settled(fit: Fit, rounds: int) -> Fit:
+def settled(fit: Fit, rounds: int, which: Sequence[str] | None = None) -> Fit:
     """Climb by turns of noise and unknowns, at most `rounds` of them, until neither moves the other any more.
 
-    That is so where a turn gains nearly nothing after its first step.
+    That is so where a turn gains nearly nothing after its first step. Noise is that of the columns in `which`, None:
+    all.
     """
     for _ in range(rounds):
-        stepped = with_noise(fit, 1)
-        noisy = with_noise(stepped, 1) if stepped.objective - fit.objective > CONVERGENCE.least_gain else stepped
+        stepped = with_noise(fit, 1, which)
+        noisy = with_noise(stepped, 1, which) if stepped.objective - fit.objective > CONVERGENCE.least_gain else stepped
         fit = improved(noisy, 3)
         if fit.objective - stepped.objective < CONVERGENCE.settled:
             break

@@ -77,7 +77,7 @@ def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
     what a model lacks makes innovations alike too.
     """
     found = _with_suspects(_without_idle(fitted))
-    wanted, present = _memories(found), _memories(fit)
+    wanted, present = memories_of(found), memories_of(fit)
     if set(wanted) == set(present):
         return None
     return settled(_begun(_without(fit, present), found, wanted), RECALIBRATION.most_rounds)
@@ -85,10 +85,11 @@ def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
 
 def robots_with_lasting_errors(fit: Fit) -> frozenset[str]:
     """Names of the robots some of whose readings have errors that last in a fit."""
-    return frozenset(name for unknown in _memories(fit) for name in unknown.owner.robots)
+    return frozenset(name for unknown in memories_of(fit) for name in unknown.owner.robots)
 
 
-def _memories(fit: Fit) -> tuple[Unknown, ...]:
+def memories_of(fit: Fit) -> tuple[Unknown, ...]:
+    """Memories of errors among the noise of a model."""
     return tuple(unknown for unknown in fit.noise if unknown.column in READING_MEMORY)
 
 
@@ -114,7 +115,7 @@ def _with_suspects(fit: Fit) -> Fit:
 
 def _without_idle(fit: Fit) -> Fit:
     """Take away the memories by which the model gains too little, one after the other."""
-    for unknown in _memories(fit):
+    for unknown in memories_of(fit):
         less = with_noise(evaluated(_without(fit, [unknown])), COLOURED.rounds, (NOISE_OF[unknown.column],))
         if fit.objective - less.objective < COLOURED.worth:
             fit = less

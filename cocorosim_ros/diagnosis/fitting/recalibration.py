@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
-from cocorosim_ros.diagnosis.fitting.coloured_readings import with_obvious_colour
+from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, with_obvious_colour
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
@@ -81,14 +81,15 @@ def climbed(first: Fit) -> Fit:
     come down any more. Then one more climb starts from these numbers, with the first guess of that noise.
     The best of all goes on by leaps (`leaps`), and by exact slopes in the end (`polishing`).
 
-    Where the first climb shows that errors of most instruments last, it begins again with such errors.
+    Where the first climb shows that errors of most instruments last, it begins again with such errors. Their first
+    guess is that of a fit, so that further starts are left out if this climb leaves no readings beyond the gate.
     """
     opened = _opened(first)
     way = settled(opened, RECALIBRATION.most_rounds)
     coloured = with_obvious_colour(first, way)
     if coloured is not None:
         return climbed(coloured)
-    if opened is first:  # no readings lie beyond the gate in numbers
+    if opened is first or (memories_of(way) and _opened(way) is way):  # no readings lie beyond the gate in numbers
         return way
     starts = [_at_random(first)]
     if any(unknown.column in INERTIAL for unknown in first.noise):

@@ -44,9 +44,14 @@ from cocorosim_ros.diagnosis.naming.promising_laws import leading, pair_candidat
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_RANDOM
 from cocorosim_ros.world.terms.search import Scene
 
 Progress = Callable[[str, float], None]
+
+
+WITHOUT_MEMORY = (*WATER_RANDOM, *READING_NOISE)
+"""Noise that is fitted with every addition. How long errors last is held as the fit before had it until the end."""
 
 
 class PassedOver(NamedTuple):
@@ -93,7 +98,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
         if best is None:
             refused = tuple(choice.refused) if choice is not None else ()
             break
-        fit, named = settled(best[0], SEARCH.settling), (*named, best[1])
+        fit, named = settled(best[0], SEARCH.settling, WITHOUT_MEMORY), (*named, best[1])
         if len(named) >= SEARCH.pruned_from:
             fit, named = pruned(Stage(fit, named), base, known, unseen)
     fit, named = pruned(Stage(fit, named), base, known, unseen)
