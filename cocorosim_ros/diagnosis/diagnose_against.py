@@ -5,25 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from cocorosim_ros.diagnosis.against.comparable import comparable, in_parts, taken_in
+from cocorosim_ros.diagnosis.against.comparable import comparable, taken_in
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
-from cocorosim_ros.diagnosis.against.learning import learned_effects, learned_vehicle
+from cocorosim_ros.diagnosis.against.learned_once import learned_once
+from cocorosim_ros.diagnosis.against.learning import learned_effects
 from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
 from cocorosim_ros.diagnosis.against.running import runnable, runs_away
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
-from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.diagnose import abstained
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
-from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
@@ -56,11 +54,8 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     if well.reasons or intake.reasons:
         return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), good)
     progress("learning the vehicle", 0.05)
-    base = base_fit(in_parts(well.evidence))
-    if bad.platform.drag_form is None:
-        base, _ = with_best_form(base, RECALIBRATION.most_rounds)
     thrusters = _thrusters(bad.platform)
-    learned = learned_vehicle(base, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    learned = learned_once(well.evidence, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
     progress("fitting both together", 0.4)
     learned, joint, taken_back = runnable(learned, lambda vehicle: joint_fit(vehicle, intake.evidence))
     if runs_away(joint):

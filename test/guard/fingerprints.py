@@ -28,7 +28,7 @@ if FOLDER not in sys.path:
 
 from trial.examiner import COMMAND, Task, Terms, examine_all  # noqa: E402
 from trial.real import groups  # noqa: E402
-from trial.sealed import short_recording  # noqa: E402
+from trial.sealed import short_diagnosis  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 DESIGNS = ("boids", "turbulence")
@@ -85,7 +85,7 @@ def diagnosis_tasks(sealed: Path, data: Path | None, scratch: Path, count: int) 
 
 def diagnosis_fingerprints(tasks: list[Task], scratch: Path, limit: float) -> Iterator[tuple[str, str]]:
     """Exit status of each diagnosis, and the bytes of its machine-readable files."""
-    terms = Terms(jobs=2, limit=limit, warm_up=short_recording(scratch))
+    terms = Terms(jobs=2, limit=limit, warm_up=short_diagnosis(scratch))
     by_name = {task.name: task for task in tasks}
     for outcome in examine_all(tasks, terms):
         yield f"diagnosis/{outcome.name}/status", str(outcome.status)

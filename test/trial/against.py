@@ -9,13 +9,15 @@ from __future__ import annotations
 import json
 import math
 import random
+import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from trial.draws import FACTORS, NOTHING, SETS, DataSet
-from trial.examiner import Task, Terms
+from trial.examiner import Outcome, Task, Terms
 from trial.provenance import sentence
 from trial.sealed import diagnose
 from trial.tampered import altered, listed
@@ -79,6 +81,23 @@ def task(group: Halves, way: Way | None, out: Path) -> Task:
         folder = out / "tampered" / group.name / way.name
         bags = tuple(altered(bag, way, folder / bag.name) for bag in group.bad)
     return Task(f"{group.name}/{name}", bags, out / "diagnoses" / group.name / name, group.platform, group.good)
+
+
+def diagnosed(plan: list[tuple[Halves, Way | None]], out: Path, terms: Terms) -> list[Outcome]:
+    """All diagnoses, those of a group one after the other in forks of a process that has learned its GOOD."""
+    of_group: dict[Halves, list[Task]] = {}
+    for group, way in plan:
+        of_group.setdefault(group, []).append(task(group, way, out))
+
+    end = time.monotonic() + 60.0 * terms.minutes
+
+    def of_one(tasks: list[Task]) -> list[Outcome]:
+        left = (end - time.monotonic()) / 60.0
+        is_done = left <= 0.0 or all(each.outcome.exists() for each in tasks)
+        return diagnose(tasks, replace(terms, jobs=1, minutes=left, warm_up=None if is_done else tasks[0]))
+
+    with ThreadPoolExecutor(terms.jobs) as pool:
+        return [outcome for found in pool.map(of_one, of_group.values()) for outcome in found]
 
 
 def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
@@ -173,8 +192,7 @@ def _number(name: str, told: dict[str, Any]) -> str:
 def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any]) -> int:
     """Draw, alter, diagnose and judge everything; write the page and its numbers. source: what made them."""
     plan = drawn(halves(data, out, source["sets"]), source["count"], source["seed"])
-    outcomes = diagnose([task(group, way, out) for group, way in plan], terms)
-    seconds = {each.name: each.seconds for each in outcomes}
+    seconds = {each.name: each.seconds for each in diagnosed(plan, out, terms)}
     rows, lines = [], []
     for group, way in plan:
         name = way.name if way else "control"

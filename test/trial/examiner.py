@@ -13,7 +13,7 @@ import tempfile
 import time
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from queue import SimpleQueue
 from typing import Any
@@ -78,19 +78,19 @@ class Terms:
     limit: float = 120.0  # s, for one
     minutes: float = math.inf  # in all; what has not begun by then is left untried
     keep_reports: bool = False
-    warm_up: Path | None = None  # a recording to load the tool with, once: warm.py then forks for every diagnosis
+    warm_up: Task | None = None  # a diagnosis to load the tool with, once: warm.py then forks for every other
 
 
 class WarmTool:
     """A process of warm.py."""
 
-    def __init__(self, warm_up: Path) -> None:
+    def __init__(self, warm_up: Task) -> None:
         self._scratch = Path(tempfile.mkdtemp(prefix="warm_tool_"))
         self._process = subprocess.Popen(
             ["nice", "-n", "10", sys.executable, str(Path(__file__).with_name("warm.py"))],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=os.environ | ONE_THREAD,
         )  # fmt: skip
-        self._ask({"warm_up": Task("", (warm_up,), self._scratch / "warm_up").words[1:]})
+        self._ask({"warm_up": replace(warm_up, out=self._scratch / "warm_up").words[1:]})
 
     def _ask(self, request: dict[str, Any]) -> dict[str, Any]:
         assert self._process.stdin and self._process.stdout

@@ -88,7 +88,7 @@ def _trial(
     todo = sealed.shuffled_evenly([sealed.tasks(options.out, folder) for folder in folders])
     terms = terms_of(options)
     if options.warm:
-        terms = replace(terms, warm_up=sealed.short_recording(options.out))
+        terms = replace(terms, warm_up=sealed.short_diagnosis(options.out))
     outcomes = sealed.diagnose(todo, terms)
     source["recordings"], source["tried"] = len(todo), len(outcomes)
     score = sealed.score(options.out, outcomes, options.window)

@@ -37,13 +37,13 @@ def conceal(out: Path, part: Part, seed: int, jobs: int) -> Path:
     return folder
 
 
-def short_recording(out: Path) -> Path:
-    """A recording of half a minute that is no part of the trial: to load the tool with."""
+def short_diagnosis(out: Path) -> Task:
+    """The diagnosis of half a minute that is no part of the trial: to load the tool with."""
     folder = out / "warm_up"
     if not (folder / LEDGER).exists():
         words = ("--kind", "nothing", "--robots", "1", "--duration", "30")
         concealer("conceal", "--seed", "0", "--count", "1", "--out", str(folder), *words)
-    return folder / "recordings" / "r0000"
+    return Task("warm_up", (folder / "recordings" / "r0000",), folder / "diagnosis")
 
 
 def tasks(out: Path, folder: Path) -> list[Task]:

@@ -65,6 +65,6 @@ def test_a_tool_that_is_loaded_once_says_the_same(tmp_path: Path) -> None:
     plain = Terms(1, limit=60.0)
     tasks = [Task("r0", (tmp_path / "nowhere",), tmp_path / way / "r0") for way in ("cold", "warm")]
     (cold,) = examine_all(tasks[:1], plain)
-    (warm,) = examine_all(tasks[1:], replace(plain, warm_up=tmp_path / "nowhere"))
+    (warm,) = examine_all(tasks[1:], replace(plain, warm_up=tasks[1]))
     assert (cold.status, warm.status) == (2, 2)
     assert cold.said == warm.said and "nowhere does not exist" in warm.said

@@ -1,0 +1,47 @@
+"""The learned vehicle of the recordings of --against, kept for the next ones that are compared with the same."""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+import threading
+from collections.abc import Callable, Sequence
+
+from cocorosim_ros.diagnosis.against.comparable import in_parts
+from cocorosim_ros.diagnosis.against.learning import learned_vehicle
+from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
+from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.tracks.lately import Lately
+
+
+class _Kept(threading.local):
+    """The last learned vehicle of each thread, by the content of its recordings."""
+
+    def __init__(self) -> None:
+        self.vehicles: Lately[Fit] = Lately(1)
+
+
+_KEPT = _Kept()
+
+
+def learned_once(good: Evidence, thrusters: Sequence[str], progress: Callable[[str, float], None]) -> Fit:
+    """Learn the vehicle of recordings; of the same recordings as the time before it is known already.
+
+    Learning takes most of a comparison, and many recordings are compared with the same. thrusters: names, in order.
+    """
+
+    def learn() -> Fit:
+        base = base_fit(in_parts(good))
+        if good.platform.drag_form is None:
+            base, _ = with_best_form(base, RECALIBRATION.most_rounds)
+        return learned_vehicle(base, thrusters, progress)
+
+    return _KEPT.vehicles.once(_content(good), learn)
+
+
+def _content(good: Evidence) -> bytes:
+    """Digest of all that a vehicle is learned from."""
+    return hashlib.sha256(pickle.dumps(good)).digest()
