@@ -12,7 +12,7 @@ from cocorosim_ros.study.claims.method_claims import method_answers
 from cocorosim_ros.study.claims.overall_claims import overall_answers
 from cocorosim_ros.study.results.results import Results
 
-STUDIES = ("boids", "turbulence", "boids_choices", "turbulence_choices", "boids_released")
+STUDIES = ("boids", "turbulence", "boids_choices", "turbulence_choices", "boids_released", "turbulence_released")
 """The designs that the claims are asked of."""
 
 

@@ -58,3 +58,13 @@ def test_the_page_has_them_only_for_the_released_design(made_up: Callable[..., A
     assert "| BLT | `shoals_time_mean` | 1.18 | 1.18 | 1.17 to 1.19 |" in part
     assert "| S1 | BLT against Van: polarisation | higher, large | higher, large; A = 1.000" in part
     assert "released reading" not in claims_page([], {"boids": made_up("boids", GROUPS, numbers)})
+
+
+def test_the_released_reading_in_currents_has_the_claims_on_turbulence(made_up: Callable[..., Any]) -> None:
+    """Without figures of the original, which are not known there."""
+    results = made_up("turbulence_released", ("T0", "T5e-4", "T5e-3"), {("T5e-3", "polarisation"): -1.0})
+    part = claims_page([], {"turbulence_released": results}).partition(
+        "## The released reading: `turbulence_released`"
+    )[2]
+    assert "| T3 | T5e-3 against T0: polarisation | lower, large | lower, large; A = 0.000" in part
+    assert "the original |" not in part
