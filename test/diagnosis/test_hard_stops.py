@@ -45,7 +45,8 @@ def named(case: Case, identifier: str, **parameters: float) -> Case:
 
     candidates = expand(ENTRIES, case.final.tracks, case.final.rows)
     candidate = next(each for each in candidates if each.entry.id == identifier)
-    estimates = {name: Estimate(value, value - 1.0, value + 1.0, "1") for name, value in parameters.items()}
+    units = {each.owner.parameter: each.owner.unit for each in candidate.amplitudes()}
+    estimates = {name: Estimate(value, value - 1.0, value + 1.0, units[name]) for name, value in parameters.items()}
     found = FoundEffect(identifier, "", "", ("lily_01",), "confirmed", estimates, 100.0, topic=candidate.entry.topic)
     new = candidate.amplitudes()
     base = {each.name: each.neutral for each in candidate.entry.amplitudes}
@@ -179,7 +180,7 @@ def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
 
 
 def test_a_delay_beside_errors_that_last(sound: Case) -> None:
-    """It may be a part of the filter's step; what is no delay is not, nor is a delay beside white errors."""
+    """It may be a part of the filter's step, as a lag below one; other effects are not, nor a delay beside white errors."""
     owner = Owner(READING, ("lily_01",), "compass_memory", "s")
     memory = Unknown(owner, "memory.compass", (0,), base=math.log(0.5))
 
@@ -191,6 +192,10 @@ def test_a_delay_beside_errors_that_last(sound: Case) -> None:
     assert len(sentences(hard_stops.lasting_errors, lasting(late))) == 1
     assert sentences(hard_stops.lasting_errors, late) == []
     assert sentences(hard_stops.lasting_errors, lasting(named(sound, "torque_bias", torque=1.5))) == []
+    step = sound.final.tracks[0].timeline.grid.step
+    for lag, said in ((0.4 * step, 1), (4.0 * step, 0)):
+        slow = lasting(named(sound, "thruster_lag", time_constant=lag))
+        assert len(sentences(hard_stops.lasting_errors, slow)) == said
 
 
 def test_noise_that_is_a_guess(sound: Case) -> None:

@@ -171,20 +171,26 @@ def _coloured(track: Track, passed: Pass) -> Iterator[str]:
 
 
 def lasting_errors(case: Case) -> Iterator[Objection]:
-    """Object to delays and skews of robots whose readings have errors that last.
+    """Object to delays, skews and lags below a step, of robots whose readings have errors that last.
 
     The filter follows such errors from reading to reading by the rates at grid points, so that a part of a step may
     pass for a delay.
     """
     robots = robots_with_lasting_errors(case.final)
     for found, named in effects_of(case):
-        is_of_time = any(each.column in OF_TIME for each in named.candidate.entry.amplitudes)
-        if is_of_time and not robots.isdisjoint(found.robots):
+        is_delay = any(each.column in OF_TIME for each in named.candidate.entry.amplitudes)
+        if not robots.isdisjoint(found.robots) and (is_delay or _is_below_a_step(case, found)):
             yield Objection(
                 "Errors of these readings last, and the filter follows them from one reading to the next by whole "
                 "steps, so that a part of a step may pass for a delay.",
                 effect=found,
             )
+
+
+def _is_below_a_step(case: Case, found: FoundEffect) -> bool:
+    """Tell whether a number of an effect is a time shorter than a step of the filter."""
+    step = max(track.timeline.grid.step for track in case.final.tracks if track.name in found.robots)
+    return any(each.unit == "s" and abs(each.value) < step for each in found.parameters.values())
 
 
 def unknown_noise(case: Case) -> Iterator[Objection]:
