@@ -180,7 +180,7 @@ def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
 
 
 def test_a_delay_beside_errors_that_last(sound: Case) -> None:
-    """It may be a part of the filter's step, as a lag below one; other effects are not, nor a delay beside white errors."""
+    """It may be a part of the filter's step, as a lag below one; nothing else is, nor a delay beside white errors."""
     owner = Owner(READING, ("lily_01",), "compass_memory", "s")
     memory = Unknown(owner, "memory.compass", (0,), base=math.log(0.5))
 
