@@ -195,6 +195,30 @@ def test_white_errors_have_no_memory(swum: Any) -> None:
         assert with_coloured_readings(fit, fit) is None
 
 
+def of_a_tracker_alone(evidence: Any) -> Any:
+    """The same swim as a tracker alone saw it."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    pose = log.streams["pose"]
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams={"pose": pose}),)),))
+
+
+@pytest.mark.parametrize("memory", [0.3, 0.0])
+def test_errors_of_one_tracker_last_where_white_ones_need_incredible_water(swum: Any, memory: float) -> None:
+    """Errors of three readings are found though one instrument saw them; white ones get no memory.
+
+    As white errors the former need a random force above all thrust, 10 mN: 2 mm in 0.3 s are 22 mm/s^2, times 0.44 kg.
+    """
+    fit = base_fit(of_a_tracker_alone(swum(memory)))
+    levels = noise_levels(fit)
+    found = {unknown.column for unknown in fit.noise if unknown.column in READING_MEMORY}
+    assert bool(found) == bool(memory)
+    assert levels["random.force"].value < 0.01
+    if memory:
+        assert levels["memory.pose_xy"].value == pytest.approx(memory, rel=0.3)
+        assert levels["reading.pose_xy"].value == pytest.approx(0.002, rel=0.2)
+
+
 def test_a_memory_that_gains_nothing_is_taken_away(swum: Any) -> None:
     """A model with a memory that its readings do not show gets the plain model back."""
     plain = base_fit(swum(0.0))

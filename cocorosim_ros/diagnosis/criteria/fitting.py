@@ -120,6 +120,12 @@ class ColouredReadingsCriteria:
     """[of a robot's instruments] have to show colour if it is to be taken into the first fit. Chosen, not measured."""
     instruments: int = 3
     """[instruments] at least that have to do so: one fault does not concern so many. Chosen, not measured."""
+    shaken: float = 3.0
+    """[of all actuators at their limits] beyond which a random force is incredible, so that lasting errors are tried.
+    Known of two vehicles: 5.7 of a ship whose places err alike for seconds, 2.1 at most of a hovercraft."""
+    quick: float = 3.0
+    """[readings] for which errors last at first, where white ones would need a random force beyond all actuators.
+    Chosen, not measured."""
     rounds: int = 2
     """[steps] of memory and noise of a kind, in which its colour has to show. Chosen, not measured: where errors last
     for five readings it gains hundreds of nats in the first."""

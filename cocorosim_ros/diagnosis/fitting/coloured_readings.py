@@ -8,7 +8,8 @@ noise.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -20,7 +21,14 @@ from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
-from cocorosim_ros.diagnosis.tracks.columns import NOISE_UNITS, READING_MEMORY, READING_NOISE, READING_NOISE_OF_KIND
+from cocorosim_ros.diagnosis.tracks.columns import (
+    COLUMN,
+    NOISE_UNITS,
+    READING_MEMORY,
+    READING_NOISE,
+    READING_NOISE_OF_KIND,
+)
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats, Integers
 
 MEMORY_OF = dict(zip(READING_NOISE, READING_MEMORY, strict=True))
@@ -49,17 +57,72 @@ def with_obvious_colour(first: Fit, roughly: Fit) -> Fit | None:
     return evaluated(begun) if begun is not first else None
 
 
+def with_quick_colour(first: Fit, white: Fit) -> Fit | None:
+    """Add errors that last for a few readings to a first guess where white ones need incredible water; else None.
+
+    A tracker whose readings are held until the next one, or come with stamps that jitter, errs alike for some readings
+    in a row. With white errors the water has to shake the robot by as much, far harder than its own actuators could. So
+    lasting errors are tried for few instruments too, although slow ones could not be told from slow motion there, and
+    with water that is no stronger than the actuators; the likelihood decides. white: the fit from that first guess.
+    """
+    begun = first
+    for numbers in tracks_by_robot(first.tracks).values():
+        if not memories_of(first) and _is_shaken(white, numbers):
+            erring = [column for column in MEMORY_OF if not _is_exact(white, numbers, column)]
+            gaps = [gap for column in erring if (gap := _mean_gap(white, numbers, column)) is not None]
+            if gaps:
+                begun = _all_coloured(_unshaken(begun, numbers), numbers, math.log(COLOURED.quick * min(gaps)), erring)
+    return evaluated(begun) if begun is not first else None
+
+
+def _strongest(fit: Fit, numbers: Sequence[int]) -> dict[str, float]:
+    """Logarithm of what all actuators of a robot deliver at their limits, by column of the random force."""
+    full = full_forces(fit.tracks[numbers[0]].vehicle)
+    return {"random.force": math.log(full.across), "random.moment": math.log(full.yaw)}
+
+
+def _is_shaken(fit: Fit, numbers: Sequence[int]) -> bool:
+    """Tell whether the random force on a robot is incredible beside all its actuators at their limits."""
+    row, beyond = fit.filled[numbers[0]], math.log(COLOURED.shaken)
+    return any(row[COLUMN[column]] > most + beyond for column, most in _strongest(fit, numbers).items())
+
+
+def _unshaken(fit: Fit, numbers: Sequence[int]) -> Fit:
+    """Bound the random force on a robot by all its actuators at their limits; the fit is not evaluated."""
+    strongest = _strongest(fit, numbers)
+    noise = tuple(
+        replace(each, bounds=(each.bounds[0], max(strongest[each.column] - each.base, each.bounds[0])))
+        if each.column in strongest and set(each.tracks) <= set(numbers)
+        else each
+        for each in fit.noise
+    )
+    return replace(fit, noise=noise)
+
+
+def _is_exact(fit: Fit, numbers: Sequence[int], column: str) -> bool:
+    """Tell whether all readings of a column are as exact as any can be, as those of a number that was put in."""
+    chosen = [
+        unknown.at_ends(q)[0]
+        for unknown, q in zip(fit.noise, fit.q_noise.tolist(), strict=True)
+        if unknown.column == column and not set(numbers).isdisjoint(unknown.tracks)
+    ]
+    return all(chosen)
+
+
 def _streams(noise: Sequence[Unknown]) -> set[str]:
     """Streams of the readings of which numbers are noise or memory."""
     names = [unknown.column.partition(".")[2] for unknown in noise if unknown.owner.effect == READING]
     return {STREAM_OF[name] for name in names}
 
 
-def _all_coloured(fit: Fit, numbers: tuple[int, ...], log_memory: float) -> Fit:
-    """Add memories, all alike at first, of all readings of one robot in some tracks; the fit is not evaluated."""
+def _all_coloured(fit: Fit, numbers: tuple[int, ...], log_memory: float, columns: Iterable[str] = MEMORY_OF) -> Fit:
+    """Add memories, all alike at first, of all readings of one robot in some tracks; the fit is not evaluated.
+
+    columns: numbers of noise of these readings; all if left out.
+    """
     robot, q_noise, added = fit.tracks[numbers[0]].name, fit.q_noise.copy(), []
-    for column, memory in MEMORY_OF.items():
-        gap = _mean_gap(fit, numbers, column)
+    for column in columns:
+        memory, gap = MEMORY_OF[column], _mean_gap(fit, numbers, column)
         if gap is None:
             continue
         added.append(_memory(robot, numbers, memory, log_memory))

@@ -8,11 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
+from cocorosim_ros.diagnosis.criteria.fitting import COLOURED, RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.base_model import base_rows, base_unknowns, noise_unknowns
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
-from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, with_obvious_colour
+from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, with_obvious_colour, with_quick_colour
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_unknowns
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, make_fit
 from cocorosim_ros.diagnosis.fitting.leaps import leapt
@@ -82,15 +82,26 @@ def climbed(first: Fit) -> Fit:
     The best of all goes on by leaps (`leaps`), and by exact slopes in the end (`polishing`).
 
     Where the first climb shows that errors of most instruments last, it begins again with such errors. Their first
-    guess is that of a fit, so that further starts are left out if this climb leaves no readings beyond the gate.
+    guess is that of a fit, so that further starts are left out if this climb leaves no readings beyond the gate. So it
+    does where the best climb needs water that is far stronger than the actuators, and the better of the two is taken.
     """
     opened = _opened(first)
     way = settled(opened, RECALIBRATION.most_rounds)
     coloured = with_obvious_colour(first, way)
     if coloured is not None:
         return climbed(coloured)
-    if opened is first or (memories_of(way) and _opened(way) is way):  # no readings lie beyond the gate in numbers
-        return way
+    is_simple = opened is first or bool(memories_of(way) and _opened(way) is way)  # no readings lie beyond the gate
+    best = way if is_simple else _best_way(first, opened, way)
+    shaken = with_quick_colour(first, best)
+    if shaken is not None:
+        steadier = leapt(climbed(shaken), RECALIBRATION.most_rounds)
+        if steadier.objective > best.objective + COLOURED.worth:
+            return steadier
+    return best if is_simple else polished(leapt(best, RECALIBRATION.most_rounds))
+
+
+def _best_way(first: Fit, opened: Fit, way: Fit) -> Fit:
+    """Climb from other first guesses of the noise too, and return the best; way: the climb from `opened`."""
     starts = [_at_random(first)]
     if any(unknown.column in INERTIAL for unknown in first.noise):
         starts.append(_without_inertial(first))
@@ -100,7 +111,7 @@ def climbed(first: Fit) -> Fit:
     if any(q >= unknown.bounds[1] for unknown, q in zip(best.noise, best.q_noise, strict=True)):
         again = _at_random(evaluated(replace(best, q_noise=first.q_noise)))
         best = max(best, settled(again, RECALIBRATION.most_rounds), key=lambda fit: fit.objective)
-    return polished(leapt(best, RECALIBRATION.most_rounds))
+    return best
 
 
 def _at_random(fit: Fit) -> Fit:
