@@ -11,6 +11,8 @@ import pytest
 
 from cocorosim_ros.diagnosis.evidence.frames.agreement import nats_behind
 from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
+from cocorosim_ros.diagnosis.evidence.frames.mirrored_poses import mirrored_poses
+from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
@@ -108,6 +110,28 @@ def test_a_velocity_in_world_axes(swum: Swum, swim: Any, lily_platform: Platform
     assert found.topic == "velocity" and "world axes" in found.wrong
     right = corrected(in_world(clean), [found]).streams["velocity"].value
     np.testing.assert_allclose(right, clean.streams["velocity"].value, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("topic", "change", "words"),
+    [
+        ("pose", lambda v: [v[0], -v[1], v[2], v[3]], "sign of y is flipped"),
+        ("pose", lambda v: [v[1], v[0], v[2], v[3]], "x and y are swapped"),
+        ("pose", lambda v: v, ""),
+        ("pose", lambda v: [v[1], -v[0], v[2], v[3]], ""),
+        ("velocity", lambda v: [-v[0], v[1], v[2]], ""),
+    ],
+)
+def test_mirrored_poses_beside_velocities_alone(
+    swum: Swum, swim: Any, lily_platform: Platform, topic: str, change: Callable[..., Any], words: str
+) -> None:
+    """A mirror image is told from a flipped velocity over all headings; what is turned may be the one or the other."""
+    log = mixed(swum(swim(seed=5, topics=("pose", "velocity"))), topic, lambda v: np.asarray(change(v)))
+    found = mirrored_poses(motion_together([log], lily_platform))
+    if not words:
+        assert found is None
+        return
+    assert found is not None and found.topic == "pose" and words in found.wrong and found.nats > 10.0
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.criteria.frames import AXES
 from cocorosim_ros.diagnosis.evidence.frames import units
 from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, Fault, FrameCorrection, affine, corrected
 from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
+from cocorosim_ros.diagnosis.evidence.frames.mirrored_poses import mirrored_poses
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.orientation import Orientation, best_orientation
 from cocorosim_ros.diagnosis.evidence.frames.through_water import velocity_axes
@@ -103,10 +104,12 @@ def _axes(logs: Logs, platform: Platform, beside: Logs) -> Found:
 
 
 def _own_axes(logs: Logs, platform: Platform) -> Found:
-    """The correction of the velocity stream's axes, found after all other streams are right."""
-    motion = motion_together(logs, platform)
+    """Corrections of poses and velocities that contradict one another, found after all other streams are right."""
+    poses = mirrored_poses(motion_together(logs, platform))
+    found = [poses] if poses else []
+    motion = motion_together(_all_corrected(logs, found), platform)
     velocity = velocity_axes(motion, lift_upside_down(motion))
-    return [velocity] if velocity else []
+    return [*found, *([velocity] if velocity else [])]
 
 
 def _gyro_nats(turned: Orientation) -> float:

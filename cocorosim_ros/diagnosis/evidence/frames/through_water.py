@@ -13,7 +13,14 @@ from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection
 from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.kinematics import is_smooth, noise_weight
 from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
-from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, SAME, Turned, matrix_of, position_words
+from cocorosim_ros.diagnosis.evidence.frames.turned import (
+    ALL_TURNED,
+    SAME,
+    Turned,
+    matrix_of,
+    position_words,
+    turned_by,
+)
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, W
 
 TOPIC = "velocity"
@@ -65,7 +72,7 @@ def _best(motion: ShownMotion) -> tuple[Change, float]:
     seen_from_body = np.isfinite(motion.course * motion.yaw).any()
     shown, into_world = (motion.course, np.exp(1j * motion.yaw)) if seen_from_body else (motion.advance, 1.0 + 0.0j)
     worlds = (False, True) if seen_from_body else (False,)
-    candidates = [Change(world, turned) for world in worlds for turned in ALL_TURNED]  # the simplest first
+    candidates = _changes(worlds)
     scores = [_score(motion.through, shown, into_world, candidate) for candidate in candidates]
     count = independent(motion.through, shown, motion.weight)
     behind = nats_behind(np.array(scores), max(scores), count)
@@ -75,19 +82,29 @@ def _best(motion: ShownMotion) -> tuple[Change, float]:
     return candidates[simplest], float(behind[0])
 
 
+def _changes(worlds: Sequence[bool]) -> list[Change]:
+    """List all changes, the simplest first; worlds: whether out of world axes."""
+    return [Change(world, turned) for world in worlds for turned in ALL_TURNED]
+
+
 def _exact(motion: ShownMotion, candidates: Sequence[Change]) -> tuple[Change, float]:
     """The change that foretells the velocity of the poses nearly to their noise where the stream as it is does not."""
     count = independent(motion.through, motion.course, noise_weight(motion))
     if count < KINEMATICS.fewest or not is_smooth(motion.course):
         return UNCHANGED, 0.0
-    left = np.array([_unexplained(motion, candidate) for candidate in candidates])
+    left = np.array([unexplained(motion, candidate) for candidate in candidates])
     best = int(left.argmin())
     if left[best] > 1.0 - KINEMATICS.explains or left[0] < KINEMATICS.better * left[best]:
         return UNCHANGED, 0.0
     return candidates[best], float(nats_behind(1.0 - left, 1.0 - left[best], count)[0])
 
 
-def _unexplained(motion: ShownMotion, change: Change) -> float:
+def least_unexplained(motion: ShownMotion) -> float:
+    """Share of the velocity of the poses that is unexplained by the best change of all."""
+    return min(unexplained(motion, candidate) for candidate in _changes(worlds=(False, True)))
+
+
+def unexplained(motion: ShownMotion, change: Change) -> float:
     """Share of the velocity of the poses, its mean left out, by which the changed stream misses it."""
     missed = _in_world(motion.through, np.exp(1j * motion.yaw), change) - motion.course
     given = np.isfinite(missed)
@@ -103,4 +120,4 @@ def _score(read: Complex, shown: Complex, into_world: Complex | complex, change:
 def _in_world(read: Complex, into_world: Complex | complex, change: Change) -> Complex:
     """The changed readings in world axes."""
     body = read * np.conj(into_world) if change.from_world else read
-    return np.asarray(1j**change.turned.quarters * (np.conj(body) if change.turned.mirrored else body) * into_world)
+    return np.asarray(turned_by(change.turned, body) * into_world)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -41,10 +42,15 @@ _ANGLE = {
 }
 
 
+def turned_by(turned: Turned, axes: Complex) -> Complex:
+    """Turn or mirror horizontal vectors x + iy (n,)."""
+    return np.asarray(1j**turned.quarters * (np.conj(axes) if turned.mirrored else axes))
+
+
 def matrix_of(turned: Turned) -> Floats:
     """Matrix (2, 2) on x, y of a turn or mirror image."""
-    columns = [1j**turned.quarters * (np.conj(axis) if turned.mirrored else axis) for axis in (1.0 + 0.0j, 1.0j)]
-    return np.array([[column.real for column in columns], [column.imag for column in columns]]).round()
+    columns = turned_by(turned, np.array([1.0 + 0.0j, 1.0j]))
+    return np.array([columns.real, columns.imag]).round()
 
 
 def on_angle(turned: Turned) -> tuple[float, float]:
