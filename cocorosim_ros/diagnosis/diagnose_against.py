@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
 from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
 from cocorosim_ros.diagnosis.against.running import runnable, runs_away
+from cocorosim_ros.diagnosis.against.stamps import other_clocks
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
@@ -69,7 +70,8 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     progress("writing down", 0.95)
     naming = replace(naming, screened=alike.all_weighed(naming.screened))
     against = _against(good, learned, control, naming)
-    return _told(naming, judged, intake, replace(against, taken_back=taken_back))
+    clocks = tuple(other_clocks(intake.evidence, well.evidence))
+    return _told(naming, judged, intake, replace(against, taken_back=taken_back), clocks)
 
 
 def _thrusters(platform: Platform) -> tuple[str, ...]:
@@ -119,11 +121,13 @@ def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
     return replace(diagnosis, against=Comparison(tuple(each.origin for each in good.recordings), (), ()))
 
 
-def _told(naming: Naming, judged: Judged, intake: Intake, against: Comparison) -> Diagnosis:
+def _told(
+    naming: Naming, judged: Judged, intake: Intake, against: Comparison, clocks: tuple[FoundEffect, ...]
+) -> Diagnosis:
     """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
     numbers = fitted(naming.fit)
     moved = differing_numbers(naming, numbers)
-    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *differing_effects(naming, numbers))
+    effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *clocks, *differing_effects(naming, numbers))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     effects, nameless = _beyond_doubt(naming, effects)

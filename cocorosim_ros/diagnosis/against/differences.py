@@ -15,6 +15,7 @@ import numpy as np
 from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.against.control import Alike
+from cocorosim_ros.diagnosis.against.delays import with_delays
 from cocorosim_ros.diagnosis.against.numbers import number_entries
 from cocorosim_ros.diagnosis.against.starts import beyond_starts
 from cocorosim_ros.diagnosis.against.twins import with_twin
@@ -146,18 +147,7 @@ def _scene(fit: Fit, judged: Judged) -> Scene:
 def _entries(joint: Fit, judged: Judged) -> list[Entry]:
     tracks = [joint.tracks[number] for number in judged.numbers]
     numbers = number_entries(tracks, joint.rows[list(judged.numbers)], judged.thrusters)
-    step = max(track.timeline.grid.step for track in tracks)
-    return [_beyond_a_step(entry, step) for entry in (*ENTRIES, *numbers)]
-
-
-def _beyond_a_step(entry: Entry, step: float) -> Entry:
-    """Copy an entry; of a delay, less than a step [s] of the filter is not believed.
-
-    A difference of delays below it follows from how readings fall on grid points: halves of sound recordings had some.
-    """
-    if not any(amplitude.searched for amplitude in entry.amplitudes):
-        return entry
-    return replace(entry, amplitudes=tuple(replace(each, negligible=(-step, step)) for each in entry.amplitudes))
+    return with_delays([*ENTRIES, *numbers], tracks)
 
 
 def _laws(scene: Scene, joint: Fit, judged: Judged, named: Sequence[NamedEffect], *, water: bool) -> list[Entry]:

@@ -81,6 +81,9 @@ class ChangeCriteria:
     measured."""
     large_delay: float = 0.3
     """[s] of commands in a bad case, as of the lag of a thruster. Chosen, not measured."""
+    late_readings: float = 5.0
+    """[readings] by which a stream is late in a bad case, where that is longer than what the catalogue has. Chosen, not
+    measured."""
 
 
 CHANGES = ChangeCriteria()

@@ -110,7 +110,7 @@ def _shifted(rows: TopicRows, usual: float, remarks: list[str]) -> TopicRows:
             "of the other topics by the log times (another clock, or none); they were shifted by that, which leaves "
             "their latency uncertain."
         )
-    return replace(rows, stamp_ns=stamps)
+    return replace(rows, stamp_ns=stamps, shifted=float(np.median(stamps - rows.stamp_ns)) / NANOSECONDS)
 
 
 def _stretches(delay: Floats) -> list[tuple[int, int]]:

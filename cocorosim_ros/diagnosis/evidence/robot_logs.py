@@ -41,7 +41,12 @@ def robot_log(name: str, topics: Sequence[ClockedRows], start_ns: int, actuators
     commands = next((each.rows for each in topics if each.rows.topic == COMMAND and len(each.rows.stamp_ns)), None)
     streams = {
         each.rows.topic: Stream(
-            seconds(each.rows, start_ns), each.rows.values, np.empty(0), each.skew.rate, each.skew.error
+            seconds(each.rows, start_ns),
+            each.rows.values,
+            np.empty(0),
+            each.skew.rate,
+            each.skew.error,
+            shifted=each.rows.shifted,
         )
         for each in topics
         if each.rows.topic != COMMAND and len(each.rows.stamp_ns)

@@ -28,6 +28,7 @@ class TopicRows:
     """Contents of n messages of one topic of one robot: header stamps and log times (n,) [ns], values (n, columns).
 
     The columns are those of STREAMS, or the platform's actuators. remarks: a sentence for all that was left out.
+    shifted: by how much most of the stamps were set later to be on one clock [s].
     """
 
     robot: str
@@ -39,6 +40,7 @@ class TopicRows:
         default_factory=lambda: NO_ATTITUDE
     )  # (n, 2) roll and pitch [rad], where the topic tells them
     remarks: tuple[str, ...] = ()
+    shifted: float = 0.0
 
     def chosen(self, rows: Integers | Flags) -> TopicRows:
         """The rows with these numbers, or where these flags (n,) are true, in that order."""

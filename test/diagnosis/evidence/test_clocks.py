@@ -57,6 +57,7 @@ def test_another_zero(offset: float) -> None:
     found, remarks = on_one_clock(topics)
     np.testing.assert_allclose(seconds(found[1]), TIME, atol=0.02)
     np.testing.assert_array_equal(found[0].stamp_ns, topics[0].stamp_ns)
+    assert [each.shifted for each in found] == [0.0, pytest.approx(-offset, abs=0.02), 0.0]
     (remark,) = remarks
     told = re.search(r"lily_01/compass: the stamps are ([0-9.e+]+) s", remark)
     assert told and float(told[1]) == pytest.approx(abs(offset), rel=1e-5, abs=0.02)

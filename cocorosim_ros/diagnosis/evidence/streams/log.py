@@ -28,6 +28,7 @@ class Stream:
     the median of the recording's topics, by the log times; NaN where the log times do not show it.
     filled_in: columns of which many readings were interpolated or repeated, and left out.
     full_turn: a full turn of the angle among the columns, 2 pi, or 360 where readings exceed any angle in radians.
+    shifted: by how much most stamps were set later [s], since by the log times they were of another clock.
     """
 
     time: Floats
@@ -37,6 +38,7 @@ class Stream:
     skew_error: float = float("nan")
     full_turn: float = 2.0 * np.pi
     filled_in: tuple[str, ...] = ()
+    shifted: float = 0.0
 
 
 @dataclass(frozen=True)
