@@ -20,14 +20,15 @@ def with_delays(entries: Sequence[Entry], tracks: Sequence[Track]) -> list[Entry
     late by seconds, where one of twenty readings a second is late by a tenth.
     """
     step = max(track.timeline.grid.step for track in tracks)
-    return [_with_delay(entry, step, _slowest_gap(entry, tracks)) for entry in entries]
+    return [_with_delay(entry, step, tracks) for entry in entries]
 
 
-def _with_delay(entry: Entry, step: float, gap: float) -> Entry:
+def _with_delay(entry: Entry, step: float, tracks: Sequence[Track]) -> Entry:
     if not any(amplitude.searched for amplitude in entry.amplitudes):
         return entry
-    believed = tuple(replace(each, negligible=(-step, step)) for each in entry.amplitudes)
-    return replace(entry, amplitudes=tuple(_as_long_as(CHANGES.late_readings * gap, each) for each in believed))
+    late = CHANGES.late_readings * _slowest_gap(entry, tracks)
+    believed = (replace(each, negligible=(-step, step)) for each in entry.amplitudes)
+    return replace(entry, amplitudes=tuple(_as_long_as(late, each) for each in believed))
 
 
 def _as_long_as(late: float, amplitude: Amplitude) -> Amplitude:

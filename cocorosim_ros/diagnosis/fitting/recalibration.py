@@ -82,8 +82,9 @@ def climbed(first: Fit) -> Fit:
     The best of all goes on by leaps (`leaps`), and by exact slopes in the end (`polishing`).
 
     Where the first climb shows that errors of most instruments last, it begins again with such errors. Their first
-    guess is that of a fit, so that further starts are left out if this climb leaves no readings beyond the gate. So it
-    does where the best climb needs water that is far stronger than the actuators, and the better of the two is taken.
+    guess is that of a fit, so that further starts are left out if this climb leaves no readings beyond the gate. Where
+    the best climb needs water that is far stronger than the actuators, a climb with such errors is tried too, and the
+    better of the two is taken.
     """
     opened = _opened(first)
     way = settled(opened, RECALIBRATION.most_rounds)

@@ -105,11 +105,12 @@ def _axes(logs: Logs, platform: Platform, beside: Logs) -> Found:
 
 def _own_axes(logs: Logs, platform: Platform) -> Found:
     """Corrections of poses and velocities that contradict one another, found after all other streams are right."""
-    poses = mirrored_poses(motion_together(logs, platform))
-    found = [poses] if poses else []
-    motion = motion_together(_all_corrected(logs, found), platform)
+    motion = motion_together(logs, platform)
+    poses = mirrored_poses(motion)
+    if poses:
+        motion = motion_together(_all_corrected(logs, [poses]), platform)
     velocity = velocity_axes(motion, lift_upside_down(motion))
-    return [*found, *([velocity] if velocity else [])]
+    return [correction for correction in (poses, velocity) if correction]
 
 
 def _gyro_nats(turned: Orientation) -> float:

@@ -22,6 +22,7 @@ from cocorosim_ros.diagnosis.evidence.frames.turned import (
     turned_by,
 )
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, W
+from cocorosim_ros.foundation.arrays import Floats
 
 TOPIC = "velocity"
 
@@ -72,7 +73,7 @@ def _best(motion: ShownMotion) -> tuple[Change, float]:
     seen_from_body = np.isfinite(motion.course * motion.yaw).any()
     shown, into_world = (motion.course, np.exp(1j * motion.yaw)) if seen_from_body else (motion.advance, 1.0 + 0.0j)
     worlds = (False, True) if seen_from_body else (False,)
-    candidates = _changes(worlds)
+    candidates = changes(worlds)
     scores = [_score(motion.through, shown, into_world, candidate) for candidate in candidates]
     count = independent(motion.through, shown, motion.weight)
     behind = nats_behind(np.array(scores), max(scores), count)
@@ -82,8 +83,8 @@ def _best(motion: ShownMotion) -> tuple[Change, float]:
     return candidates[simplest], float(behind[0])
 
 
-def _changes(worlds: Sequence[bool]) -> list[Change]:
-    """List all changes, the simplest first; worlds: whether out of world axes."""
+def changes(worlds: Sequence[bool]) -> list[Change]:
+    """List all changes, none and then the simplest first; worlds: whether out of world axes."""
     return [Change(world, turned) for world in worlds for turned in ALL_TURNED]
 
 
@@ -92,23 +93,24 @@ def _exact(motion: ShownMotion, candidates: Sequence[Change]) -> tuple[Change, f
     count = independent(motion.through, motion.course, noise_weight(motion))
     if count < KINEMATICS.fewest or not is_smooth(motion.course):
         return UNCHANGED, 0.0
-    left = np.array([unexplained(motion, candidate) for candidate in candidates])
+    left = unexplained(motion, candidates)
     best = int(left.argmin())
     if left[best] > 1.0 - KINEMATICS.explains or left[0] < KINEMATICS.better * left[best]:
         return UNCHANGED, 0.0
     return candidates[best], float(nats_behind(1.0 - left, 1.0 - left[best], count)[0])
 
 
-def least_unexplained(motion: ShownMotion) -> float:
-    """Share of the velocity of the poses that is unexplained by the best change of all."""
-    return min(unexplained(motion, candidate) for candidate in _changes(worlds=(False, True)))
+def unexplained(motion: ShownMotion, candidates: Sequence[Change]) -> Floats:
+    """Shares (candidates,) of the velocity of the poses, its mean left out, by which the changed stream misses it."""
+    into_world = np.exp(1j * motion.yaw)
+    return np.array([missed(_in_world(motion.through, into_world, each), motion.course) for each in candidates])
 
 
-def unexplained(motion: ShownMotion, change: Change) -> float:
-    """Share of the velocity of the poses, its mean left out, by which the changed stream misses it."""
-    missed = _in_world(motion.through, np.exp(1j * motion.yaw), change) - motion.course
-    given = np.isfinite(missed)
-    return float(np.var(missed[given]) / np.var(motion.course[given]))
+def missed(moved: Complex, course: Complex) -> float:
+    """Share of a course (n,), its mean left out, by which a velocity (n,) in world axes misses it."""
+    left = moved - course
+    given = np.isfinite(left)
+    return float(np.var(left[given]) / np.var(course[given]))
 
 
 def _score(read: Complex, shown: Complex, into_world: Complex | complex, change: Change) -> float:
