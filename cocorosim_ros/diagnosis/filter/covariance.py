@@ -20,15 +20,10 @@ GATE = FILTER.gate
 
 
 @kernel
-def _add_eight(target: Floats, at: int, source: Floats, first: int, factor: float) -> None:
-    add_four(target, np.uint64(at), source, np.uint64(first), factor)
-    add_four(target, np.uint64(at + 4), source, np.uint64(first + 4), factor)
-
-
-@kernel
 def _add_row(target: Floats, at: int, source: Floats, first: int, factor: float) -> None:
     """target[at : at + HORIZONTAL] += factor * source[first : first + HORIZONTAL]."""
-    _add_eight(target, at, source, first, factor)
+    add_four(target, np.uint64(at), source, np.uint64(first), factor)
+    add_four(target, np.uint64(at + 4), source, np.uint64(first + 4), factor)
     add_four(target, np.uint64(at + 8), source, np.uint64(first + 8), factor)
 
 
