@@ -21,6 +21,7 @@ from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, Gain, rows_witho
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.contest import Begun, Refined
 from cocorosim_ros.diagnosis.naming.named_effect import Refused
+from cocorosim_ros.diagnosis.naming.needed_evidence import standing
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -83,11 +84,13 @@ class Choice:
     def better(self, leader: Refined, others: Sequence[Refined]) -> list[Refined]:
         """List the entries of the catalogue that foretell clearly better than a leader that moves, best first.
 
-        A law outside the catalogue does not take the place of an entry.
+        A law outside the catalogue does not take the place of an entry, nor does an effect that explains so little of
+        the leader's evidence that the leader cannot stand in for it.
         """
         found = []
+        needed = NAMING.stands_for * standing(leader)
         for other in others:
-            if _may_replace(leader.candidate, other.candidate):
+            if _may_replace(leader.candidate, other.candidate) and standing(other) > needed:
                 gain = self._runs.gain(self._of(leader), self._of(other))
                 if gain.is_clear:
                     found.append((gain.mean, other))
