@@ -54,6 +54,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 @click.option("--smooth", type=float, default=0.0, metavar="HZ", help="with --rate: /clock and /tf between ticks, too")
 @click.option("--foxglove", type=int, metavar="PORT", help="show the run to Foxglove or Lichtblick; 0: any free port")
 @click.option("--view", is_flag=True, help="show the run in three dimensions while it goes on; needs rerun-sdk")
+@click.option(
+    "--processes", type=int, metavar="N", help="of controllers at most [default: 12]; each has its own up to then"
+)
 @click.option("--composed", is_flag=True, help="all nodes in one process")
 @click.option("--in-process", "in_process", is_flag=True, help="the same run without ROS")
 @click.option("--network", is_flag=True, help="let other machines take part")

@@ -58,6 +58,7 @@ class RunChoices:
     json_file: Path | None
     view: bool
     smooth: float
+    processes: int | None = None
 
     def __post_init__(self) -> None:
         """Raise CocorosimError for options that contradict each other."""
@@ -72,6 +73,10 @@ class RunChoices:
             raise CocorosimError(f"--wait has {self.wait:g}; give seconds from 0 to 86400.")
         if self.composed and self.in_process:
             raise CocorosimError("--composed and --in-process exclude each other; give one of them.")
+        if self.processes is not None and self.processes < 1:
+            raise CocorosimError(f"--processes has {self.processes}; give a whole number from 1, or leave it out.")
+        if (self.composed or self.in_process) and self.processes is not None:
+            raise CocorosimError("--composed and --in-process need no processes of controllers; leave out --processes.")
         if (self.composed or self.in_process) and self.rate > 0.0:
             raise CocorosimError("--composed and --in-process run in lock-step; leave out --rate.")
 
@@ -118,7 +123,7 @@ def _check_environment() -> None:
 
 
 def run_as_graph(scenario: Scenario, choices: RunChoices, folder: Path, console: Console) -> Outcome:
-    """Every node a process of its own."""
+    """Physics, recorder and controllers as processes."""
     from cocorosim_ros.commands.interruption import Interruption
     from cocorosim_ros.graph.nodes.supervisor import Supervisor
     from cocorosim_ros.graph.runs.warm_up import compile_everything
@@ -208,12 +213,18 @@ def _own_domain(*, network: bool) -> Iterator[int]:
 def _plan(
     scenario: Scenario, choices: RunChoices, folder: Path, console: Console, viewer: WaitingViewer | None
 ) -> GraphPlan:
-    from cocorosim_ros.graph.nodes.graph import GraphPlan
+    from cocorosim_ros.graph.nodes.graph import PROCESSES, GraphPlan
 
-    port = _live_port(choices, console)
-    show = _live_scene(scenario, viewer)
     return GraphPlan(
-        scenario, choices.scenario, folder.resolve(), choices.rate, choices.wait, port, show, choices.smooth
+        scenario,
+        choices.scenario,
+        folder.resolve(),
+        choices.rate,
+        choices.wait,
+        foxglove=_live_port(choices, console),
+        show=_live_scene(scenario, viewer),
+        smooth=choices.smooth,
+        processes=choices.processes or PROCESSES,
     )
 
 

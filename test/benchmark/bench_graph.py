@@ -43,13 +43,14 @@ class Row:
     repeat: int
 
 
-def rows(fine: str) -> list[Row]:
-    """The table; `fine` is the scenario with ticks of 0.1 s."""
+def rows(fine: str, crowd: str) -> list[Row]:
+    """The table; `fine` is the scenario with ticks of 0.1 s, `crowd` that of 200 robots."""
     return [
         Row("11 Lilys, 0.5 s ticks", graph, "eleven_lilys", 600.0, 5),
         Row("11 Lilys, 0.1 s ticks", graph, fine, 60.0, 3),
-        Row("30 Lilys, 0.5 s ticks", graph, "thirty_lilys", 120.0, 2),
-        Row("50 Lilys, 0.5 s ticks", graph, "fifty_lilys", 80.0, 2),
+        Row("30 Lilys, 0.5 s ticks", graph, "thirty_lilys", 300.0, 3),
+        Row("50 Lilys, 0.5 s ticks", graph, "fifty_lilys", 300.0, 3),
+        Row("200 Lilys, 0.5 s ticks", graph, crowd, 60.0, 1),
         Row("11 Lilys, --composed", composed, "eleven_lilys", 600.0, 2),
         Row("11 Lilys, --in-process", without_ros, "eleven_lilys", 600.0, 2),
     ]
@@ -57,12 +58,22 @@ def rows(fine: str) -> list[Row]:
 
 def fine_scenario(folder: Path) -> str:
     """A file with eleven Lilys at ticks of 0.1 s."""
-    text = shipped_file("scenarios/eleven_lilys.yaml").read_text()
-    for old, new in (("tick: 0.5 s", "tick: 0.1 s"), ("step: 0.25 s", "step: 0.1 s"), ("name: eleven", "name: fine")):
+    changes = {"tick: 0.5 s": "tick: 0.1 s", "step: 0.25 s": "step: 0.1 s", "name: eleven_lilys": "name: fine_lilys"}
+    return _changed_scenario("eleven_lilys", changes, folder / "fine_lilys.yaml")
+
+
+def crowded_scenario(folder: Path) -> str:
+    """A file with 200 Lilys, as close to each other as fifty are."""
+    changes = {"count: 50": "count: 200", "[1.6 m, 1.6 m": "[3.2 m, 3.2 m", "name: fifty_lilys": "name: crowd"}
+    return _changed_scenario("fifty_lilys", changes, folder / "crowd.yaml")
+
+
+def _changed_scenario(name: str, changes: dict[str, str], file: Path) -> str:
+    text = shipped_file(f"scenarios/{name}.yaml").read_text()
+    for old, new in changes.items():
         if old not in text:
-            raise RuntimeError(f"eleven_lilys.yaml no longer says '{old}'")
+            raise RuntimeError(f"{name}.yaml no longer says '{old}'")
         text = text.replace(old, new, 1)
-    file = folder / "fine_lilys.yaml"
     file.write_text(text)
     return str(file)
 
@@ -149,7 +160,7 @@ def main() -> None:
     console.print("\n".join(conditions()), highlight=False)
     with tempfile.TemporaryDirectory() as folder:
         results = []
-        for row in rows(fine_scenario(Path(folder))):
+        for row in rows(fine_scenario(Path(folder)), crowded_scenario(Path(folder))):
             case = Case(row.scenario, f"{max(1.0, row.seconds * options.share):g} s")
             count = options.repeat or row.repeat
             results.append((row, [in_fresh_process(row.mode, case) for _ in range(count)]))

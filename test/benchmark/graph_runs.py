@@ -143,7 +143,7 @@ def _machine_seconds() -> float:
 
 
 def graph(case: Case) -> Result:
-    """Every node a process of its own."""
+    """Physics, recorder and controllers as processes."""
     return _graph(case, None)
 
 
@@ -190,7 +190,7 @@ def _graph(case: Case, watch: Stopwatch | None) -> Result:
         state, messages = supervisor.state, _messages_in(Path(folder))
     if complaints or state.missing_answers:
         raise NotCleanError(f"not a clean run: {complaints}, {state.missing_answers} answers missing")
-    processes = 2 + len(scenario.robots)
+    processes = 2 + len(supervisor.plan.crews())
     return Result(
         state.ticks, scenario.tick, state.seconds, messages, processes, samples.per_tick(), samples.cores_busy()
     )

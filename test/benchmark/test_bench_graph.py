@@ -16,7 +16,15 @@ def test_it_prints_conditions_speeds_and_parts() -> None:
     done = subprocess.run(command, capture_output=True, text=True, timeout=1500, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"^load +[\d.]+ in the last minute", done.stdout, re.MULTILINE)
-    for title in ("11 Lilys, 0.5 s", "11 Lilys, 0.1 s", "30 Lilys", "50 Lilys", "--composed", "--in-process"):
+    for title in (
+        "11 Lilys, 0.5 s",
+        "11 Lilys, 0.1 s",
+        "30 Lilys",
+        "50 Lilys",
+        "200 Lilys",
+        "--composed",
+        "--in-process",
+    ):
         assert re.search(rf"│ .*{title}.* [\d.]+ │", done.stdout), title
     for part in ("publish", "decode", "decide", "write the bag", "measure the shoal"):
         assert re.search(rf"│ {part} .*0?\.[0-9]*[1-9]", done.stdout), part

@@ -46,6 +46,8 @@ def run(tmp_path: Path) -> Run:
         (("one_lily", "--composed", "--in-process"), "exclude each other"),
         (("one_lily", "--composed", "--rate", "1"), "run in lock-step"),
         (("eleven_lilys", "--external", "lily_03", "--in-process"), "The controller of lily_03 is left to you"),
+        (("one_lily", "--processes", "0"), "--processes has 0; give a whole number from 1"),
+        (("one_lily", "--processes", "2", "--composed"), "leave out --processes"),
         (("one_lily", "--nonsense"), "--nonsense"),
     ],
 )

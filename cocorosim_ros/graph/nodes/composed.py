@@ -32,7 +32,7 @@ class ComposedGraph:
     """Physics, controllers and recorder side by side; whoever has something to do does it when physics waits."""
 
     def __init__(self, plan: GraphPlan, record: RunRecord, tell: Callable[[str], None]) -> None:
-        self.recorder = TickRecorder(_node("metrics_node"), record)
+        self.recorder = TickRecorder([_node("metrics_node")], record)
         self._controllers = [
             ControllerShell(_node("controller_node", robot.name), robot, plan.scenario.seed)
             for robot in plan.scenario.robots

@@ -122,12 +122,17 @@ def take_settings_while_running(node: Node, shell: ControllerShell, controller: 
     node.add_on_set_parameters_callback(on_parameters)
 
 
-def answer_sets(shell: ControllerShell, waiter: Waiter) -> None:
-    """Answer every complete set of readings until told to stop."""
-    while not shell.stop:
-        shell.take()
-        if not shell.answer_complete_set():
-            waiter.wait(shell.missing(), LONGEST_WAIT)
+def answer_sets(shells: Sequence[ControllerShell], waiter: Waiter) -> None:
+    """Answer every complete set of readings of some robots until told to stop."""
+    while not any(shell.stop for shell in shells):
+        answered = [_answers_now(shell) for shell in shells]
+        if not any(answered):
+            waiter.wait([shell.missing()[0] for shell in shells], LONGEST_WAIT)
+
+
+def _answers_now(shell: ControllerShell) -> bool:
+    shell.take()
+    return shell.answer_complete_set()
 
 
 def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, Any]) -> None:
@@ -146,27 +151,45 @@ def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, An
         shell.answer(now, cycle * values["period"])
 
 
-def run_controller(node: Node, described: RobotDescription | None = None) -> None:
-    """The node's life, until it is told to stop; `described`, read already, is given by a supervisor."""
+def run_controller(node: Node) -> None:
+    """The life of a node that was started by itself, until it is told to stop."""
     values = declare(node, PARAMETERS)
-    if described is None:
-        robot, seed = robot_of(node, values)
-    else:
-        robot, seed = replace(described, controller=adjusted(node, described.controller)), 0
+    robot, seed = robot_of(node, values)
     warn_of_unknown(node)
-    if described is None:
-        compile_controller(robot, node.get_logger().info)
-    waiter = Waiter(node, 16)
+    compile_controller(robot, node.get_logger().info)
+    waiter = Waiter(node, 1)
     shell = ControllerShell(node, robot, seed if values["seed"] < 0 else values["seed"])
     take_settings_while_running(node, shell, robot.controller)
-    on_termination(lambda: setattr(shell, "stop", True), supervised=described is not None)
-    if described is None:
-        node.get_logger().info(_ready(robot, values["period"]))
+    on_termination(lambda: stop_all([shell]), supervised=False)
+    node.get_logger().info(_ready(robot, values["period"]))
     if values["period"] > 0.0:
         answer_periodically(shell, node, values)
     else:
         shell.wait_until_heard(values["listeners"])
-        answer_sets(shell, waiter)
+        answer_sets([shell], waiter)
+
+
+def run_controllers(nodes: Sequence[Node], robots: Sequence[RobotDescription]) -> None:
+    """The life of the nodes of robots that a supervisor has read and compiled, in one thread, until told to stop."""
+    shells, listeners = [], []
+    for node, robot in zip(nodes, robots, strict=True):
+        values = declare(node, PARAMETERS)
+        adjusted_robot = replace(robot, controller=adjusted(node, robot.controller))
+        warn_of_unknown(node)
+        shells.append(ControllerShell(node, adjusted_robot, values["seed"]))
+        take_settings_while_running(node, shells[-1], adjusted_robot.controller)
+        listeners.append(values["listeners"])
+    waiter = Waiter(nodes[0], len(shells))
+    on_termination(lambda: stop_all(shells), supervised=True)
+    for shell, wanted in zip(shells, listeners, strict=True):
+        shell.wait_until_heard(wanted)
+    answer_sets(shells, waiter)
+
+
+def stop_all(shells: Sequence[ControllerShell]) -> None:
+    """Let controllers end after their present answer."""
+    for shell in shells:
+        shell.stop = True
 
 
 def _ready(robot: RobotDescription, period: float) -> str:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,9 @@ from cocorosim_ros.scenario.reading.quantity import nanoseconds_text
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.live.viewers import Viewers
 
+PROCESSES = 12
+"""[processes of controllers] unless asked otherwise. Dozens of participants of DDS cost each other more than a process
+for each robot gains: of thirty robots on two cores a tick takes two thirds, of fifty so does starting."""
 OpenViewers = Callable[[], AbstractContextManager[Viewers]]
 
 
@@ -28,6 +32,7 @@ class GraphPlan:
     foxglove: int | None = None  # port for live viewers; None: nobody
     show: OpenViewers | None = None  # others to whom the recorder shows what it writes
     smooth: float = 0.0  # with a rate: Hz of simulated time of `/clock` and `/tf`; 0: ticks alone
+    processes: int = PROCESSES  # at most, of controllers
 
     @property
     def controlled_here(self) -> list[str]:
@@ -55,6 +60,13 @@ class GraphPlan:
         values = {"scenario": self.source, "seed": self.scenario.seed, "listeners": 2}
         return [*ros_arguments(values), "-r", f"__ns:=/{robot}"]
 
+    def crews(self) -> list[list[int]]:
+        """Numbers of the robots whose controllers belong to this graph, by process; counts differ by one at most."""
+        own = [number for number, robot in enumerate(self.scenario.robots) if not robot.external]
+        count = min(len(own), self.processes)
+        bounds = [len(own) * place // count for place in range(count + 1)] if own else []
+        return [own[first:end] for first, end in pairwise(bounds)]
+
     def _run(self) -> dict[str, Any]:
         external = " ".join(robot.name for robot in self.scenario.robots if robot.external)
         return {
@@ -63,6 +75,11 @@ class GraphPlan:
             "external": external,
             "duration": nanoseconds_text(self.scenario.duration_ns),
         }
+
+
+def crew_name(robots: Sequence[str]) -> str:
+    """Name of the process that runs the controllers of some robots."""
+    return f"controller_{robots[0]}" + (f"_and_{len(robots) - 1}_more" if len(robots) > 1 else "")
 
 
 def ros_arguments(values: Mapping[str, Any]) -> list[str]:

@@ -18,6 +18,7 @@ from rclpy.node import Node
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.json_file import json_text
 from cocorosim_ros.graph.nodes.arrival_recorder import ArrivalRecorder
+from cocorosim_ros.graph.nodes.ears import ears_of
 from cocorosim_ros.graph.nodes.graph import OpenViewers
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
 from cocorosim_ros.graph.nodes.parameters import NodeParameter, declare, usage_lines, warn_of_unknown
@@ -53,7 +54,8 @@ USAGE = f"""{__doc__}
 Usage: metrics_node [--ros-args -p NAME:=VALUE ...]
 Parameters:
 {usage_lines(PARAMETERS)}"""
-POLL = 0.02  # s; the recorder sleeps so long between draining its topics
+POLL = 0.02  # s; the recorder sleeps so long between draining its topics, or
+POLL_OF_TOPIC = 2e-4  # s for each of them, so that to look at hundreds does not cost more than to take what is there
 QUIET = 1.0  # s without any message after which a recorder that was told to stop closes
 LAST_ARRIVALS = 3.0  # s after which it closes although real robots go on publishing
 LAST_ANSWERS = 0.3  # s; the last commands of external controllers may come after the end of the run
@@ -113,12 +115,18 @@ class _Life:
 
 def record_ticks(node: Node, record: RunRecord, life: _Life, external: Sequence[str]) -> None:
     """Record a lock-step run to its end, or until told to stop and quiet."""
-    recorder, waiter = TickRecorder(node, record, external), Waiter(node, 1)
+    with ears_of(node, len(record.topics)) as nodes:
+        _record_ticks(TickRecorder(nodes, record, external), nodes[0], life, external)
+
+
+def _record_ticks(recorder: TickRecorder, node: Node, life: _Life, external: Sequence[str]) -> None:
+    waiter = Waiter(node, 1)
+    pause = max(POLL, POLL_OF_TOPIC * len(recorder.record.topics))
     while not recorder.is_complete and not (life.stop and life.quiet_for(QUIET)):
         ready = recorder.announce_when_connected()
         life.note(heard=recorder.drain())
-        waiter.wait([recorder.clock], POLL if ready else 0.005)
-        time.sleep(POLL if ready and recorder.announced is None else 0.0)
+        waiter.wait([recorder.clock], pause if ready else 0.005)
+        time.sleep(pause if ready and recorder.announced is None else 0.0)
     while external and not life.quiet_for(LAST_ANSWERS):
         life.note(heard=recorder.drain())
         time.sleep(POLL)

@@ -92,7 +92,7 @@ def _live(life: Callable[[], None], log: Path, parent: int, at_orphaning: signal
     os.dup2(file, 1)
     os.dup2(file, 2)
     if hasattr(os, "SCHED_BATCH"):
-        os.sched_setscheduler(0, os.SCHED_BATCH, os.sched_param(0))  # fewer switches between thirteen processes
+        os.sched_setscheduler(0, os.SCHED_BATCH, os.sched_param(0))  # fewer switches between a dozen processes
     status = DONE
     try:
         life()

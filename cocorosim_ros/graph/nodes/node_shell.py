@@ -9,7 +9,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from typing import Literal
+from typing import Any, Literal
 
 import rclpy
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
@@ -41,43 +41,82 @@ def ros_node(name: str, arguments: Sequence[str], *, services: Services) -> Iter
     so that the start of a swarm in lock-step, and a short run, go without what that costs. Raises CocorosimError for
     arguments that ROS does not take.
     """
-    node = _started(name, list(arguments), services)
-    later = threading.Timer(LATER, offer_parameters, [node])
+    with _living(lambda: [_started(name, list(arguments), services)], services) as nodes:
+        yield nodes[0]
+
+
+@contextmanager
+def ros_nodes(name: str, arguments: Sequence[Sequence[str]], *, services: Services) -> Iterator[list[Node]]:
+    """Several nodes of that name in one process, which are one participant of DDS, with the ROS arguments of each.
+
+    Otherwise as `ros_node`.
+    """
+    with _living(lambda: _started_together(name, arguments, services), services) as nodes:
+        yield nodes
+
+
+@contextmanager
+def _living(start: Callable[[], list[Node]], services: Services) -> Iterator[list[Node]]:
+    nodes = start()
+    later = threading.Timer(LATER, offer_parameters, nodes)
     try:
         if services == "now":
-            run_callbacks(node)
+            for node in nodes:
+                run_callbacks(node)
         elif services == "later":
             later.daemon = True
             later.start()
-        yield node
+        yield nodes
     finally:
         later.cancel()
         if later.is_alive():
             later.join()
         with suppress(Exception):
-            if node.executor is not None:
+            if any(node.executor is not None for node in nodes):
                 rclpy.shutdown()  # ends its callbacks, which must not hold the node any more
                 wait_for_callbacks_to_end(1.0)
-            node.destroy_node()  # says goodbye; otherwise the others would believe it there for 20 s
+            for node in nodes:
+                node.destroy_node()  # says goodbye; otherwise the others would believe it there for 20 s
             rclpy.shutdown()
 
 
 def _started(name: str, arguments: list[str], services: Services) -> Node:
-    try:
+    with _sentence_for(name, arguments):
         foreign = remove_ros_args([name, *arguments])[1:]
         if foreign:
             raise CocorosimError(f"{name} does not know '{foreign[0]}'; give --help, or '--ros-args -p NAME:=VALUE'.")
         rclpy.init(args=arguments, signal_handler_options=SignalHandlerOptions.NO)
-        return Node(name, start_parameter_services=services == "now", enable_rosout=services != "never")
+        return _node(name, services)
+
+
+def _started_together(name: str, arguments: Sequence[Sequence[str]], services: Services) -> list[Node]:
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
+    nodes = []
+    for own in arguments:
+        with _sentence_for(name, own):
+            nodes.append(_node(name, services, cli_args=list(own), use_global_arguments=False))
+    return nodes
+
+
+def _node(name: str, services: Services, **options: Any) -> Node:
+    return Node(name, start_parameter_services=services == "now", enable_rosout=services != "never", **options)
+
+
+@contextmanager
+def _sentence_for(name: str, arguments: Sequence[str]) -> Iterator[None]:
+    """Raise CocorosimError with the arguments that ROS did not take."""
+    try:
+        yield
     except _UNUSABLE as error:
         words = " ".join(str(error).partition(", at ")[0].split())
         raise CocorosimError(f"{name} cannot start with the arguments {' '.join(arguments)}: {words}.") from error
 
 
-def offer_parameters(node: Node) -> None:
-    """Let the node answer `ros2 param` from now on."""
-    parameter_services(node)
-    run_callbacks(node)
+def offer_parameters(*nodes: Node) -> None:
+    """Let nodes answer `ros2 param` from now on."""
+    for node in nodes:
+        parameter_services(node)
+        run_callbacks(node)
 
 
 def on_termination(stop: Callable[[], None], *, supervised: bool) -> None:

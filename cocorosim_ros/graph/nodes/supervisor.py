@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from multiprocessing.connection import wait
 
-from cocorosim_ros.graph.nodes.controller_node import run_controller
-from cocorosim_ros.graph.nodes.graph import GraphPlan
+from cocorosim_ros.graph.nodes.controller_node import run_controllers
+from cocorosim_ros.graph.nodes.graph import GraphPlan, crew_name
 from cocorosim_ros.graph.nodes.metrics_node import run_metrics
 from cocorosim_ros.graph.nodes.node_process import NodeProcess
-from cocorosim_ros.graph.nodes.node_shell import Services, ros_node
+from cocorosim_ros.graph.nodes.node_shell import Services, ros_node, ros_nodes
 from cocorosim_ros.graph.nodes.physics_node import Supervision, run_physics
 from cocorosim_ros.graph.nodes.rclpy_internals import load_type_support
 from cocorosim_ros.graph.nodes.shared_state import SharedState
@@ -41,8 +41,8 @@ class Supervisor:
         self.interrupted = False
         self._warn = warn
         self._processes: list[NodeProcess] = []
-        self._controllers: dict[int, NodeProcess] = {}
-        self._told: set[int] = set()
+        self._controllers: list[tuple[NodeProcess, Sequence[int]]] = []  # with the numbers of their robots
+        self._told: set[NodeProcess] = set()
         self._failed_controller: NodeProcess | None = None  # one in plain Python that ends the run
 
     def interrupt(self) -> None:
@@ -56,10 +56,11 @@ class Supervisor:
         sys.stderr.flush()
         self._metrics = self._begin("metrics_node", self._metrics_life)
         self._physics = self._begin("physics_node", self._physics_life)
-        for number, robot in enumerate(self.plan.scenario.robots):
-            if not robot.external and not self.interrupted:
-                life = self._controller_life(robot)
-                self._controllers[number] = self._begin(f"controller_{robot.name}", life)
+        for numbers in self.plan.crews():
+            if not self.interrupted:
+                robots = [self.plan.scenario.robots[number] for number in numbers]
+                process = self._begin(crew_name([robot.name for robot in robots]), self._controllers_life(robots))
+                self._controllers.append((process, numbers))
 
     def watch(self, show: Callable[[SharedState], None]) -> None:
         """Return when the run has ended, or was interrupted, and its bag is closed.
@@ -111,12 +112,13 @@ class Supervisor:
         """Pass on what the nodes warn of, and the deaths of controllers."""
         for words in self._physics.warnings():
             self._warn(words)
-        for number, process in self._controllers.items():
+        for process, numbers in self._controllers:
             if process.ends_run:
                 self._failed_controller = self._failed_controller or process
-            elif process.ended and number not in self._told and not self._physics.ended:
-                self._told.add(number)
-                self.state.mark_dead(number)
+            elif process.ended and process not in self._told and not self._physics.ended:
+                self._told.add(process)
+                for number in numbers:
+                    self.state.mark_dead(number)
                 self._warn(f"{process.last_words()}, tick {self.state.ticks}")
 
     @property
@@ -152,12 +154,12 @@ class Supervisor:
             run_metrics(node, self.plan.scenario, self.plan.show)
             self.state.mark_closed()
 
-    def _controller_life(self, robot: RobotDescription) -> Callable[[], None]:
+    def _controllers_life(self, robots: Sequence[RobotDescription]) -> Callable[[], None]:
+        arguments = [self.plan.controller_arguments(robot.name) for robot in robots]
+
         def life() -> None:
-            with ros_node(
-                "controller_node", self.plan.controller_arguments(robot.name), services=self._services
-            ) as node:
-                run_controller(node, robot)
+            with ros_nodes("controller_node", arguments, services=self._services) as nodes:
+                run_controllers(nodes, robots)
 
         return life
 

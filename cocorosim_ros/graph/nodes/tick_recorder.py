@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from rclpy.node import Node
 
@@ -27,17 +27,17 @@ class TickRecorder:
     it or with stamps of their own, they are written as they come.
     """
 
-    def __init__(self, node: Node, record: RunRecord, external: Iterable[str] = ()) -> None:
-        """`external`: robots that somebody else controls."""
+    def __init__(self, nodes: Sequence[Node], record: RunRecord, external: Iterable[str] = ()) -> None:
+        """`nodes`: the first speaks, all of them listen. `external`: robots that somebody else controls."""
         self.record = record
         self.ticks = 0
         self.announced: int | None = None  # ticks of the whole run, once the physics node has said so
-        self._mouth = RecorderMouth(node)
-        self._speakers = speakers_of_recorder(node)
+        self._mouth = RecorderMouth(nodes[0])
+        self._speakers = speakers_of_recorder(nodes[0])
+        heard = {topic: TOPICS[row] for topic, row in record.topics.items() if topic != STATISTICS_TOPIC}
         self._listeners = {
-            topic: Listener(node, TOPICS[row].type_name, topic, TOPICS[row].quality)
-            for topic, row in record.topics.items()
-            if topic != STATISTICS_TOPIC
+            topic: Listener(nodes[place * len(nodes) // len(heard)], row.type_name, topic, row.quality)
+            for place, (topic, row) in enumerate(heard.items())
         }
         self.clock = self._listeners["/clock"]
         self._owed = record.owed - {robot_topic(robot, answer) for robot in external for answer in ANSWERS}

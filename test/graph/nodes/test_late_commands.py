@@ -83,7 +83,7 @@ def recorder(record: Record, monkeypatch: pytest.MonkeyPatch) -> TickRecorder:
     monkeypatch.setattr(tick_recorder, "Listener", Stream)
     monkeypatch.setattr(tick_recorder, "RecorderMouth", Mouth)
     monkeypatch.setattr(tick_recorder, "speakers_of_recorder", lambda _: {})
-    return TickRecorder(cast(Node, None), cast(RunRecord, record), ["mule_0"])
+    return TickRecorder([cast(Node, None)], cast(RunRecord, record), ["mule_0"])
 
 
 @pytest.fixture

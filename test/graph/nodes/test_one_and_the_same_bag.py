@@ -9,6 +9,8 @@ from typing import Any
 
 import pytest
 
+from cocorosim_ros.graph.nodes.ears import READERS_OF_ONE
+from cocorosim_ros.graph.nodes.graph import PROCESSES
 from cocorosim_ros.wire.bags.bag_reader import read_bag
 
 ROBOTS, TICKS = 3, 20
@@ -36,7 +38,8 @@ def test_every_way_of_running_gives_the_same_bag_and_the_same_numbers(
     run: Callable[..., Path], counts: Callable[[Path], dict[str, int]]
 ) -> None:
     """Digests, files and metrics.json are equal in all pairs, live numbers those of the bag; another seed differs."""
-    graph, again = run("graph"), run("again")
+    graph, again = run("graph"), run("again", "--processes", 2)
+    assert (again / "log" / "controller_lily_02_and_1_more.txt").exists(), "two controllers share a process"
     composed, alone = run("composed", "--composed"), run("alone", "--in-process")
     other = run("other", "--in-process", "--seed", 2)
 
@@ -58,3 +61,18 @@ def test_every_way_of_running_gives_the_same_bag_and_the_same_numbers(
     assert not [topic for topic in found if "_cocorosim" in topic]
     assert counts(alone / "bag") == found
     assert (graph / "shoal.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_larger_swarm_shares_processes_and_participants(
+    start: Callable[..., Any], scenario: Callable[..., Path], tmp_path: Path
+) -> None:
+    """More controllers than processes, more topics than one participant hears: the bag is that of a run without ROS."""
+    robots, ticks = PROCESSES + 3, 6
+    path, folders = scenario(robots, ticks), (tmp_path / "graph", tmp_path / "alone")
+    for folder, options in zip(folders, ((), ("--in-process",)), strict=True):
+        process = start("cocorosim", "run", path, "--out", folder, *options)
+        assert process.finish() == 0, process.output
+    graph, alone = folders
+    assert len(list((graph / "log").glob("controller_*.txt"))) == PROCESSES
+    assert len(read_bag(graph / "bag").summary.topics) > READERS_OF_ONE
+    assert (graph / "bag" / "bag_0.mcap").read_bytes() == (alone / "bag" / "bag_0.mcap").read_bytes()

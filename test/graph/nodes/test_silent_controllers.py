@@ -45,6 +45,24 @@ def test_the_run_goes_on_without_a_controller_that_is_killed(
     assert f"{TICKS - answered} of {TICKS} answers came late or not at all" in run.output
 
 
+def test_controllers_that_share_a_process_die_together(
+    begin: Starter,
+    paced: Starter,
+    diagnostics: Diagnostics,
+) -> None:
+    """Each robot's death is on /diagnostics, and the run goes on with the rest."""
+    run, bag = begin(4, TICKS, "lily_04", options=("--processes", 2))
+    pacer = paced(run, "lily_04")
+    pacer.say("good", "good", "good")
+    pacer.wait_for(r"tick 1\.5\n")
+    os.kill(run.find_nodes()["controller_lily_02_and_1_more"], signal.SIGKILL)
+    run.wait_for("controller_lily_02_and_1_more was ended by signal SIGKILL")
+    pacer.say("all")
+    assert run.finish() == 0, run.output
+    dead = {subject for subject, words in diagnostics(bag) if "its controller has died" in words}
+    assert dead == {"cocorosim: lily_02", "cocorosim: lily_03"}
+
+
 def test_the_run_ends_with_a_controller_that_is_killed_if_the_scenario_says_so(
     begin: Starter,
     paced: Starter,
