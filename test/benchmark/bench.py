@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import time
+from dataclasses import replace
 
 from conditions import conditions
 from in_water import design_minutes, field_times, many_runs_in_patches, one_run_in_flow, one_run_in_patches
@@ -16,6 +17,7 @@ from machine import at_once
 from swarms import Pace, batches, bytes_per_robot, pace_of, stages, swarm_of
 from with_mujoco import mujoco_pace
 
+from cocorosim_ros.foundation.processors import processors
 from cocorosim_ros.study.experiments.batch import run_batch
 from cocorosim_ros.world.tick.simulation import ROBOTS_FOR_THREADS
 from cocorosim_ros.world.water.force_field.force_field import ForceField
@@ -91,8 +93,10 @@ def with_metrics() -> None:
 def one_run(robots: int, ticks: int, machine: Machine) -> None:
     """A single large swarm, in as many threads as it takes, and what a robot costs in each stage."""
     (simulation,) = batches(swarm_of(robots), 1, 1)
-    threads = CORES if robots >= ROBOTS_FOR_THREADS else 1
-    pace = pace_of([simulation], ticks, within=threads)
+    pace = pace_of([simulation], ticks)
+    threads = processors() if robots >= ROBOTS_FOR_THREADS else 1
+    if threads > 1:  # which wait for each other: the clock alone tells how fast they are together
+        pace = replace(pace, threads=pace.processor_seconds / pace.seconds)
     spent = stages(simulation, ticks)
     parts = ", ".join(f"{name} {1e9 * seconds / ticks / robots:.0f}" for name, seconds in spent.items())
     aims = (4e6, 8e6) if robots >= 1000 else (0.0, 0.0)

@@ -25,7 +25,7 @@ class Pace:
     auv_ticks: int
     seconds: float  # of wall clock
     processor_seconds: float  # of all threads
-    threads: int = 1  # that went side by side
+    threads: float = 1  # that went side by side
 
     @property
     def nanoseconds(self) -> float:
@@ -79,21 +79,16 @@ def advance(simulation: Simulation, ticks: int) -> None:
         simulation.advance()
 
 
-def pace_of(made: list[Simulation], ticks: int, repeats: int = 3, within: int = 1) -> Pace:
-    """The measurement with the least processor time, of all batches at once, each in a thread of its own.
-
-    within: threads that a batch has itself.
-    """
+def pace_of(made: list[Simulation], ticks: int, repeats: int = 3) -> Pace:
+    """The measurement with the least processor time, of all batches at once, each in a thread of its own."""
     robots = sum(batch.state.shape[0] * batch.state.shape[1] for batch in made)
-    return min(
-        (_measured(made, ticks, robots, within) for _ in range(repeats)), key=lambda pace: pace.processor_seconds
-    )
+    return min((_measured(made, ticks, robots) for _ in range(repeats)), key=lambda pace: pace.processor_seconds)
 
 
-def _measured(made: list[Simulation], ticks: int, robots: int, within: int) -> Pace:
+def _measured(made: list[Simulation], ticks: int, robots: int) -> Pace:
     began = time.process_time()
     seconds = at_once(lambda number: advance(made[number], ticks), len(made))
-    return Pace(robots * ticks, seconds, time.process_time() - began, len(made) * within)
+    return Pace(robots * ticks, seconds, time.process_time() - began, len(made))
 
 
 def bytes_per_robot(simulation: Simulation) -> float:

@@ -14,6 +14,7 @@ import rclpy
 from rclpy.context import Context
 from rclpy.node import Node
 
+from cocorosim_ros.graph.nodes.node_shell import end_nodes
 from cocorosim_ros.graph.nodes.rclpy_internals import given_parameters
 
 READERS_OF_ONE = 120  # subscriptions of one participant
@@ -22,15 +23,15 @@ READERS_OF_ONE = 120  # subscriptions of one participant
 @contextmanager
 def ears_of(node: Node, topics: int) -> Iterator[list[Node]]:
     """The nodes among which so many subscriptions are shared: `node` first, and hidden ones that end with the block."""
-    contexts = [Context() for _ in range(1, math.ceil(topics / READERS_OF_ONE))]
+    ears = [_ear(node, number) for number in range(1, math.ceil(topics / READERS_OF_ONE))]
     try:
-        yield [node, *(_ear(node, number, context) for number, context in enumerate(contexts, 1))]
+        yield [node, *ears]
     finally:
-        for context in contexts:
-            context.try_shutdown()
+        end_nodes(ears)
 
 
-def _ear(node: Node, number: int, context: Context) -> Node:
+def _ear(node: Node, number: int) -> Node:
+    context = Context()
     rclpy.init(args=[], context=context)
     return Node(
         f"_{node.get_name()}_ear_{number}",  # the underscore hides it from `ros2 node list`

@@ -71,13 +71,23 @@ def _living(start: Callable[[], list[Node]], services: Services) -> Iterator[lis
         later.cancel()
         if later.is_alive():
             later.join()
-        with suppress(Exception):
-            if any(node.executor is not None for node in nodes):
-                rclpy.shutdown()  # ends its callbacks, which must not hold the node any more
-                wait_for_callbacks_to_end(1.0)
+        end_nodes(nodes)
+
+
+def end_nodes(nodes: Sequence[Node]) -> None:
+    """Destroy nodes and shut down their contexts, callbacks first, which must not hold a node any more.
+
+    A node that is destroyed says goodbye; otherwise the others would believe it there for 20 s.
+    """
+    with suppress(Exception):
+        if any(node.executor is not None for node in nodes):
             for node in nodes:
-                node.destroy_node()  # says goodbye; otherwise the others would believe it there for 20 s
-            rclpy.shutdown()
+                node.context.try_shutdown()
+            wait_for_callbacks_to_end(1.0)
+        for node in nodes:
+            node.destroy_node()
+        for node in nodes:
+            node.context.try_shutdown()
 
 
 def _started(name: str, arguments: list[str], services: Services) -> Node:

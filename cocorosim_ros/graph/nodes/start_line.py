@@ -66,6 +66,8 @@ class StartLine:
         if self._answers[robot].commands.publishers == 0:
             return False
         wanted = 1 if self._recorder is None else 2
+        if self._speakers[robot_topic(self._bodies[robot].name, "pose")].subscribers < wanted - 1:
+            return False
         heard = [speaker.subscribers >= wanted for speaker in self._ears_of(robot)]
         return any(heard) if robot in self._external else all(heard)
 

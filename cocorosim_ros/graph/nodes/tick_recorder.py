@@ -35,8 +35,10 @@ class TickRecorder:
         self._mouth = RecorderMouth(nodes[0])
         self._speakers = speakers_of_recorder(nodes[0])
         heard = {topic: TOPICS[row] for topic, row in record.topics.items() if topic != STATISTICS_TOPIC}
+        # The first node's remappings hold for all.
+        names = {topic: nodes[0].resolve_topic_name(topic) if len(nodes) > 1 else topic for topic in heard}
         self._listeners = {
-            topic: Listener(nodes[place * len(nodes) // len(heard)], row.type_name, topic, row.quality)
+            topic: Listener(nodes[place * len(nodes) // len(heard)], row.type_name, names[topic], row.quality)
             for place, (topic, row) in enumerate(heard.items())
         }
         self.clock = self._listeners["/clock"]

@@ -42,7 +42,7 @@ class Simulation:
     """The state of `runs` runs of one world and what happens to it in a tick.
 
     At tick k: `sense()` gives the readings, `inbox` what was heard; controllers answer with commands and
-    messages (`decide()` runs them all here; in the node graph they are processes of their own); `advance()`
+    messages (`decide()` runs them all here; in the node graph they are nodes of their own); `advance()`
     delivers the messages, moves everybody and counts the tick. With instant radio the robots have spoken, and
     heard each other, when `sense()` returns.
     """

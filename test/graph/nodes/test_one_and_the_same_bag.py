@@ -1,4 +1,4 @@
-"""The same scenario and seed give the same bag: twice as processes, composed in one, and without ROS."""
+"""The same scenario and seed give the same bag: controllers each in a process or two in one, composed, without ROS."""
 
 from __future__ import annotations
 
