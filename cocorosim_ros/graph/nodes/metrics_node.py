@@ -18,6 +18,7 @@ from rclpy.node import Node
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.json_file import json_text
 from cocorosim_ros.graph.nodes.arrival_recorder import ArrivalRecorder
+from cocorosim_ros.graph.nodes.complaints import tell_on_terminal
 from cocorosim_ros.graph.nodes.ears import ears_of
 from cocorosim_ros.graph.nodes.graph import OpenViewers
 from cocorosim_ros.graph.nodes.node_shell import on_termination, ros_node, run_main
@@ -131,7 +132,7 @@ def _record_ticks(recorder: TickRecorder, node: Node, life: _Life, external: Seq
         life.note(heard=recorder.drain())
         time.sleep(POLL)
     for robot, count in recorder.unheard_commands().items():
-        node.get_logger().warning(
+        tell_on_terminal(
             f"{robot}: {count} of the commands that it obeyed are not in the recording, because its controller joined "
             "after the start and the recorder found it later than the physics node; start it before the run"
         )

@@ -110,7 +110,7 @@ class Supervisor:
 
     def _look_around(self) -> None:
         """Pass on what the nodes warn of, and the deaths of controllers."""
-        for words in self._physics.warnings():
+        for words in (*self._physics.warnings(), *self._metrics.warnings()):
             self._warn(words)
         for process, numbers in self._controllers:
             if process.ends_run:
