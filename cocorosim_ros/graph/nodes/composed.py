@@ -61,8 +61,7 @@ class ComposedGraph:
         self.recorder.announce_when_connected()
         worked = False
         for controller in self._controllers:
-            controller.take()
-            worked = controller.answer_complete_set() or worked
+            worked = controller.answer_what_came() or worked
         if not worked and not self.recorder.drain() and listeners:
             self._waiter.wait(listeners[:1], min(seconds, 0.002))
 

@@ -125,14 +125,9 @@ def take_settings_while_running(node: Node, shell: ControllerShell, controller: 
 def answer_sets(shells: Sequence[ControllerShell], waiter: Waiter) -> None:
     """Answer every complete set of readings of some robots until told to stop."""
     while not any(shell.stop for shell in shells):
-        answered = [_answers_now(shell) for shell in shells]
+        answered = [shell.answer_what_came() for shell in shells]
         if not any(answered):
-            waiter.wait([shell.missing()[0] for shell in shells], LONGEST_WAIT)
-
-
-def _answers_now(shell: ControllerShell) -> bool:
-    shell.take()
-    return shell.answer_complete_set()
+            waiter.wait([shell.awaited() for shell in shells], LONGEST_WAIT)
 
 
 def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, Any]) -> None:

@@ -88,6 +88,11 @@ class ControllerShell:
                 self._latest[name] = data
                 self._stamps[name] = stamp_ns(listener.type_name, data) or 0
 
+    def answer_what_came(self) -> bool:
+        """Take everything that has come in, and answer if it makes a set complete; True if it did."""
+        self.take()
+        return self.answer_complete_set()
+
     def answer_complete_set(self) -> bool:
         """Answer if all topics show one and the same moment that is not answered yet; True if it did.
 
@@ -102,11 +107,11 @@ class ControllerShell:
         self.answer(stamp, stamp * 1e-9)
         return True
 
-    def missing(self) -> list[Listener]:
-        """The topics to wait for: those behind the newest, or the one that is published last."""
+    def awaited(self) -> Listener:
+        """The topic to wait for: one that is behind the newest, or that which is published last."""
         newest = max(self._stamps.values())
-        behind = [self._listeners[name] for name, stamp in self._stamps.items() if stamp < newest]
-        return behind or [self._listeners[self.body.topics[-1]]]
+        behind = (name for name, stamp in self._stamps.items() if stamp < newest)
+        return self._listeners[next(behind, self.body.topics[-1])]
 
     def forget_stale(self, oldest_ns: int) -> list[str]:
         """Drop what was measured before `oldest_ns`; return the topics that show nothing now."""

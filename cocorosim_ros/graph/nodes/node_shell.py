@@ -41,7 +41,7 @@ def ros_node(name: str, arguments: Sequence[str], *, services: Services) -> Iter
     so that the start of a swarm in lock-step, and a short run, go without what that costs. Raises CocorosimError for
     arguments that ROS does not take.
     """
-    with _living(lambda: [_started(name, list(arguments), services)], services) as nodes:
+    with _living([_started(name, list(arguments), services)], services) as nodes:
         yield nodes[0]
 
 
@@ -51,13 +51,12 @@ def ros_nodes(name: str, arguments: Sequence[Sequence[str]], *, services: Servic
 
     Otherwise as `ros_node`.
     """
-    with _living(lambda: _started_together(name, arguments, services), services) as nodes:
+    with _living(_started_together(name, arguments, services), services) as nodes:
         yield nodes
 
 
 @contextmanager
-def _living(start: Callable[[], list[Node]], services: Services) -> Iterator[list[Node]]:
-    nodes = start()
+def _living(nodes: list[Node], services: Services) -> Iterator[list[Node]]:
     later = threading.Timer(LATER, offer_parameters, nodes)
     try:
         if services == "now":

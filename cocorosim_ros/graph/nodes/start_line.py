@@ -65,9 +65,10 @@ class StartLine:
     def _is_connected(self, robot: int) -> bool:
         if self._answers[robot].commands.publishers == 0:
             return False
-        wanted = 1 if self._recorder is None else 2
-        if self._speakers[robot_topic(self._bodies[robot].name, "pose")].subscribers < wanted - 1:
+        pose = self._speakers[robot_topic(self._bodies[robot].name, "pose")]
+        if self._recorder is not None and pose.subscribers == 0:
             return False
+        wanted = 1 if self._recorder is None else 2
         heard = [speaker.subscribers >= wanted for speaker in self._ears_of(robot)]
         return any(heard) if robot in self._external else all(heard)
 

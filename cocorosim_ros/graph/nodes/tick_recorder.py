@@ -35,12 +35,11 @@ class TickRecorder:
         self._mouth = RecorderMouth(nodes[0])
         self._speakers = speakers_of_recorder(nodes[0])
         heard = {topic: TOPICS[row] for topic, row in record.topics.items() if topic != STATISTICS_TOPIC}
-        # The first node's remappings hold for all.
-        names = {topic: nodes[0].resolve_topic_name(topic) if len(nodes) > 1 else topic for topic in heard}
-        self._listeners = {
-            topic: Listener(nodes[place * len(nodes) // len(heard)], row.type_name, names[topic], row.quality)
-            for place, (topic, row) in enumerate(heard.items())
-        }
+        self._listeners = {}
+        for place, (topic, row) in enumerate(heard.items()):
+            node = nodes[place * len(nodes) // len(heard)]
+            name = topic if node is nodes[0] else nodes[0].resolve_topic_name(topic)  # whose remappings hold for all
+            self._listeners[topic] = Listener(node, row.type_name, name, row.quality)
         self.clock = self._listeners["/clock"]
         self._owed = record.owed - {robot_topic(robot, answer) for robot in external for answer in ANSWERS}
         self._commands = {robot_topic(robot, COMMAND.name) for robot in external} & self._listeners.keys()
