@@ -72,7 +72,7 @@ def many_runs(machine: Machine) -> None:
         pace = pace_of(made, 200)
         conditions = f"0.5 s ticks, BLSS, radio, avoidance, no currents; {words}; {CORES} threads"
         say("boids BLT, 400 runs of 11", pace, conditions, 6e6, 10e6)
-        remark(of_neighbours(made[0], machine, pace))
+        remark(of_neighbours(made[0], machine, pace, CORES))
 
 
 def with_metrics() -> None:
@@ -101,7 +101,7 @@ def one_run(robots: int, ticks: int, machine: Machine) -> None:
     parts = ", ".join(f"{name} {1e9 * seconds / ticks / robots:.0f}" for name, seconds in spent.items())
     aims = (4e6, 8e6) if robots >= 1000 else (0.0, 0.0)
     say(f"the same, one run of {robots:,}", pace, f"rk4, 0.25 s; threads: {threads}; {parts} ns of the first", *aims)
-    remark(of_neighbours(simulation, machine, pace))
+    remark(of_neighbours(simulation, machine, pace, threads))
 
 
 def in_patches(machine: Machine) -> ForceField:
@@ -122,7 +122,7 @@ def thousand_in_water(machine: Machine, robots: int = 1000) -> None:
     in_flow, calmer = one_run_in_flow(robots)
     rows = (
         (in_forces, words, f"parts of the water on {CORES} cores", of_field(simulation, machine, in_forces), 40.0),
-        (in_flow, "velocities: a vortex and a tide", "1 thread", of_neighbours(calmer, machine, in_flow), 10.0),
+        (in_flow, "velocities: a vortex and a tide", "1 thread", of_neighbours(calmer, machine, in_flow, 1), 10.0),
     )
     for pace, what, how, distance, least in rows:
         found, alone = (rate / robots * TICK for rate in (pace.per_second, pace.undisturbed))

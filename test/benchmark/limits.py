@@ -47,10 +47,10 @@ def pairs_per_robot(simulation: Simulation) -> float:
     return sum(len(cKDTree(run).query_pairs(REACH)) for run in runs) / (runs.shape[0] * runs.shape[1])
 
 
-def of_neighbours(simulation: Simulation, machine: Machine, pace: Pace) -> str:
-    """How far a pace is from measuring the pairs in reach and doing nothing else."""
+def of_neighbours(simulation: Simulation, machine: Machine, pace: Pace, cores: int) -> str:
+    """How far a pace on so many cores is from measuring the pairs in reach and doing nothing else."""
     pairs = pairs_per_robot(simulation)
-    rates = [of[pace.threads] / (OPERATIONS_PER_PAIR * pairs) for of in (machine.scalar, machine.vector)]
+    rates = [of[cores] / (OPERATIONS_PER_PAIR * pairs) for of in (machine.scalar, machine.vector)]
     shares = [100.0 * pace.per_second / rate for rate in rates]
     return (
         f"{shares[0]:.2g} % of what scalar, {shares[1]:.2g} % of what vector arithmetic would allow "

@@ -18,10 +18,10 @@ from cocorosim_ros.foundation.compiling.four import (
     four_at,
     in_fours,
     put_four_at,
-    transposed,
     whole_below,
 )
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.shuffled import lanes_after, lanes_before, transposed
 from cocorosim_ros.foundation.compiling.stack import stack_like
 
 Floats = NDArray[np.float64]
@@ -104,3 +104,17 @@ def test_rows_and_lanes_are_in_order() -> None:
     table, turned = np.arange(24.0).reshape(4, 6), np.zeros((6, 4))
     turn(table, turned)
     assert np.array_equal(turned, table.T)
+
+
+@kernel
+def shifted(row: Floats, moved: Floats) -> None:
+    """Write what begins one place before and one after the middle four of `row` (12,) into `moved` (2, 4)."""
+    put_four_at(moved[0], 0, lanes_before(four_at(row, 0), four_at(row, LANES)))
+    put_four_at(moved[1], 0, lanes_after(four_at(row, LANES), four_at(row, 2 * LANES)))
+
+
+def test_fours_between_fours() -> None:
+    """Of the numbers 0 to 11 the fours that begin with 3 and with 5."""
+    moved = np.zeros((2, LANES))
+    shifted(np.arange(12.0), moved)
+    assert moved.tolist() == [[3.0, 4.0, 5.0, 6.0], [5.0, 6.0, 7.0, 8.0]]

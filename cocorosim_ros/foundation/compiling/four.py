@@ -274,19 +274,3 @@ def put_four_at(typing_context: Any, row: Any, first: Any, number: Any) -> Any:
 def _place(context: Any, builder: Any, row: Any, arguments: Any) -> Any:
     start = context.make_array(row)(context, builder, arguments[0]).data
     return builder.bitcast(builder.gep(start, [arguments[1]]), _VECTOR.as_pointer())
-
-
-@intrinsic  # type: ignore[untyped-decorator]
-def transposed(typing_context: Any, first: Any, second: Any, third: Any, fourth: Any) -> Any:
-    """Of four fours the four that hold their first lanes, their second, third and fourth ones."""
-
-    def generate(context: Any, builder: Any, found: Any, arguments: Any) -> Any:
-        def shuffled(one: Any, other: Any, *picked: int) -> Any:
-            return builder.shuffle_vector(one, other, ir.Constant(ir.VectorType(_INDEX, LANES), picked))
-
-        even = [shuffled(*arguments[at : at + 2], 0, 4, 2, 6) for at in (0, 2)]
-        odd = [shuffled(*arguments[at : at + 2], 1, 5, 3, 7) for at in (0, 2)]
-        rows = [shuffled(*pair, *picked) for picked in ((0, 1, 4, 5), (2, 3, 6, 7)) for pair in (even, odd)]
-        return context.make_tuple(builder, found.return_type, rows)
-
-    return types.UniTuple(FOUR, LANES)(first, second, third, fourth), generate

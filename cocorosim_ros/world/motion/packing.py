@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.four import LANES, four, four_at, in_fours, put_four_at, transposed
+from cocorosim_ros.foundation.compiling.four import LANES, four, four_at, in_fours, put_four_at
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.shuffled import transposed
 from cocorosim_ros.world.motion.group import Fours, Group
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.vehicle_model.vehicles import BASIC_COLUMNS

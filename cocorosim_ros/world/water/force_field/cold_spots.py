@@ -12,6 +12,7 @@ from itertools import product
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Integers
+from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.force_currents import ColdSpots
 from cocorosim_ros.world.water.force_field.arriving import Spots, make_way, put_in_front
 from cocorosim_ros.world.water.force_field.pulls import Pull
@@ -70,9 +71,17 @@ def new_places(settings: ColdSpots, patches: Patches, random: np.random.Generato
         # The number of patches that draw a success, then which: the same as a draw for each of them.
         number = int(random.binomial(patches.total, settings.probability))
         chosen = random.choice(patches.total, number, replace=False, shuffle=False)
-    plane, x = np.divmod(chosen, patches.nx)
-    z, y = np.divmod(plane, patches.ny)
-    return np.stack([z, y, x], axis=1)
+    places = np.empty((number, 3), dtype=np.int64)
+    _write_places(chosen, patches.ny, patches.nx, places)
+    return places
+
+
+@kernel
+def _write_places(chosen: Integers, ny: int, nx: int, places: Integers) -> None:
+    """Write z, y, x of patches that are numbered in this order into `places` (n, 3)."""
+    for spot in range(chosen.shape[0]):
+        plane = chosen[spot] // nx
+        places[spot, 0], places[spot, 1], places[spot, 2] = plane // ny, plane % ny, chosen[spot] % nx
 
 
 def spawn(spots: Spots, step: int, places: Integers) -> Spots:

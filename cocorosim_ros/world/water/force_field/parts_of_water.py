@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.force_currents import ForceCurrents
 from cocorosim_ros.world.water.force_field.stored_water import aligned_zeros, row_width
@@ -21,16 +22,16 @@ BLOCK = 27
 
 
 class Spreading(NamedTuple):
-    """What the slabs from `first` to before `last` spread with, of water of `nx` patches in a row."""
+    """What the slabs from `first` to before `last` spread with, of water of `rows` rows of patches in each slab."""
 
     first: int
     last: int
-    nx: int
-    weights: Floats  # (2, 28), see spreading_weights
-    before: Floats  # (3, slab) of each component the slab before the present one, as it was
-    beyond: Floats  # (3, slab) the slab `last`, as it was
-    sums: Floats  # (2, slab) over three patches in y, and over nine in y and z
-    ends: Floats  # (2, nz) of every row
+    rows: int
+    keep: Floats  # (3, 3, row width) of a patch; by how many of it and its two neighbours in y, and in z, are water
+    share: Floats  # (3, 3, row width) of the sum over the block of 27
+    before: Floats  # (3, slab) of each component the slab before the present one, as it was; zero beyond the water
+    beyond: Floats  # (3, slab) the slab `last`, as it was; zero beyond the water
+    sums: Floats  # (slab + LANES,) over nine patches in y and z; zeros at the end
 
 
 def spreading_weights(forces: ForceCurrents) -> Floats:
@@ -46,20 +47,33 @@ def spreading_weights(forces: ForceCurrents) -> Floats:
     return weights
 
 
+def weights_of_rows(weights: Floats, nx: int) -> Floats:
+    """(2, 3, 3, row width) keep and share along a row of `nx` patches of a slab with one, two or three of y and of z.
+
+    `weights` (2, 28): see spreading_weights. The void after a row keeps nothing and gets nothing.
+    """
+    along = np.minimum(np.arange(nx) + 1, nx - 1) - np.maximum(np.arange(nx) - 1, 0) + 1
+    present = np.arange(1, 4)
+    of_rows = aligned_zeros((2, 3, 3, row_width(nx)))
+    of_rows[..., :nx] = weights[:, present[:, None, None] * present[:, None] * along]
+    return of_rows
+
+
 def spreading_parts(forces: ForceCurrents, patches: Patches, parts: int) -> list[Spreading]:
     """What so many parts of the water spread with, each for itself."""
-    weights, slab = spreading_weights(forces), patches.nz * row_width(patches.nx)
+    slab = patches.nz * row_width(patches.nx)
+    keep, share = weights_of_rows(spreading_weights(forces), patches.nx)
     edges = [patches.ny * part // parts for part in range(parts + 1)]
     return [
         Spreading(
             first,
             last,
-            patches.nx,
-            weights,
+            patches.nz,
+            keep,
+            share,
             before=aligned_zeros((3, slab)),
             beyond=aligned_zeros((3, slab)),
-            sums=aligned_zeros((2, slab)),
-            ends=np.zeros((2, patches.nz)),
+            sums=aligned_zeros((slab + LANES,)),
         )
         for first, last in pairwise(edges)
     ]
@@ -70,7 +84,7 @@ def keep_edges(water: Floats, spreading: Spreading) -> None:
     """Keep the slabs beside a part of `water` (3, ny, slab) as they are, before the other parts change them."""
     for component in range(3):
         for p in range(water.shape[2]):
-            if spreading.first > 0:
-                spreading.before[component, p] = water[component, spreading.first - 1, p]
+            south = water[component, spreading.first - 1, p] if spreading.first > 0 else 0.0
+            spreading.before[component, p] = south
             if spreading.last < water.shape[1]:
                 spreading.beyond[component, p] = water[component, spreading.last, p]

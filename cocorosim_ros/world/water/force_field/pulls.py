@@ -89,7 +89,8 @@ def pull_slab(water: Floats, y: int, pulling: Pulling) -> None:
             weights = (first + np.uint64(row)) * np.uint64(LANES)
             add_four(east, here, stretches.weight, weights, strength)
             add_four(north, here, stretches.weight, weights + np.uint64(COMPONENT), strength)
-            add_four(up, here, stretches.weight, weights + np.uint64(2 * COMPONENT), strength)
+            if row != 1:  # at the height of a spot nothing is pulled up or down
+                add_four(up, here, stretches.weight, weights + np.uint64(2 * COMPONENT), strength)
 
 
 @kernel

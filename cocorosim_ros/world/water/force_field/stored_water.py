@@ -3,8 +3,9 @@
 Slab by slab from south to north; a slab is all patches of one y, row above row. The sums over neighbours in y, which
 are taken first, then need three slabs, and slabs of a shallow tank fit into the caches where planes of one depth do
 not.
-Rows are as long as whole lines of the cache, so that long loops over a slab read aligned vectors. What lies beyond the
-last patch of a row is void: it changes with the others, stays bounded as they do, and nobody reads it.
+Rows are as long as whole lines of the cache, so that loops over a slab read aligned vectors, and have at least one
+place more than patches. What lies beyond the last patch of a row is void and stays zero, so that the last patch of a
+row and the first of the next find nothing beside them.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ LINE = 8  # floats in a line of the cache
 
 def row_width(nx: int) -> int:
     """How many floats a row of `nx` patches takes."""
-    return -(-nx // LINE) * LINE
+    return (nx // LINE + 1) * LINE
 
 
 def aligned_zeros(shape: tuple[int, ...]) -> Floats:

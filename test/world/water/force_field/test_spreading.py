@@ -120,6 +120,21 @@ def test_half_diffusion_keeps_the_sum_away_from_walls() -> None:
 
 
 @both_forms
+@pytest.mark.parametrize("nx", [1, 7, 8, 9, 16])
+def test_the_void_after_a_row_stays_zero(form: str, nx: int) -> None:
+    """However many patches a row has, so that nothing of a row gets into the next."""
+    patches = Patches(np.zeros(3), 0.1, nx, 5, 4)
+    water, (part,) = still_water(patches), spreading_parts(settings(form), patches, 1)
+    by_place(water, patches)[...] = np.random.default_rng(4).normal(size=(3, 4, 5, nx))
+    for _ in range(3):
+        keep_edges(water, part)
+        for y in range(5):
+            spread_slab(water[0], y, 0, part)
+    void = water.reshape(3, 5, 4, -1)[..., nx:]
+    assert void.shape[-1] >= 1 and not void.any()
+
+
+@both_forms
 def test_mirrored_water_spreads_mirrored(form: str) -> None:
     """Along each axis, to the last bit."""
     field = np.random.default_rng(2).normal(size=(5, 6, 7))
