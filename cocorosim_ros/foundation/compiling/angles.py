@@ -11,7 +11,8 @@ from cocorosim_ros.foundation.compiling.kernel import kernel
 @kernel
 def wrap_angle(angle: float) -> float:
     """The same direction in (-pi, pi]; `angle` in rad."""
-    turns = math.ceil((angle - math.pi) / (2.0 * math.pi))
+    # Rounded up, without the detour by whole numbers that math.ceil takes.
+    turns: float = -whole_below((math.pi - angle) / (2.0 * math.pi))
     wrapped = angle - 2.0 * math.pi * turns
     # Next to odd multiples of pi rounding can leave the interval by a hair.
     if wrapped > math.pi or wrapped <= -math.pi:

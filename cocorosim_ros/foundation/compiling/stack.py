@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -34,32 +35,40 @@ def unset_stack_array(typing_context: Any, size: Any) -> Any:
 
 
 @intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def unset_stack_rows(typing_context: Any, rows: Any, columns: Any) -> Any:
+    """`unset_stack_array` of rows: (rows, columns), both literals. To reshape one would be a call in a hot loop."""
+    array_type = types.Array(types.float64, 2, "C")
+    return array_type(rows, columns), _stack_space(array_type, rows, columns, cleared=False)
+
+
+@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
 def stack_like(typing_context: Any, array: Any, size: Any) -> Any:
     """`stack_array(size)` of the numbers that `array` has: floats or fours (see compiling.four)."""
     array_type = types.Array(array.dtype, 1, "C", aligned=array.aligned)
     return array_type(array, size), _stack_space(array_type, size)
 
 
-def _stack_space(array_type: Any, size: Any, cleared: bool = True) -> Callable[..., Any]:
-    """What generates the working space of `stack_array`."""
-    if not isinstance(size, types.IntegerLiteral):
+def _stack_space(array_type: Any, *sizes: Any, cleared: bool = True) -> Callable[..., Any]:
+    """What generates the working space of `stack_array`, of so many numbers along each axis."""
+    if not all(isinstance(size, types.IntegerLiteral) for size in sizes):
         raise numba.errors.TypingError("stack_array and its like need a number that is written out")
-    count = size.literal_value
+    shape = [size.literal_value for size in sizes]
+    count = math.prod(shape)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         word = context.get_value_type(array_type.dtype)
-        length = context.get_constant(types.intp, count)
-        stride = context.get_constant(types.intp, context.get_abi_sizeof(word))
+        size = context.get_abi_sizeof(word)
         space = cgutils.alloca_once(builder, word, size=count)
         if cleared:
-            cgutils.memset(builder, space, context.get_constant(types.intp, count * context.get_abi_sizeof(word)), 0)
+            cgutils.memset(builder, space, context.get_constant(types.intp, count * size), 0)
         array = context.make_array(array_type)(context, builder)
+        steps = [size * math.prod(shape[axis + 1 :]) for axis in range(len(shape))]
         populate_array(
             array,
             data=space,
-            shape=[length],
-            strides=[stride],
-            itemsize=stride,
+            shape=[context.get_constant(types.intp, length) for length in shape],
+            strides=[context.get_constant(types.intp, step) for step in steps],
+            itemsize=context.get_constant(types.intp, size),
             meminfo=None,
         )
         return array._getvalue()

@@ -18,7 +18,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_rows
 from cocorosim_ros.world.controllers.boids_na import total_without_alignment
 from cocorosim_ros.world.controllers.boids_rules import (
     BOIDS_TURN_GAIN,
@@ -34,7 +34,6 @@ from cocorosim_ros.world.controllers.boids_rules import (
 )
 from cocorosim_ros.world.controllers.boids_vanilla import add_neighbours_rules, note_neighbours
 from cocorosim_ros.world.controllers.controller import Controller
-from cocorosim_ros.world.controllers.medians import ROOM
 from cocorosim_ros.world.controllers.request import HEADING, SPEED, TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
@@ -135,8 +134,8 @@ def _decide_vanilla(observation: Observation, sensor_axis: Floats, settings: Flo
     if math.isnan(observation.compass):
         take_up_boids(settings, request)
         return
-    places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
-    velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
+    places = unset_stack_rows(HEARING_LIMIT, LANES)
+    velocities = unset_stack_rows(HEARING_LIMIT, LANES)
     count = note_neighbours(observation, settings, settings[CONE_OF_VIEW] != 0.0, places, velocities)
     if count == 0:
         _go_on_alone(observation.compass, settings, request)

@@ -24,8 +24,8 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine, wrap_angle
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, four_at, in_fours
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
-from cocorosim_ros.world.controllers.medians import ROOM, coordinate_median
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_rows
+from cocorosim_ros.world.controllers.medians import coordinate_median
 from cocorosim_ros.world.controllers.request import DIVE, DIVE_AT_SPEED, DIVE_MODE, HEADING, SPEED, TURN_GAIN
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import HEARING_LIMIT, MESSAGE_LENGTH
@@ -78,7 +78,7 @@ def median_heard_velocity(messages: Floats, number: int, velocity: Floats) -> in
 
     `messages` (capacity, MESSAGE_SIZE), of which `number` were heard; what is no velocity does not count.
     """
-    rows, count = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES), 0
+    rows, count = unset_stack_rows(HEARING_LIMIT, LANES), 0
     fours = in_fours(rows)
     for index in range(number):
         said = messages[index]

@@ -14,7 +14,7 @@ import math
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_array
+from cocorosim_ros.foundation.compiling.stack import stack_array, unset_stack_rows
 from cocorosim_ros.world.controllers.boids_rules import (
     COHESION_LENGTH,
     COHESION_WEIGHT,
@@ -29,7 +29,7 @@ from cocorosim_ros.world.controllers.boids_rules import (
     weight_total,
 )
 from cocorosim_ros.world.controllers.controller import Controller
-from cocorosim_ros.world.controllers.medians import ROOM, coordinate_median
+from cocorosim_ros.world.controllers.medians import coordinate_median
 from cocorosim_ros.world.state.observation import Observation
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
 
@@ -100,8 +100,8 @@ def decide(observation: Observation, sensor_axis: Floats, settings: Floats, requ
     take_up_boids(settings, request)
     if math.isnan(observation.compass):
         return
-    places = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
-    velocities = unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES)
+    places = unset_stack_rows(HEARING_LIMIT, LANES)
+    velocities = unset_stack_rows(HEARING_LIMIT, LANES)
     count = note_neighbours(observation, settings, False, places, velocities)
     if count == 0:
         swim_alone(settings, request)

@@ -121,22 +121,21 @@ def renew_request(crew: Crew, robot: int, observation: Observation, memory: Floa
 
 
 @kernel
-def conduct_one(
-    crew: Crew, robot: int, observation: Observation, memory: Floats, command: Floats, message: Floats
-) -> None:
-    """Run one control cycle of `robot`: write `command` (actuators,) and `message` (MESSAGE_SIZE,).
-
-    `command` are fractions in -1..1, in the platform's order of actuators. `memory` (MEMORY_SIZE,) persists
-    between cycles. A robot that does not know its heading or depth leaves the actuators concerned off.
-    """
-    system, actuator = crew.system[robot], crew.actuator[robot]
+def ask(crew: Crew, robot: int, observation: Observation, memory: Floats, message: Floats) -> None:
+    """Let the behaviour of `robot` speak into `message` (MESSAGE_SIZE,) and renew its request in `memory`."""
     settings = crew.settings[robot, : crew.settings_count[robot]]
-    request = memory[:REQUEST_SIZE]
     complete_yaw_rate(observation, memory)
-    if math.isnan(request[HEADING]):
-        request[HEADING] = observation.compass
+    if math.isnan(memory[HEADING]):
+        memory[HEADING] = observation.compass
     speak_by_code(crew.code[robot], observation, settings, message)
     renew_request(crew, robot, observation, memory)
+
+
+@kernel
+def carry_out(crew: Crew, robot: int, observation: Observation, memory: Floats, command: Floats) -> None:
+    """Turn the request of `robot` into its `command` (actuators,), and remember what the next cycle needs."""
+    system, actuator, request = crew.system[robot], crew.actuator[robot], memory[:REQUEST_SIZE]
+    complete_yaw_rate(observation, memory)
     command[:] = 0.0
     if request[DIRECT] == 1.0:
         for index in range(min(command.shape[0], DIRECT_LIMIT)):
@@ -148,3 +147,16 @@ def conduct_one(
     memory[LAST_TIME] = observation.time
     memory[LAST_PRESSURE] = observation.pressure
     memory[LAST_COMPASS] = observation.compass
+
+
+@kernel
+def conduct_one(
+    crew: Crew, robot: int, observation: Observation, memory: Floats, command: Floats, message: Floats
+) -> None:
+    """Run one control cycle of `robot`: write `command` (actuators,) and `message` (MESSAGE_SIZE,).
+
+    `command` are fractions in -1..1, in the platform's order of actuators. `memory` (MEMORY_SIZE,) persists
+    between cycles. A robot that does not know its heading or depth leaves the actuators concerned off.
+    """
+    ask(crew, robot, observation, memory, message)
+    carry_out(crew, robot, observation, memory, command)

@@ -14,11 +14,10 @@ from typing import Any
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES, chosen, in_fours, lanes
 from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
-from cocorosim_ros.foundation.compiling.stack import unset_stack_array
+from cocorosim_ros.foundation.compiling.stack import unset_stack_rows
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
 
-ROOM = LANES * HEARING_LIMIT  # numbers in a list of rows
 FEW = 12  # rows; as many as eleven robots hear, and a little more
 
 
@@ -72,7 +71,7 @@ _write_median_of_few = compile_lines(
 
 @outlined_kernel
 def _write_median_of_many(rows: Floats, count: int, median: Floats) -> None:
-    columns = in_fours(unset_stack_array(ROOM).reshape(HEARING_LIMIT, LANES))
+    columns = in_fours(unset_stack_rows(HEARING_LIMIT, LANES))
     for index in range(count):
         carried = rows[index]
         for place in range(index):

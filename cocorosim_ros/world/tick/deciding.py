@@ -9,7 +9,7 @@ from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.foundation.compiling.stretch import Stretch, ends_of
 from cocorosim_ros.foundation.compiling.tables import compile_lines
-from cocorosim_ros.world.controllers.conduct import conduct_one, speak_by_code
+from cocorosim_ros.world.controllers.conduct import ask, carry_out, speak_by_code
 from cocorosim_ros.world.controllers.crew import Crew
 from cocorosim_ros.world.sensors.readings import FIELDS
 from cocorosim_ros.world.state.observation import Observation
@@ -66,7 +66,10 @@ def decide(time: float, perception: Perception, crew: Crew, answers: Answers, ro
     for run in range(command.shape[0]):
         for robot in range(first, last):
             observation = observe(time, perception, run, robot, angular_rate)
-            conduct_one(crew, robot, observation, memory[run, robot], command[run, robot], said[run, robot])
+            ask(crew, robot, observation, memory[run, robot], said[run, robot])
+        for robot in range(first, last):
+            observation = observe(time, perception, run, robot, angular_rate)
+            carry_out(crew, robot, observation, memory[run, robot], command[run, robot])
 
 
 @kernel

@@ -24,6 +24,10 @@ class Exchange:
         self._world = world
         self._side_by_side = side_by_side
         self._wants = world.wants or nothing(world.robots)
+        self.uses_light: bool = bool(self._wants.blue_light.any())
+        """Whether anybody hears over blue light."""
+        self.uses_sound: bool = bool(self._wants.sound.any())
+        """Whether anybody hears by sound."""
         capacity = max(1, min(world.robots - 1, HEARING_LIMIT))
         self.radio: Inbox = empty_inbox(len(runs), world.robots, capacity)
         self.light: Inbox = empty_inbox(len(runs), world.robots, capacity if self.uses_light else 1)
@@ -32,18 +36,10 @@ class Exchange:
         self._sound_link = None
         if world.channel is not None and self.uses_sound:
             self._sound_link = SoundLink(world.channel, self._wants.sound, self._wants.speaks_sound, swarms, self.sound)
+        self._speaks_radio = ~(self._wants.speaks_light | self._wants.speaks_sound)
         self._radio_links = imperfect_links("radio", world.corruption, swarms)
+        self._radio_as_said = bool(self._speaks_radio.all()) and not self._radio_links
         self._light_links = imperfect_links("blue_light", world.corruption, swarms)
-
-    @property
-    def uses_light(self) -> bool:
-        """Whether anybody hears over blue light."""
-        return bool(self._wants.blue_light.any())
-
-    @property
-    def uses_sound(self) -> bool:
-        """Whether anybody hears by sound."""
-        return bool(self._wants.sound.any())
 
     @property
     def garbled(self) -> Integers | None:
@@ -60,14 +56,13 @@ class Exchange:
 
         `neighbours` are those in this state, `nearest` (runs, robots, sensors) who was seen in each cone.
         """
-        speaks_light = self._wants.speaks_light
-        by_radio = _sent(tick, said, ~(speaks_light | self._wants.speaks_sound), self._radio_links)
+        by_radio = said if self._radio_as_said else _sent(tick, said, self._speaks_radio, self._radio_links)
         reach = self._world.radio_range
         self._side_by_side.do(lambda robots: deliver(state, by_radio, reach, neighbours, self.radio, robots))
         for link in self._radio_links:
             link.spoil(tick, self.radio)
         if self.uses_light:
-            by_light = _sent(tick, said, speaks_light, self._light_links)
+            by_light = _sent(tick, said, self._wants.speaks_light, self._light_links)
             deliver_light(by_light, nearest, self._world.light_delivery, self.light)
             for link in self._light_links:
                 link.spoil(tick, self.light)
@@ -75,8 +70,6 @@ class Exchange:
 
 def _sent(tick: int, said: Floats, speakers: Flags, links: list[ImperfectLink]) -> Floats:
     """What goes out over one medium: the words of its `speakers` (robots,), as often as the link allows."""
-    if speakers.all() and not links:
-        return said
     sent = said.copy()
     sent[:, ~speakers, MESSAGE_LENGTH] = 0.0
     for link in links:

@@ -66,7 +66,8 @@ class Simulation:
         at_a_time = ROBOTS_OF_A_PART if runs == 1 and robots >= ROBOTS_FOR_THREADS else robots
         self._side_by_side = SideBySide(robots, at_a_time)
         self._exchange = Exchange(world, numbers, self._side_by_side)
-        capacity = max(1, min(robots - 1, HEARING_LIMIT)) if self._wants.neighbours.any() else 1
+        self._knows_exactly = bool(self._wants.neighbours.any())
+        capacity = max(1, min(robots - 1, HEARING_LIMIT)) if self._knows_exactly else 1
         self.neighbourhood: Neighbourhood = empty_neighbourhood(runs, robots, capacity)
         self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.sound_inbox, self.neighbourhood)
         self._corruption = corrupted_channels(world.corruption, Swarms(world.seed, world.names, numbers))
@@ -133,7 +134,7 @@ class Simulation:
         if world.water.waves:
             weight = world.instruments.water_density * world.instruments.gravity
             self.water.press(self.state, self.time_ns * 1e-9, weight, self.readings.pressure)
-        if self._wants.neighbours.any():
+        if self._knows_exactly:
             wanted = self._wants.neighbours
             exact_neighbours(self.state, wanted, EXACT_RANGE, self._neighbours, self.neighbourhood)
         if world.faults is not None:
