@@ -123,11 +123,16 @@ def take_settings_while_running(node: Node, shell: ControllerShell, controller: 
 
 
 def answer_sets(shells: Sequence[ControllerShell], waiter: Waiter) -> None:
-    """Answer every complete set of readings of some robots until told to stop."""
+    """Answer every complete set of readings of some robots until told to stop.
+
+    Only where the topic that a robot waits for has come, its other topics are looked at.
+    """
+    stirred = shells
     while not any(shell.stop for shell in shells):
-        answered = [shell.answer_what_came() for shell in shells]
-        if not any(answered):
-            waiter.wait([shell.awaited() for shell in shells], LONGEST_WAIT)
+        for shell in stirred:
+            while shell.answer_what_came():
+                pass
+        stirred = [shells[place] for place in waiter.wait([shell.awaited() for shell in shells], LONGEST_WAIT)]
 
 
 def answer_periodically(shell: ControllerShell, node: Node, values: dict[str, Any]) -> None:

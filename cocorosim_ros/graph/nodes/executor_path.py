@@ -55,8 +55,8 @@ class Arrival:
     def __init__(self, node: Node, most: int) -> None:
         self._event = threading.Event()
 
-    def wait(self, ears: Sequence[HeardEar], seconds: float) -> None:
-        """Return when any of `ears` has a message, or after `seconds`."""
+    def wait(self, ears: Sequence[HeardEar], seconds: float) -> list[int]:
+        """Return the places of those of `ears` that have a message, when there is any, or none after `seconds`."""
         self._event.clear()
         for ear in ears:
             ear.awaited = self._event  # before the look, so that nothing comes in unseen between look and sleep
@@ -64,3 +64,4 @@ class Arrival:
             self._event.wait(seconds)
         for ear in ears:
             ear.awaited = None
+        return [place for place, ear in enumerate(ears) if ear.has_message]

@@ -28,6 +28,7 @@ def what_is_missing(node: Node) -> str:
         for owner, name in (
             (_implementation().Subscription, "take_message"),
             (_implementation().Publisher, "publish_raw"),
+            (_implementation().WaitSet, "is_ready"),
             (Subscription, "handle"),
             (Publisher, "handle"),
         ):
@@ -87,12 +88,13 @@ class WaitSet:
         with context:
             self._set = _implementation().WaitSet(most, 0, 0, 0, 0, 0, context)
 
-    def wait(self, ears: Sequence[TakenEar], seconds: float) -> None:
-        """Return when any of `ears` has a message, or after `seconds`."""
+    def wait(self, ears: Sequence[TakenEar], seconds: float) -> list[int]:
+        """Return the places of those of `ears` that have a message, when there is any, or none after `seconds`."""
         self._set.clear_entities()
         for ear in ears:
             self._set.add_subscription(ear.handle)
         self._set.wait(int(seconds * 1e9))
+        return [place for place in range(len(ears)) if self._set.is_ready("subscription", place)]
 
 
 class _TakenByHand(CallbackGroup):

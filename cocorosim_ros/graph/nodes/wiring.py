@@ -128,6 +128,11 @@ class Waiter:
     def __init__(self, node: Node, most: int) -> None:
         self._sleeper = path_of(node).sleeper(node, most)
 
-    def wait(self, listeners: Sequence[Listener], seconds: float) -> None:
-        """Return when any of `listeners` has a message, or after `seconds` (at most LONGEST_WAIT)."""
-        self._sleeper.wait([listener.ear for listener in listeners], max(0.0, min(seconds, LONGEST_WAIT)))
+    def wait(self, listeners: Sequence[Listener], seconds: float) -> list[int]:
+        """Return the places of `listeners` that have a message, when there is any.
+
+        After `seconds` (at most LONGEST_WAIT) there may be none.
+        """
+        ears, limit = [listener.ear for listener in listeners], max(0.0, min(seconds, LONGEST_WAIT))
+        places: list[int] = self._sleeper.wait(ears, limit)
+        return places

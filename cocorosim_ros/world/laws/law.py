@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -59,10 +60,15 @@ class Product:
     second: Factor = ONE
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Product) and sorted(self.factors) == sorted(other.factors)
+        return isinstance(other, Product) and self._in_order == other._in_order
 
     def __hash__(self) -> int:
-        return hash(tuple(sorted(self.factors)))
+        return hash(self._in_order)
+
+    @cached_property
+    def _in_order(self) -> tuple[Factor, ...]:
+        """The factors by name: a search for laws compares products tens of thousands of times."""
+        return tuple(sorted(self.factors))
 
     @property
     def factors(self) -> tuple[Factor, ...]:
