@@ -90,11 +90,12 @@ def test_bluerov_allocation_is_the_published_one() -> None:
 
 
 def test_bluerov_thrusters_push_by_the_published_curve() -> None:
-    """80 / (1 + exp(-4 V^3)) - 40 N, at the points of the table and to 0.2 N between them."""
-    platform, asked = load_platform("bluerov2_heavy"), np.array([[-1.0, -0.6, 0.2, 0.8, 1.0]])
-    for command in asked[0]:
-        force = forces_at(platform, np.full((1, 8), command))[0, 0]
-        assert force == pytest.approx(80.0 / (1.0 + math.exp(-4.0 * command**3)) - 40.0, abs=1e-3)
+    """80 / (1 + exp(-4 V^3)) - 40 N, at the points of the table and to 0.08 N between them."""
+    asked = np.linspace(-1.0, 1.0, 401)
+    force = forces_at(load_platform("bluerov2_heavy"), np.tile(asked[:, np.newaxis], 8))
+    apart = np.abs(force - (80.0 / (1.0 + np.exp(-4.0 * asked**3)) - 40.0)[:, np.newaxis])
+    assert apart[::10].max() < 1e-4
+    assert apart.max() < 0.08
 
 
 @pytest.mark.parametrize("name", ["bluerov2_heavy", "remus100"])
