@@ -113,7 +113,7 @@ def _remarks(recording: Recording) -> list[str]:
 def _write_page(recording: Recording, file: Path) -> None:
     from cocorosim_ros.graph.runs.results import scenario_facts
     from cocorosim_ros.study.pictures.facts import MetricSeries
-    from cocorosim_ros.study.pictures.player import player_page
+    from cocorosim_ros.study.pictures.player import page_pieces
 
     findings = _remarks(recording)
     series = None
@@ -122,7 +122,9 @@ def _write_page(recording: Recording, file: Path) -> None:
         series = MetricSeries(statistics.stamp_ns, statistics.series)
     except CocorosimError as error:  # places alone can be looked at, too
         findings.append(str(error))
-    file.write_text(player_page(recording.poses, scenario_facts(recording.bag), findings, series), "utf-8")
+    pieces = page_pieces(recording.poses, scenario_facts(recording.bag), findings, series)
+    with file.open("w", encoding="utf-8") as page:
+        page.writelines(pieces)
 
 
 def _written(recordings: Sequence[Recording], choices: _ViewChoices) -> Path:

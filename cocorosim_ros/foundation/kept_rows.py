@@ -12,6 +12,7 @@ from numpy.typing import DTypeLike, NDArray
 from cocorosim_ros.foundation.arrays import Integers
 
 ROWS_IN_MEMORY = 1024
+_MOST_COPIED = 1 << 24  # bytes; an open file each for those beyond is not many files
 
 
 class KeptRows:
@@ -68,17 +69,33 @@ class KeptRows:
             found[places] = self.at(places)
         return found
 
+    def final(self) -> NDArray[Any]:
+        """(count, *shape) all rows, to be kept, after which none may be added.
+
+        A few are a copy in memory; many stay in the file, which the system reads where they are looked at.
+        """
+        if self.count * self._block[0].nbytes > _MOST_COPIED:
+            return self.rows()
+        return self.copy()
+
     def at(self, places: Integers) -> NDArray[Any]:
         """(len(places), *shape) copies of the rows at these places, in any order; nothing else is read."""
+        if (places[1:] < places[:-1]).any():
+            order = np.argsort(places, kind="stable")
+            found = np.empty((len(places), *self._block.shape[1:]), self._block.dtype)
+            found[order] = self._at_sorted(places[order])
+            return found
+        return self._at_sorted(places)
+
+    def _at_sorted(self, places: Integers) -> NDArray[Any]:
+        """Copies of the rows at places that do not fall."""
         found = np.empty((len(places), *self._block.shape[1:]), self._block.dtype)
-        order = np.argsort(places, kind="stable")
-        sorted_places = places[order]
-        in_file = int(np.searchsorted(sorted_places, self._filed))
-        found[order[in_file:]] = self._block[sorted_places[in_file:] - self._filed]
-        ends = [*(np.flatnonzero(np.diff(sorted_places[:in_file]) != 1) + 1).tolist(), in_file]
+        in_file = int(np.searchsorted(places, self._filed))
+        found[in_file:] = self._block[places[in_file:] - self._filed]
+        ends = [*(np.flatnonzero(np.diff(places[:in_file]) != 1) + 1).tolist(), in_file]
         for begin, end in zip([0, *ends[:-1]], ends, strict=True):
             if self._file is not None and begin < end:
-                found[order[begin:end]] = self._read(self._file, int(sorted_places[begin]), end - begin)
+                found[begin:end] = self._read(self._file, int(places[begin]), end - begin)
         return found
 
     def _read(self, file: IO[bytes], first: int, count: int) -> NDArray[Any]:

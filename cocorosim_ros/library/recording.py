@@ -158,15 +158,17 @@ class Recording(Shown):
         statistics: what `measure` gave, if it has been asked already. Raises CocorosimError if there are no poses, or
         if the file exists (without `force`) or cannot be written.
         """
-        from cocorosim_ros.graph.runs.results import draw_picture
+        from cocorosim_ros.graph.runs.results import scenario_facts
         from cocorosim_ros.study.pictures.facts import MetricSeries
+        from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
 
         file = Path(place_text(out, "out"))
         if statistics is not None:
             one_of(statistics, "statistics", ShoalStatistics)
         check_file(file, force=force)
         measured = statistics or self.measure()
-        draw_picture(file, self.bag, self.poses, MetricSeries(measured.stamp_ns, measured.series))
+        series = MetricSeries(measured.stamp_ns, measured.series)
+        draw_shoal(file, self.poses, series, scenario_facts(self.bag), force=True)
         return file
 
     def to_frame(self, topic: str = "pose") -> pd.DataFrame:

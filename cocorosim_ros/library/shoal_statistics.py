@@ -36,7 +36,8 @@ class ShoalStatistics(Shown):
     stamp_ns: Integers
     """(t,) the moments at which the shoal was measured [ns]."""
     series: Floats
-    """(t, metrics) values at each moment in SI units, NaN where undefined; columns in the order of `metrics`."""
+    """(t, metrics) values at each moment in SI units, NaN where undefined; columns in the order of `metrics`. Those of
+    days lie in a temporary file, which the system reads where they are looked at."""
     findings: tuple[str, ...]
     """What was odd about recording or poses, in sentences."""
     summary: Mapping[str, Any]
@@ -110,7 +111,7 @@ def statistics_of(
         digest,
         samples.names,
         read_only(monitor.stamps_ns),
-        read_only(monitor.series),
+        read_only(monitor.final_series()),
         (*findings, *samples.findings, *summary["notes"]),
         {key: value for key, value in summary.items() if key not in ("robots", "notes")},
     )

@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.foundation import kept_rows
 from cocorosim_ros.foundation.kept_rows import ROWS_IN_MEMORY, KeptRows
+from cocorosim_ros.foundation.mapped_table import is_in_file
 
 
 @pytest.mark.parametrize("count", [0, 1, ROWS_IN_MEMORY, ROWS_IN_MEMORY + 1, 3 * ROWS_IN_MEMORY + 7])
@@ -56,6 +58,18 @@ def test_memory_stays_as_it_is() -> None:
         tracemalloc.stop()
     assert sizes[1] - sizes[0] < 0.1 * ROWS_IN_MEMORY * 30 * 8
     assert kept.rows().sum() == kept.count * 30
+
+
+@pytest.mark.parametrize("most", [0, 1_000_000])
+def test_final_rows_outlast_their_keeper(monkeypatch: pytest.MonkeyPatch, most: int) -> None:
+    """Many stay in the file, few are in memory; both are there when all else is gone."""
+    monkeypatch.setattr(kept_rows, "_MOST_COPIED", most)
+    kept = KeptRows((2,), np.float64)
+    kept.add(np.outer(np.arange(3 * ROWS_IN_MEMORY + 7), (1.0, -1.0)))
+    final = kept.final()
+    del kept
+    assert is_in_file(final) == (most == 0)
+    np.testing.assert_array_equal(final, np.outer(np.arange(3 * ROWS_IN_MEMORY + 7), (1.0, -1.0)))
 
 
 class FullDisk:

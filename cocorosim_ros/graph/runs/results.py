@@ -1,23 +1,19 @@
-"""What a run leaves behind: what made it, its statistics as JSON, its picture."""
+"""What a run leaves behind: what made it, and facts for pictures of it."""
 
 from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
 
 from cocorosim_ros import __version__
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.tank import Box, Sphere
 from cocorosim_ros.scenario.scenario import Scenario
-from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
-from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
+from cocorosim_ros.study.pictures.facts import ScenarioFacts
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.topics.topics import robot_topic
 from cocorosim_ros.world.checks.loading import parse_scenario
-from cocorosim_ros.world.state.pose_track import Poses
 
 _TOPICS_SHOWN = 5
 _LIBRARIES = ("numpy", "numba", "ros-jazzy-rclpy")
@@ -52,11 +48,6 @@ def no_poses(bag: Bag, robots: list[str]) -> str:
         f"{bag.path} holds no poses: {there}{damage}; there must be a topic NAMESPACE/pose of type "
         "geometry_msgs/msg/PoseStamped for each robot, or Odometry, poses of any name, or moving frames in /tf."
     )
-
-
-def draw_picture(path: Path, bag: Bag, tracks: Mapping[str, Poses], series: MetricSeries) -> None:
-    """The run's picture; the tank's walls are drawn where the recording knows its scenario."""
-    draw_shoal(path, tracks, series, scenario_facts(bag), force=True)
 
 
 def readable_scenario(bag: Bag) -> tuple[Scenario | None, str]:

@@ -63,6 +63,10 @@ class ShoalMonitor:
         """(ticks, len(METRICS)) values measured so far."""
         return self._values.copy()[:, 0]
 
+    def final_series(self) -> Floats:
+        """(ticks, len(METRICS)) values of a run that has ended; those of days stay in a file and out of memory."""
+        return np.asarray(self._values.final()[:, 0])
+
     def summary(self) -> dict[str, Any]:
         """The run so far, ready for JSON: undefined numbers are None."""
         summary = summarise(self._values.rows())

@@ -8,6 +8,9 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
 
+MOST_GROUPS = 1200
+"""Moments beyond which a curve shows groups of moments: their mean and their range."""
+
 _GAP_IN_INTERVALS = 3
 _SHORTEST_GAP_NS = 1_000_000_000
 

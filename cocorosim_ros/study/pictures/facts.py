@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from cocorosim_ros.foundation.arrays import Floats, Integers
+from cocorosim_ros.foundation.mapped_table import columns_of
+from cocorosim_ros.study.metrics import COLUMN
+
+BOUNDED = ("polarisation", "angular_momentum")
+"""Metrics that lie between 0 and 1."""
 
 
 @dataclass(frozen=True)
@@ -32,3 +39,7 @@ class MetricSeries:
     """(t,) moments [ns]."""
     values: Floats
     """(t, len(METRICS)) in the order of the metrics table, NaN where undefined."""
+
+    def column(self, name: str) -> Floats:
+        """(t,) a copy of one metric over time; of values in a file nothing else stays in memory."""
+        return np.asarray(columns_of(self.values, COLUMN[name], COLUMN[name] + 1)[:, 0])

@@ -10,17 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from cocorosim_ros.foundation.arrays import Floats, Integers
-from cocorosim_ros.study.metrics import COLUMN, METRICS
-from cocorosim_ros.study.metrics.summary import summarise
-from cocorosim_ros.study.pictures.decimation import envelope
-from cocorosim_ros.study.pictures.facts import MetricSeries
-
-MOST_GROUPS = 1200
-"""Moments beyond which a panel shows groups of moments: their mean and their range."""
+from cocorosim_ros.study.metrics import METRICS
+from cocorosim_ros.study.metrics.summary import summary_of
+from cocorosim_ros.study.pictures.decimation import MOST_GROUPS, envelope
+from cocorosim_ros.study.pictures.facts import BOUNDED, MetricSeries
 
 _LINE, _BAND = "#0b5c8a", "#a9cfe3"
-BOUNDED = ("polarisation", "angular_momentum")
-"""Metrics that lie between 0 and 1."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +43,7 @@ def moments_per_group(series: MetricSeries) -> int:
 
 def draw_metric(axes: Axes, name: str, series: MetricSeries, axis: TimeAxis) -> None:
     """One metric over time, and its summary over the run in the title and as a dashed line."""
-    metric, values = METRICS[name], series.values[:, COLUMN[name]]
+    metric, values = METRICS[name], series.column(name)
     groups = envelope(axis.time, values, MOST_GROUPS)
     counts = metric.unit == "1" and name not in BOUNDED
     steps: Literal["post"] | None = "post" if counts and groups.per_group == 1 else None
@@ -56,7 +51,7 @@ def draw_metric(axes: Axes, name: str, series: MetricSeries, axis: TimeAxis) -> 
         axes.fill_between(groups.time, groups.low, groups.high, color=_BAND, linewidth=0, step=steps)
     drawstyle = "default" if steps is None else "steps-post"
     axes.plot(groups.time, groups.mean, color=_LINE, linewidth=1.4, drawstyle=drawstyle)
-    summary = float(summarise(series.values[:, None, :]).value[0, COLUMN[name]])
+    summary = summary_of(name, values)
     if np.isfinite(summary) and metric.summary != "last":
         axes.axhline(summary, color="black", linewidth=0.9, linestyle=(0, (4, 3)))
     unit = "" if metric.unit == "1" else f" [{metric.unit}]"

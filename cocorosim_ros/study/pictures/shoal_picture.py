@@ -16,16 +16,11 @@ from matplotlib.lines import Line2D
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.study.metrics import PAPER_METRICS
+from cocorosim_ros.study.pictures.colours import robot_colours
+from cocorosim_ros.study.pictures.extent import Extent, extent
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.metric_panels import draw_metric, moments_per_group, time_axis
-from cocorosim_ros.study.pictures.track_views import (
-    MOST_POSES,
-    Extent,
-    draw_from_above,
-    draw_from_the_side,
-    extent,
-    robot_colours,
-)
+from cocorosim_ros.study.pictures.track_views import MOST_POSES, draw_from_above, draw_from_the_side
 from cocorosim_ros.world.state.pose_track import Poses
 
 _SIZE_INCHES, _DOTS_PER_INCH = (16.0, 10.0), 125

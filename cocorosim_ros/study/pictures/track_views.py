@@ -9,31 +9,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.study.pictures.colours import robot_colours
 from cocorosim_ros.study.pictures.decimation import every_nth, with_breaks
+from cocorosim_ros.study.pictures.extent import Extent
 from cocorosim_ros.study.pictures.facts import ScenarioFacts
-from cocorosim_ros.world.state.pose_track import Poses, poses_in_parts
+from cocorosim_ros.world.state.pose_track import Poses
 from cocorosim_ros.world.state.state import X, Y, Z
 
 MOST_POSES = 4000
 """Poses per robot beyond which only every n-th is drawn."""
 
 _WATER, _WALL = "#eaf3f8", "#33566b"
-_TEN_COLOURS = 10
 _ARROW_SHARE = 0.055
-_MARGIN_SHARE = 0.025
-
-
-class Extent(NamedTuple):
-    """Lowest and highest corner (3,) of what is to be seen [m; world]."""
-
-    low: Floats
-    high: Floats
 
 
 class _Plane(NamedTuple):
@@ -44,29 +35,6 @@ class _Plane(NamedTuple):
 
 
 _FROM_ABOVE, _FROM_THE_SIDE = _Plane(X, Y), _Plane(X, Z)
-
-
-def robot_colours(names: list[str]) -> dict[str, tuple[float, float, float, float]]:
-    """One colour per robot: ten that differ strongly, or as many as needed along a rainbow."""
-    if len(names) <= _TEN_COLOURS:
-        palette = matplotlib.colormaps["tab10"]
-        return {name: palette(number) for number, name in enumerate(names)}
-    rainbow = matplotlib.colormaps["turbo"]
-    return {name: rainbow(0.04 + 0.92 * number / (len(names) - 1)) for number, name in enumerate(names)}
-
-
-def extent(tracks: Mapping[str, Poses], facts: ScenarioFacts) -> Extent:
-    """What is to be seen: all poses, and the tank if known."""
-    corners = [np.array(c) for c in (facts.low_corner, facts.high_corner) if c is not None]
-    for track in tracks.values():
-        for _, position, _ in poses_in_parts(track):
-            places = position[np.isfinite(position).all(axis=1)]
-            corners += [places.min(axis=0), places.max(axis=0)] if len(places) else []
-    everything = np.stack(corners)
-    low, high = everything.min(axis=0), everything.max(axis=0)
-    # A swarm that does not move in some direction still needs an axis to be drawn on.
-    margin = np.full(3, _MARGIN_SHARE * np.max(high - low) + 1e-3)
-    return Extent(low - margin, high + margin)
 
 
 def draw_from_above(

@@ -9,7 +9,7 @@ from pathlib import Path
 import rerun as rr
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.study.pictures.track_views import robot_colours
+from cocorosim_ros.study.pictures.colours import robot_colours
 from cocorosim_ros.study.scene.rerun_layout import layout
 from cocorosim_ros.study.scene.rerun_robots import Canvas, Colour, draw_robots
 from cocorosim_ros.study.scene.rerun_surroundings import draw_surroundings

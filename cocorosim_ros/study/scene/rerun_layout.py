@@ -8,7 +8,7 @@ import numpy as np
 import rerun.blueprint as rrb
 
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
-from cocorosim_ros.study.pictures.track_views import extent
+from cocorosim_ros.study.pictures.extent import extent
 from cocorosim_ros.study.scene.rerun_robots import TIMELINE
 from cocorosim_ros.study.scene.scene import Scene
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS

@@ -13,8 +13,8 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
 from cocorosim_ros.study.metrics import METRICS, PAPER_METRICS
+from cocorosim_ros.study.pictures.colours import robot_colours
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
-from cocorosim_ros.study.pictures.track_views import robot_colours
 from cocorosim_ros.study.scene.drifting_plume import drifting_plume, leaking_plume
 from cocorosim_ros.study.scene.moving_water import MOST_MOMENTS, moving_water
 from cocorosim_ros.study.scene.rerun_file import ROOTS, in_bytes

@@ -29,6 +29,7 @@ _DAMAGE = (ValueError, RuntimeError, struct.error, zstandard.ZstdError, MemoryEr
 RawMessage = tuple[int, int, int, bytes]  # channel, log time [ns], publish time [ns], CDR bytes
 Watch = Callable[[int, int], None]  # told how many bytes of how many a pass through a file has behind it
 _MOST_MAPPED = 1 << 22  # bytes of the file that a walk through it leaves in memory
+_MAPPED_AROUND = 1 << 16  # bytes; where one is looked at, Linux maps what it knows of as many around it
 
 
 @dataclass(frozen=True)
@@ -224,7 +225,8 @@ class McapFile:
     def _let_go(self, start: int, end: int) -> int:
         """Take these bytes out of memory, if the system can; they are read again when looked at. Returns `end`."""
         if hasattr(mmap, "MADV_DONTNEED"):
-            first = start - start % mmap.PAGESIZE
+            first = max(0, start - _MAPPED_AROUND)
+            first -= first % mmap.PAGESIZE
             self._data.madvise(mmap.MADV_DONTNEED, first, end - first)
         return end
 

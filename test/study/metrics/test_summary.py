@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
+import pytest
 
 from cocorosim_ros.study.metrics import COLUMN, METRICS
-from cocorosim_ros.study.metrics.summary import summarise
+from cocorosim_ros.study.metrics import summary as summaries
+from cocorosim_ros.study.metrics.summary import summarise, summary_of
 
 
 def some_values(ticks: int, runs: int) -> np.ndarray:
@@ -41,6 +45,27 @@ def test_a_run_among_others_has_the_bits_of_a_run_alone() -> None:
     together, alone = summarise(values), summarise(np.ascontiguousarray(values[:, 7:8]))
     assert together.mean[7].tobytes() == alone.mean[0].tobytes()
     assert together.median[7].tobytes() == alone.median[0].tobytes()
+
+
+@pytest.mark.parametrize("most", [1, 7 * 8 * 300 + 1, 1 << 23])
+def test_values_in_a_file_have_the_bits_of_those_in_memory(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, most: int
+) -> None:
+    """Whether metrics are summed up one by one, by the seven, or all at once."""
+    monkeypatch.setattr(summaries, "_MOST_IN_MEMORY", most)
+    values = some_values(300, 1)
+    filed = np.memmap(tmp_path / "values", np.float64, "w+", 0, values.shape)
+    filed[:] = values
+    there, here = summarise(filed), summarise(values)
+    for part in ("value", "mean", "median", "defined"):
+        assert getattr(there, part).tobytes() == getattr(here, part).tobytes()
+
+
+def test_one_metric_has_the_bits_of_all() -> None:
+    """A mean, a median and a last value."""
+    values = some_values(300, 1)
+    whole = summarise(values).value[0]
+    assert [summary_of(name, values[:, 0, column]) for name, column in COLUMN.items()] == whole.tolist()
 
 
 def test_no_moments_give_no_numbers() -> None:

@@ -22,7 +22,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.metrics import COLUMN, METRICS
 from cocorosim_ros.study.pictures import player
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
-from cocorosim_ros.study.pictures.player import player_page
+from cocorosim_ros.study.pictures.player import page_pieces
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
 SECOND = 1_000_000_000
@@ -91,6 +91,11 @@ def scripts(page: str) -> tuple[dict[str, Any], str]:
     parser.feed(page)
     data, code = parser.found
     return json.loads(data), code
+
+
+def player_page(*given: Any) -> str:
+    """The whole page."""
+    return "".join(page_pieces(*given))
 
 
 def floats(text: str) -> Any:

@@ -13,10 +13,12 @@ from matplotlib.image import imread
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.study.metrics import METRICS
+from cocorosim_ros.study.pictures.colours import robot_colours
+from cocorosim_ros.study.pictures.extent import extent
 from cocorosim_ros.study.pictures.facts import MetricSeries, ScenarioFacts
 from cocorosim_ros.study.pictures.metric_panels import draw_metric, time_axis
 from cocorosim_ros.study.pictures.shoal_picture import draw_shoal
-from cocorosim_ros.study.pictures.track_views import draw_from_above, draw_from_the_side, extent, robot_colours
+from cocorosim_ros.study.pictures.track_views import draw_from_above, draw_from_the_side
 from cocorosim_ros.world.state.pose_track import PoseTrack
 
 STEP_NS = 500_000_000

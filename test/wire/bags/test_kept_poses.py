@@ -43,6 +43,13 @@ def test_poses_in_order(
     assert_same(tmp_path / "bag")
 
 
+def test_robots_share_stamps_that_are_the_same(tmp_path: Path, pose_rows: Callable[..., Any], record: Any) -> None:
+    """Those of a simulation are in memory once, however many robots there are."""
+    record(tmp_path / "bag", pose_rows(900, 3))
+    first, *others = keep_poses(read_bag(tmp_path / "bag")).values()
+    assert len(others) == 2 and all(other.stamp_ns is first.stamp_ns for other in others)
+
+
 @pytest.mark.parametrize("at_once", [5, 1_000_000])
 def test_poses_out_of_order_repeated_and_broken(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, at_once: int) -> None:
     """One robot after the other, stamps that jump and come twice, NaN, no heading, bytes that are no pose, silence."""
