@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.compiling.four import LANES, chosen, in_fours
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.study.metrics.median import median_of_first
+from cocorosim_ros.study.metrics.four_runs import FourRuns, coordinates, flags, four_of, in_all, list_runs, put, vectors
+from cocorosim_ros.study.metrics.median_of_four import middles, no_filling, put_or_leave_out
 from cocorosim_ros.study.metrics.swarms import ALL, CONTACT_RANGE, LARGEST, MEAN, MEDIAN, Swarms
 
 _CONTACT_SQUARED = CONTACT_RANGE * CONTACT_RANGE
@@ -15,16 +17,18 @@ _CONTACT_SQUARED = CONTACT_RANGE * CONTACT_RANGE
 @kernel
 def fill_distances(swarms: Swarms) -> None:
     """Fill `squared`."""
-    position, members, squared = swarms.position, swarms.members[ALL], swarms.squared
-    for run in range(members.shape[0]):
-        pair = 0
+    members, squared, count = swarms.members[ALL], swarms.squared, list_runs(swarms, ALL)
+    robot = in_fours(swarms.rows_of_robots)
+    for first in range(0, count, LANES):
+        runs, pair = four_of(swarms.runs, first, count), 0
+        for i in range(members.shape[1]):
+            robot[i, 0], robot[i, 1], robot[i, 2] = vectors(swarms.position, runs, i)
+            robot[i, 3] = flags(members, runs, i)
         for i in range(members.shape[1]):
             for j in range(i + 1, members.shape[1]):
-                x = position[run, j, 0] - position[run, i, 0]
-                y = position[run, j, 1] - position[run, i, 1]
-                z = position[run, j, 2] - position[run, i, 2]
-                both = members[run, i] and members[run, j]
-                squared[run, pair] = x * x + y * y + z * z if both else np.inf
+                x, y, z = robot[j, 0] - robot[i, 0], robot[j, 1] - robot[i, 1], robot[j, 2] - robot[i, 2]
+                both = robot[i, 3] * robot[j, 3] > 0.0
+                put(squared, runs, pair, chosen(both, x * x + y * y + z * z, in_all(np.inf)))
                 pair += 1
 
 
@@ -112,34 +116,43 @@ def _spread(shoal: Integers, position: Floats, run: int, root: int) -> float:
 def fill_centres(swarms: Swarms) -> None:
     """Fill `centre`."""
     for population in range(2):
-        members, centre = swarms.members[population], swarms.centre[population]
-        for run in range(members.shape[0]):
-            if population == LARGEST and swarms.one_shoal[run]:
-                for axis in range(3):
-                    centre[MEAN, run, axis] = swarms.centre[ALL, MEAN, run, axis]
-                    centre[MEDIAN, run, axis] = swarms.centre[ALL, MEDIAN, run, axis]
-            else:
-                write_centres(swarms.position, members, run, centre, swarms.scratch)
+        count = list_runs(swarms, population)
+        write_centres(swarms.position, swarms.members[population], count, swarms.centre[population], swarms)
+    everybody, largest = swarms.centre[ALL], swarms.centre[LARGEST]
+    for run in range(swarms.one_shoal.shape[0]):
+        if swarms.one_shoal[run]:
+            copy_centres(everybody, run, largest)
 
 
 @kernel
-def write_centres(
-    position: Floats,
-    members: Flags,
-    run: int,
-    centre: Floats,
-    scratch: Floats,
-) -> None:
+def copy_centres(source: Floats, run: int, target: Floats) -> None:
+    """Copy the centres (2, runs, 3) of one run."""
+    for axis in range(3):
+        target[MEAN, run, axis] = source[MEAN, run, axis]
+        target[MEDIAN, run, axis] = source[MEDIAN, run, axis]
+
+
+@kernel
+def write_centres(position: Floats, members: Flags, count: int, centre: Floats, swarms: Swarms) -> None:
     """The members' mean position and the median of each coordinate are in centre[:, run]; NaN of nobody.
 
-    position: (runs, n, 3) [m; world]; members: (runs, n); centre: (2, runs, 3); scratch: at least (n + 1,).
+    Of the first `count` of `swarms.runs`, whose working space for medians is used, too.
+    position: (runs, n, 3) [m; world]; members: (runs, n); centre: (2, runs, 3).
     """
-    for axis in range(3):
-        total, count = 0.0, 0
-        for i in range(members.shape[1]):
-            if members[run, i]:
-                scratch[count] = position[run, i, axis]
-                total += position[run, i, axis]
-                count += 1
-        centre[MEAN, run, axis] = total / count if count > 0 else np.nan
-        centre[MEDIAN, run, axis] = median_of_first(scratch, count)
+    for first in range(0, count, LANES):
+        runs = four_of(swarms.runs, first, count)
+        for axis in range(3):
+            _write_centre(position, members, runs, axis, centre, swarms)
+
+
+@kernel
+def _write_centre(position: Floats, members: Flags, runs: FourRuns, axis: int, centre: Floats, swarms: Swarms) -> None:
+    rows, filling, total, number = in_fours(swarms.rows), no_filling(), in_all(0.0), in_all(0.0)
+    for i in range(members.shape[1]):
+        coordinate, inside = coordinates(position, runs, i, axis), flags(members, runs, i)
+        filling = put_or_leave_out(rows, i, coordinate, inside > 0.0, filling)
+        # Zeros change no bit: a sum that begins at 0.0 is never -0.0.
+        total, number = total + chosen(inside > 0.0, coordinate, in_all(0.0)), number + inside
+    lower, upper = middles(swarms.rows, members.shape[1], filling, runs, swarms.scratch)
+    put(centre[MEAN], runs, axis, chosen(number > 0.0, total / number, in_all(np.nan)))
+    put(centre[MEDIAN], runs, axis, 0.5 * (lower + upper))

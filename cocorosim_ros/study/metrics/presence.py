@@ -6,7 +6,9 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
+from cocorosim_ros.foundation.compiling.four import LANES, chosen
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.study.metrics.four_runs import flags, four_of, in_all, list_runs, numbers, put_coordinate
 from cocorosim_ros.study.metrics.swarms import ALL, Swarms
 
 
@@ -26,13 +28,15 @@ def fill_presence(swarms: Swarms, yaw: Floats, said: Flags) -> None:
 @kernel
 def fill_headings(swarms: Swarms, yaw: Floats) -> None:
     """Fill `heading`; zeros for absent robots."""
-    heading, members = swarms.heading, swarms.members[ALL]
-    for run in range(yaw.shape[0]):
-        for i in range(yaw.shape[1]):
-            sine, cosine = sine_cosine(yaw[run, i])
-            heading[run, i, 0] = cosine if members[run, i] else 0.0
-            heading[run, i, 1] = sine if members[run, i] else 0.0
-            heading[run, i, 2] = 0.0
+    heading, members, count = swarms.heading, swarms.members[ALL], list_runs(swarms, ALL)
+    for first in range(0, count, LANES):
+        runs = four_of(swarms.runs, first, count)
+        for i in range(members.shape[1]):
+            sine, cosine = sine_cosine(numbers(yaw, runs, i))
+            inside = flags(members, runs, i) > 0.0
+            put_coordinate(heading, runs, i, 0, chosen(inside, cosine, in_all(0.0)))
+            put_coordinate(heading, runs, i, 1, chosen(inside, sine, in_all(0.0)))
+            put_coordinate(heading, runs, i, 2, in_all(0.0))
 
 
 @kernel

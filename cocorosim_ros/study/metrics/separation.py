@@ -7,97 +7,128 @@ summary is the median over time of these medians.
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.compiling.four import LANES, chosen, in_fours
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.sorting import ordered
+from cocorosim_ros.study.metrics.four_runs import FourRuns, flags, four_of, in_all, list_runs, numbers, put
 from cocorosim_ros.study.metrics.median import middle_of_first
+from cocorosim_ros.study.metrics.median_of_four import middles, no_filling, put_or_leave_out
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
-from cocorosim_ros.study.metrics.swarms import ALL, LARGEST, Swarms
+from cocorosim_ros.study.metrics.swarms import ALL, LARGEST, MOST_AT_ONCE, Swarms
 
 
 @kernel
-def _median_root(scratch: Floats, count: int) -> float:
-    """Median of the square roots of `scratch[:count]`."""
-    lower, upper = middle_of_first(scratch, count)
-    return float(0.5 * (np.sqrt(lower) + np.sqrt(upper)))
+def _write_pairs(swarms: Swarms, population: int, within: bool, count: int, values: Floats, column: int) -> None:
+    """The median over the pairs of a population, or over those in the same shoal, of the first `count` runs listed."""
+    if swarms.squared.shape[1] > MOST_AT_ONCE:
+        for place in range(count):
+            run = swarms.runs[place]
+            lower, upper = middle_of_first(swarms.scratch, _gather_pairs(swarms, population, within, run))
+            values[run, column] = 0.5 * (math.sqrt(lower) + math.sqrt(upper))
+        return
+    for first in range(0, count, LANES):
+        runs = four_of(swarms.runs, first, count)
+        filling = _put_pairs_within(swarms, population, runs) if within else _put_all_pairs(swarms, runs)
+        _put_median(swarms, swarms.squared.shape[1], filling, runs, values, column)
 
 
 @kernel
-def _write_all_pairs(squared: Floats, scratch: Floats, values: Floats, column: int) -> None:
-    for run in range(squared.shape[0]):
-        count = 0
-        for pair in range(squared.shape[1]):
-            scratch[count] = squared[run, pair]
-            count += squared[run, pair] < np.inf
-        values[run, column] = _median_root(scratch, count)
-
-
-@kernel
-def _write_within_shoals(swarms: Swarms, values: Floats, column: int) -> None:
-    """The median within all shoals is in values[:, column], that within the largest in the next column."""
-    for run in range(values.shape[0]):
-        if swarms.one_shoal[run]:
-            # All pairs are pairs of the only shoal.
-            values[run, column] = values[run, column - 1]
-            values[run, column + 1] = values[run, column - 1]
-            continue
-        pairs = _gather_within_shoals(swarms, ALL, run)
-        values[run, column] = _median_root(swarms.scratch, pairs)
-        size = 0
-        for i in range(swarms.shoal.shape[1]):
-            size += swarms.members[LARGEST, run, i]
-        if size * (size - 1) // 2 == pairs:
-            # Whoever else there is swims alone.
-            values[run, column + 1] = values[run, column]
-        else:
-            pairs = _gather_within_shoals(swarms, LARGEST, run)
-            values[run, column + 1] = _median_root(swarms.scratch, pairs)
-
-
-@kernel
-def _gather_within_shoals(swarms: Swarms, population: int, run: int) -> int:
-    """The squared distances of the pairs of the same shoal are in `scratch`; return how many."""
+def _gather_pairs(swarms: Swarms, population: int, within: bool, run: int) -> int:
+    """The squared distances of the pairs that count are in `scratch`; return how many."""
     members, shoal, squared, scratch = swarms.members[population], swarms.shoal, swarms.squared, swarms.scratch
     count, pair = 0, 0
     for i in range(shoal.shape[1]):
         for j in range(i + 1, shoal.shape[1]):
             scratch[count] = squared[run, pair]
-            count += members[run, i] and shoal[run, i] == shoal[run, j]
+            together = not within or (members[run, i] and shoal[run, i] == shoal[run, j])
+            count += together and squared[run, pair] < np.inf
             pair += 1
     return count
 
 
 @kernel
-def _write_nearest(
-    squared: Floats,
-    n: int,
-    scratch: Floats,
-    values: Floats,
-    column: int,
-) -> None:
-    for run in range(squared.shape[0]):
-        for i in range(n):
-            scratch[i] = np.inf
-        pair = 0
-        for i in range(n):
-            for j in range(i + 1, n):
-                scratch[i] = min(scratch[i], squared[run, pair])
-                scratch[j] = min(scratch[j], squared[run, pair])
-                pair += 1
-        count = 0
-        for i in range(n):
-            nearest = scratch[i]
-            scratch[count] = nearest
-            count += nearest < np.inf
-        values[run, column] = _median_root(scratch, count)
+def _put_all_pairs(swarms: Swarms, runs: FourRuns) -> Any:
+    """The squared distances are in `rows`; return the next filling."""
+    rows, filling = in_fours(swarms.rows), no_filling()
+    for pair in range(swarms.squared.shape[1]):
+        squared = numbers(swarms.squared, runs, pair)
+        filling = put_or_leave_out(rows, pair, squared, squared < np.inf, filling)
+    return filling
+
+
+@kernel
+def _put_pairs_within(swarms: Swarms, population: int, runs: FourRuns) -> Any:
+    """The squared distances of the pairs in the same shoal are in `rows`; return the next filling."""
+    rows, shoal, filling, pair = in_fours(swarms.rows), in_fours(swarms.rows_of_robots), no_filling(), 0
+    for i in range(swarms.shoal.shape[1]):
+        # Who does not count is in a shoal of its own.
+        counts = flags(swarms.members[population], runs, i) > 0.0
+        shoal[i, 0] = chosen(counts, 1.0 * numbers(swarms.shoal, runs, i), in_all(-1.0 - i))
+    for i in range(swarms.shoal.shape[1]):
+        for j in range(i + 1, swarms.shoal.shape[1]):
+            together = abs(shoal[i, 0] - shoal[j, 0]) < 0.5
+            filling = put_or_leave_out(rows, pair, numbers(swarms.squared, runs, pair), together, filling)
+            pair += 1
+    return filling
+
+
+@kernel
+def _put_median(swarms: Swarms, count: int, filling: Any, runs: FourRuns, values: Floats, column: int) -> None:
+    """The medians of the square roots of the first `count` numbers in `rows` are in values[:, column] of four runs."""
+    lower, upper = middles(swarms.rows, count, filling, runs, swarms.scratch)
+    put(values, runs, column, 0.5 * (math.sqrt(lower) + math.sqrt(upper)))
+
+
+@kernel
+def _put_nearest(swarms: Swarms, runs: FourRuns, values: Floats, column: int) -> None:
+    rows, nearest, filling, pair = in_fours(swarms.rows), in_fours(swarms.rows_of_robots), no_filling(), 0
+    robots = swarms.shoal.shape[1]
+    for i in range(robots):
+        nearest[i, 0] = in_all(np.inf)
+    for i in range(robots):
+        of_this = nearest[i, 0]
+        for j in range(i + 1, robots):
+            squared = numbers(swarms.squared, runs, pair)
+            of_this, nearest[j, 0] = ordered(of_this, squared)[0], ordered(nearest[j, 0], squared)[0]
+            pair += 1
+        filling = put_or_leave_out(rows, i, of_this, of_this < np.inf, filling)
+    _put_median(swarms, robots, filling, runs, values, column)
+
+
+@kernel
+def _list_split(swarms: Swarms, count: int) -> int:
+    """Keep those of the first `count` runs listed in which robots outside of the largest shoal have company."""
+    shoal, inside, kept = swarms.shoal, swarms.members[LARGEST], 0
+    for place in range(count):
+        run, company = swarms.runs[place], False
+        for i in range(shoal.shape[1]):
+            # Of each shoal but the first robot all are known by the first one's number.
+            company = company or (shoal[run, i] >= 0 and shoal[run, i] != i and not inside[run, i])
+        swarms.runs[kept] = run
+        kept += company
+    return kept
 
 
 @kernel
 def _measure(swarms: Swarms, values: Floats, column: int) -> int:
-    _write_all_pairs(swarms.squared, swarms.scratch, values, column)
-    _write_within_shoals(swarms, values, column + 1)
-    _write_nearest(swarms.squared, swarms.shoal.shape[1], swarms.scratch, values, column + 3)
+    count = list_runs(swarms, ALL)
+    _write_pairs(swarms, ALL, False, count, values, column)
+    for first in range(0, count, LANES):
+        _put_nearest(swarms, four_of(swarms.runs, first, count), values, column + 3)
+    for run in range(values.shape[0]):
+        # Of the only shoal all pairs are its pairs.
+        values[run, column + 1] = values[run, column]
+    count = list_runs(swarms, LARGEST)
+    _write_pairs(swarms, ALL, True, count, values, column + 1)
+    for run in range(values.shape[0]):
+        values[run, column + 2] = values[run, column + 1]
+    _write_pairs(swarms, LARGEST, True, _list_split(swarms, count), values, column + 2)
     return column + 4
 
 

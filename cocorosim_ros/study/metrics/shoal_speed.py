@@ -11,26 +11,37 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
+from cocorosim_ros.study.metrics.four_runs import list_runs
 from cocorosim_ros.study.metrics.metric import READ, Family, Metric
-from cocorosim_ros.study.metrics.populations import write_centres
-from cocorosim_ros.study.metrics.swarms import ALL, LARGEST, MEAN, MEDIAN, Swarms
+from cocorosim_ros.study.metrics.populations import copy_centres, write_centres
+from cocorosim_ros.study.metrics.swarms import ALL, Swarms
 
 
 @kernel
 def _fill_centres_of_movers(swarms: Swarms, population: int, now: Floats, then: Floats) -> None:
-    """The centres at this and at the previous tick of the same robots are in now and then (2, runs, 3)."""
-    members, movers, centre = swarms.members[population], swarms.movers[population], swarms.centre[population]
-    for run in range(movers.shape[0]):
-        if population == LARGEST and swarms.one_shoal[run]:
-            continue  # the same robots as ALL, whose centres are there already
-        if _same(movers, swarms.memory.present, run):
-            _copy(swarms.memory.centre, run, then)
+    """The centres at this and at the previous tick of the same robots are in now and then (2, runs, 3).
+
+    Of LARGEST only where it is not ALL, whose centres are there already.
+    """
+    memory, movers = swarms.memory, swarms.movers[population]
+    count = _list_others(swarms, population, memory.present, memory.centre, then)
+    write_centres(memory.position, movers, count, then, swarms)
+    count = _list_others(swarms, population, swarms.members[population], swarms.centre[population], now)
+    write_centres(swarms.position, movers, count, now, swarms)
+
+
+@kernel
+def _list_others(swarms: Swarms, population: int, robots: Flags, centre: Floats, target: Floats) -> int:
+    """List the runs whose movers are others than `robots`; `centre` is theirs where they are the same, and copied."""
+    count, others = list_runs(swarms, population), 0
+    for place in range(count):
+        run = swarms.runs[place]
+        if _same(swarms.movers[population], robots, run):
+            copy_centres(centre, run, target)
         else:
-            write_centres(swarms.memory.position, movers, run, then, swarms.scratch)
-        if _same(movers, members, run):
-            _copy(centre, run, now)
-        else:
-            write_centres(swarms.position, movers, run, now, swarms.scratch)
+            swarms.runs[others] = run
+            others += 1
+    return others
 
 
 @kernel
@@ -40,14 +51,6 @@ def _same(some: Flags, others: Flags, run: int) -> bool:
     for i in range(some.shape[1]):
         same = same and some[run, i] == others[run, i]
     return same
-
-
-@kernel
-def _copy(source: Floats, run: int, target: Floats) -> None:
-    """Copy the centres (2, runs, 3) of one run."""
-    for axis in range(3):
-        target[MEAN, run, axis] = source[MEAN, run, axis]
-        target[MEDIAN, run, axis] = source[MEDIAN, run, axis]
 
 
 @kernel

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from cocorosim_ros.study.metrics.memory import Memory
 
@@ -29,11 +30,14 @@ MEAN, MEDIAN = 0, 1
 ALL, LARGEST = 0, 1
 """Populations: all present robots, those of the largest shoal."""
 
+MOST_AT_ONCE = 55
+"""Numbers whose medians are found in four lanes: the pairs of the paper's eleven robots. Of more, each lane is for
+itself.
+"""
+
 
 class Swarms(NamedTuple):
-    """What a family's `measure` may read; it may write to `memory.contact`, `memory.lost` and `scratch`
-    only.
-    """
+    """What a family's `measure` may read; it may write to `memory.contact`, `memory.lost` and working space only."""
 
     position: Floats
     """(runs, n, 3) [m; world]."""
@@ -61,6 +65,12 @@ class Swarms(NamedTuple):
     """(2, 2, runs, 3) of population and kind, the centre of the members [m; world], NaN of nobody."""
     scratch: Floats
     """(max(n, n(n-1)/2) + 1,) working space for medians."""
+    rows: Floats
+    """(max(n, MOST_AT_ONCE), 4) working space for medians of four runs."""
+    rows_of_robots: Floats
+    """(n, 8, 4) working space for numbers of the robots of four runs."""
+    runs: Integers
+    """(runs + 1,) working space for a list of runs."""
 
 
 @allocating_kernel
@@ -81,4 +91,7 @@ def new_swarms(position: Floats, elapsed_ns: Integers, memory: Memory) -> Swarms
         np.empty(runs, np.bool_),
         np.empty((2, 2, runs, 3)),
         np.empty(max(robots, pairs) + 1),
+        np.empty((max(robots, MOST_AT_ONCE), LANES)),
+        np.empty((robots, 8, LANES)),
+        np.empty(runs + 1, np.int64),
     )

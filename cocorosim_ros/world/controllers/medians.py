@@ -3,17 +3,15 @@
 What a robot hears is in no order, so that a processor would guess half of the branches of a common sort wrong. Each row
 is a vector here, three of its lanes the coordinates, and is only ever compared with another one: the smaller numbers of
 both go the one way, the larger ones the other. Which rows of a few are compared is laid down beforehand, for each
-number of rows, so that they stay in registers; many are inserted one after the other.
-Source: D. E. Knuth, The Art of Computer Programming, volume 3, algorithm 5.2.2 M (merge exchange, after K. E. Batcher).
+number of rows (compiling.sorting), so that they stay in registers; many are inserted one after the other.
 """
 
 from __future__ import annotations
 
-from typing import Any
-
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.four import LANES, chosen, in_fours, lanes
+from cocorosim_ros.foundation.compiling.four import LANES, in_fours, lanes
 from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
+from cocorosim_ros.foundation.compiling.sorting import lines_that_sort, ordered
 from cocorosim_ros.foundation.compiling.stack import unset_stack_rows
 from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.state.radio import HEARING_LIMIT
@@ -21,36 +19,9 @@ from cocorosim_ros.world.state.radio import HEARING_LIMIT
 FEW = 12  # rows; as many as eleven robots hear, and a little more
 
 
-@kernel
-def _ordered(one: Any, other: Any) -> tuple[Any, Any]:
-    """The smaller of both in each lane, and the larger."""
-    swapped = other < one
-    return chosen(swapped, other, one), chosen(swapped, one, other)
-
-
-def comparisons(count: int) -> list[tuple[int, int]]:
-    """Which of `count` rows are to be compared, one pair after the other, until all are in ascending order."""
-    top = 1 << max((count - 1).bit_length() - 1, 0)
-    pairs, half = [], top
-    while half > 0:
-        limit, offset, distance = top, 0, half
-        while True:
-            pairs += [(place, place + distance) for place in range(count - distance) if place & half == offset]
-            if limit == half:
-                break
-            distance, limit, offset = limit - half, limit // 2, half
-        half //= 2
-    return pairs
-
-
 def _middle_of(count: int) -> list[str]:
     """The lines that make `low` and `high` the rows in the middle of so many."""
-    names = [f"row_{place}" for place in range(count)]
-    return [
-        *(f"{name} = rows[{place}]" for place, name in enumerate(names)),
-        *(f"{names[a]}, {names[b]} = ordered({names[a]}, {names[b]})" for a, b in comparisons(count)),
-        f"low, high = {names[(count - 1) // 2]}, {names[count // 2]}",
-    ]
+    return [*lines_that_sort(count), f"low, high = row_{(count - 1) // 2}, row_{count // 2}"]
 
 
 def _median_of_few() -> list[str]:
@@ -64,7 +35,7 @@ _write_median_of_few = compile_lines(
     "write_median_of_few",
     "rows, count, median",
     _median_of_few(),
-    {"ordered": _ordered, "lanes": lanes},
+    {"ordered": ordered, "lanes": lanes},
     outlined_kernel,
 )
 
@@ -75,7 +46,7 @@ def _write_median_of_many(rows: Floats, count: int, median: Floats) -> None:
     for index in range(count):
         carried = rows[index]
         for place in range(index):
-            columns[place], carried = _ordered(columns[place], carried)
+            columns[place], carried = ordered(columns[place], carried)
         columns[index] = carried
     middle = 0.5 * (columns[(count - 1) // 2] + columns[count // 2])
     median[0], median[1], median[2], _ = lanes(middle)

@@ -127,6 +127,27 @@ def test_a_batch_of_runs_gives_the_bits_of_single_runs() -> None:
     assert together.tobytes() == alone.tobytes()
 
 
+@pytest.mark.parametrize("robots", [1, 2, 3, 11, 12, 30])
+@pytest.mark.parametrize("runs", [*range(1, 10)])
+def test_runs_beside_others_have_the_bits_of_runs_alone(robots: int, runs: int) -> None:
+    """In one, two or three fours of runs, with robots absent and several shoals: neighbours change no bit."""
+    generator = np.random.default_rng([robots, runs])
+    homes = generator.choice([0.0, 0.4, 3.0], (runs, robots, 1))
+    memory, alone = new_memory(runs, robots), [new_memory(1, robots) for _ in range(runs)]
+    together, each = np.empty((runs, len(METRICS))), np.empty((runs, len(METRICS)))
+    for tick in range(4):
+        position = homes + generator.uniform(-0.3, 0.3, (runs, robots, 3))
+        position[generator.random(position.shape) < 0.02] = np.nan
+        yaw = generator.uniform(-np.pi, np.pi, (runs, robots))
+        present = generator.random((runs, robots)) < 0.9
+        elapsed = np.full(runs, STEP_NS if tick else 0)
+        measure_tick(position, yaw, present, elapsed, memory, together)
+        for run in range(runs):
+            row = slice(run, run + 1)
+            measure_tick(position[row], yaw[row], present[row], elapsed[row], alone[run], each[row])
+        assert together.tobytes() == each.tobytes()
+
+
 def test_arrays_that_do_not_fit_are_refused() -> None:
     """Values of the wrong width, or memory of another swarm, would write outside their arrays."""
     poses = wandering(1, ticks=1)

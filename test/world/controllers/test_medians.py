@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 import pytest
 
@@ -39,15 +37,3 @@ def test_velocities_alone_count() -> None:
     velocity = np.zeros(3)
     assert median_heard_velocity(messages, 5, velocity) == 3
     assert velocity.tolist() == [2.0, 4.0, 8.0]
-
-
-@pytest.mark.parametrize("count", range(1, 13))
-def test_what_is_compared_sorts_everything(count: int) -> None:
-    """Rows of zeros and ones in every order end up ascending, and so do then all rows (Knuth's theorem Z)."""
-    from cocorosim_ros.world.controllers.medians import comparisons
-
-    for row in itertools.product((0, 1), repeat=count):
-        found = list(row)
-        for one, other in comparisons(count):
-            found[one], found[other] = sorted((found[one], found[other]))
-        assert found == sorted(row)
