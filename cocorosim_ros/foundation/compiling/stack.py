@@ -105,3 +105,19 @@ def add_four(typing_context: Any, target: Any, at: Any, source: Any, first: Any,
         return context.get_dummy_value()
 
     return types.void(target, types.uint64, source, types.uint64, types.float64), generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def fetch_ahead(typing_context: Any, array: Any, at: Any) -> Any:
+    """Ask memory for array[at] of a contiguous float64 array, which is read soon; it may lie beyond the array."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        start = context.make_array(array)(context, builder, arguments[0]).data
+        place = builder.bitcast(builder.gep(start, [arguments[1]]), cgutils.voidptr_t)
+        word = ir.IntType(32)
+        kind = ir.FunctionType(ir.VoidType(), [cgutils.voidptr_t, word, word, word])
+        prefetch = cgutils.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0i8")
+        builder.call(prefetch, [place, *(ir.Constant(word, code) for code in (0, 3, 1))])  # to read, near, data
+        return context.get_dummy_value()
+
+    return types.void(array, types.intp), generate

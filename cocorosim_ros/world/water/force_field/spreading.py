@@ -14,8 +14,11 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.four import LANES, four, four_at, put_four_at
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.shuffled import lanes_after, lanes_before
+from cocorosim_ros.foundation.compiling.stack import fetch_ahead
 from cocorosim_ros.world.water.force_field.parts_of_water import Spreading
 from cocorosim_ros.world.water.force_field.stored_water import LINE
+
+FETCHED = 2  # lines of the cache ahead: rows of large water are further apart than a processor looks by itself
 
 # Neighbours are added first, the patch between them last: mirrored water then gives mirrored sums to the last bit.
 # Beyond the water stand zeros, which change no sum.
@@ -41,6 +44,7 @@ def _sum_along_y_and_z(south: Floats, here: Floats, north: Floats, width: int, s
         p = x
         for _ in range(rows - 1):
             above = p + width
+            fetch_ahead(north, above + FETCHED * LINE)
             left_above = _sum_along_y(south, here, north, above)
             right_above = _sum_along_y(south, here, north, above + LANES)
             put_four_at(sums, p, (left_below + left_above) + left)
