@@ -36,10 +36,9 @@ class Exchange:
         self._sound_link = None
         if world.channel is not None and self.uses_sound:
             self._sound_link = SoundLink(world.channel, self._wants.sound, self._wants.speaks_sound, swarms, self.sound)
-        self._speaks_radio = ~(self._wants.speaks_light | self._wants.speaks_sound)
-        self._radio_links = imperfect_links("radio", world.corruption, swarms)
-        self._radio_as_said = bool(self._speaks_radio.all()) and not self._radio_links
-        self._light_links = imperfect_links("blue_light", world.corruption, swarms)
+        speaks_radio = ~(self._wants.speaks_light | self._wants.speaks_sound)
+        self._radio_medium = _Medium(speaks_radio, imperfect_links("radio", world.corruption, swarms))
+        self._light_medium = _Medium(self._wants.speaks_light, imperfect_links("blue_light", world.corruption, swarms))
 
     @property
     def garbled(self) -> Integers | None:
@@ -56,22 +55,32 @@ class Exchange:
 
         `neighbours` are those in this state, `nearest` (runs, robots, sensors) who was seen in each cone.
         """
-        by_radio = said if self._radio_as_said else _sent(tick, said, self._speaks_radio, self._radio_links)
+        by_radio = self._radio_medium.sent(tick, said)
         reach = self._world.radio_range
         self._side_by_side.do(lambda robots: deliver(state, by_radio, reach, neighbours, self.radio, robots))
-        for link in self._radio_links:
+        for link in self._radio_medium.links:
             link.spoil(tick, self.radio)
         if self.uses_light:
-            by_light = _sent(tick, said, self._wants.speaks_light, self._light_links)
+            by_light = self._light_medium.sent(tick, said)
             deliver_light(by_light, nearest, self._world.light_delivery, self.light)
-            for link in self._light_links:
+            for link in self._light_medium.links:
                 link.spoil(tick, self.light)
 
 
-def _sent(tick: int, said: Floats, speakers: Flags, links: list[ImperfectLink]) -> Floats:
-    """What goes out over one medium: the words of its `speakers` (robots,), as often as the link allows."""
-    sent = said.copy()
-    sent[:, ~speakers, MESSAGE_LENGTH] = 0.0
-    for link in links:
-        link.restrict(tick, sent)
-    return sent
+class _Medium:
+    """The words of its speakers (robots,) that go out over one medium, as often as its links allow."""
+
+    def __init__(self, speakers: Flags, links: list[ImperfectLink]) -> None:
+        self.links = links
+        self._silent = ~speakers
+        self._as_said = bool(speakers.all()) and not links  # asked once, not at every tick
+
+    def sent(self, tick: int, said: Floats) -> Floats:
+        """What goes out of what was `said` (runs, robots, MESSAGE_SIZE): that itself where all of it does."""
+        if self._as_said:
+            return said
+        sent = said.copy()
+        sent[:, self._silent, MESSAGE_LENGTH] = 0.0
+        for link in self.links:
+            link.restrict(tick, sent)
+        return sent
