@@ -177,8 +177,8 @@ def parts_of_the_field(field: ForceField) -> None:
     print(
         f"\nThe field is {size / 1e6:.1f} MB, more than a core's own cache; its parts take (us, one core): {parts}.\n"
         f"Diffusion and decay read and write it once: {2 * size / spread / 1e9:.0f} GB/s, {spread / times['copy']:.1f} "
-        "times what a plain copy takes.\nIn between stand seven reads and three writes a patch, in the first cache or the "
-        "second;\ncold spots add eight vectors in each slab that they reach."
+        "times what a plain copy takes.\nIn between stand seven reads and three writes a patch, in the first cache or "
+        "the second;\ncold spots add eight vectors in each slab that they reach."
     )
 
 
