@@ -34,7 +34,7 @@ from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.case import Case
-from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects
+from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
@@ -43,6 +43,7 @@ from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.showing.other_forms import without_other_forms
 from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
@@ -109,7 +110,13 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=free.runs,
         gathered=gathered_evidence(base, naming.fit),
-        remarks=(*intake.evidence.remarks, *_of_form(form), *noise_remarks(naming.fit), *regime_remarks(unseen)),
+        remarks=(
+            *intake.evidence.remarks,
+            *_of_form(form),
+            *noise_remarks(naming.fit),
+            *regime_remarks(unseen),
+            *(() if is_exact(table) else rests_of_found(naming)),
+        ),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
@@ -181,14 +188,18 @@ def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns
 
 
 def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns, tuple[PassedOver, ...]]:
-    """Take back what makes free runs worse, and what may as well be nothing, until all that is left does neither."""
+    """Take back what makes free runs worse, is another form of a named effect, or may as well be nothing.
+
+    All is asked again until nothing is taken back.
+    """
     passed: tuple[PassedOver, ...] = ()
     while True:
         naming, free = _that_helps(naming, unseen)
+        naming, forms = without_other_forms(naming)
         naming, more = beyond_doubt(naming)
-        if not more:
+        if not (forms or more):
             return naming, free, passed
-        passed = (*passed, *more)
+        passed = (*passed, *forms, *more)
 
 
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:

@@ -70,6 +70,23 @@ def test_the_found_model_finds_nothing_though_little_else_could_be_seen(
     assert (second.verdict, second.effects) == ("consistent", ())
 
 
+def test_beside_found_effects_no_name_without_a_gain(
+    caught: Any, first: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The platform's file itself has effects too, which nobody has found."""
+    from cocorosim_ros.diagnosis.naming import naming
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    asked: list[bool] = []
+    monkeypatch.setattr(naming, "best_addition", lambda *given: asked.append(given[-1].must_gain))
+    monkeypatch.setattr(naming, "_best_by_slopes", lambda *given: None)
+    (tmp_path / "model.yaml").write_text(first.model_yaml, encoding="utf-8")
+    for platform in (caught.platform, load_platform(str(tmp_path / "model.yaml"))):
+        base = base_fit(replace(caught, platform=platform))
+        assert naming.name_effects(base, lambda words, share: None, unseen_parts(base)).known
+    assert asked == [False, True]
+
+
 def test_a_comparison_names_nothing_that_free_runs_do_not_gain_by() -> None:
     """A small loss may be chance, and forbids no name; recordings of a sound vehicle differ by as much."""
     entry = next(each for each in ENTRIES if each.id == "thruster_asymmetry")

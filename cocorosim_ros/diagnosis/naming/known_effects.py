@@ -27,13 +27,20 @@ from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
 
 def known_effects(base: Fit) -> tuple[NamedEffect, ...]:
-    """Effects that act in the rows of the recalibrated model, each with what it explains there that no noise does."""
+    """Effects that act in the rows of the recalibrated model, each with what it explains there that no noise does.
+
+    They are found before if the platform's file gives 95 % intervals, as the model of a diagnosis does.
+    """
     having = _having(expand(ENTRIES, base.tracks, base.rows))
     if any(base.rows[:, COLUMN[f"{place}.coefficient"]].any() for place in (*LAWS, *SENSOR_LAWS)):
         scene = scene_of(base.tracks, smoothed_tracks(base))
         having += _having(expand(open_set(scene, [], base.rows, water=False), base.tracks, base.rows))
     nothing = HeldOutGain(np.zeros(0), 1.0)
-    return tuple(NamedEffect(each, base.objective - _without(base, each).objective, (), nothing) for each in having)
+    found_before = any(track.vehicle.intervals for track in base.tracks)
+    return tuple(
+        NamedEffect(each, base.objective - _without(base, each).objective, (), nothing, found_before=found_before)
+        for each in having
+    )
 
 
 def _having(candidates: Sequence[Candidate]) -> list[Candidate]:

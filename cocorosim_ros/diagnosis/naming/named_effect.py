@@ -26,6 +26,7 @@ class NamedEffect:
 
     The unknowns of a fit that belong to the effect are those that `candidate` owns. foretold: gain of free runs on
     unseen data by the effect, beside all others; None for an error of readings, and where no model ran freely.
+    found_before: the base model has it from a diagnosis, whose model is asked once more.
     """
 
     candidate: Candidate
@@ -33,6 +34,7 @@ class NamedEffect:
     rivals: tuple[NearRival, ...]
     held_out: HeldOutGain
     foretold: Gain | None = None
+    found_before: bool = False
 
 
 def onsets_of(named: Sequence[NamedEffect]) -> frozenset[str]:
@@ -71,3 +73,8 @@ class Naming:
     nameless: str = ""  # law that explains what is left over, where laws are not named
     known: tuple[NamedEffect, ...] = ()
     refused: tuple[Refused, ...] = ()
+
+    @property
+    def begins_with_found_model(self) -> bool:
+        """Tell whether the base has effects that a diagnosis found, whose forms leave rests."""
+        return any(each.found_before for each in self.known)

@@ -65,6 +65,8 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
     """Name the effects that the recalibrated model `base` lacks; `progress` is told a task and the share done.
 
     unseen: parts of the recordings on which free runs choose among the effects; without, the likelihood alone does.
+    Beside effects that another diagnosis found, one of motion has to make free runs better: what their forms leave has
+    nats too.
     """
     fit = base
     named: tuple[NamedEffect, ...] = ()
@@ -73,6 +75,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
     refused: tuple[Refused, ...] = ()
     entries_of_catalogue = _undeclared(base)
     known = known_effects(base)
+    again = any(each.found_before for each in known)
     lasting = robots_with_lasting_errors(base)
     for round_number in range(SEARCH.most_rounds):
         progress("looking for what is missing", round_number / (round_number + SEARCH.pruned_from))
@@ -86,7 +89,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
         found = [effect.candidate.entry for effect in named]
         laws = expand(open_set(scene, found, base.rows, water=water), fit.tracks, base.rows)
         tested_laws = ranked(screen, [each for each in laws if not taken & keys_of(each) and can_be_law(each, lasting)])
-        choice = Choice(unseen, fit, onsets_of(named)) if unseen is not None else None
+        choice = Choice(unseen, fit, onsets_of(named), must_gain=again) if unseen is not None else None
         pairs: tuple[Screened, ...] = ()
         if round_number == 0:
             pairs = ranked(screen, pair_candidates(screen, courses))

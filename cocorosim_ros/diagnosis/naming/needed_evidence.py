@@ -81,6 +81,7 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
 
     - of each named effect on the same side of the motion, or the same sensor; for an entry of the catalogue no more
       than the likeness of the two, since an effect that changes other readings than the named one cannot be its rest;
+      beside one that was found before more, for what may be another form of it;
     - of every named effect of motion, if it is a law of readings.
 
     A second fault of one sensor is not a rest of the first; only a law outside the catalogue may be.
@@ -91,7 +92,7 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
     if of_sensor and not is_law:
         return NAMING.threshold
     shares = [
-        (NAMING.law_rest if is_law else min(NAMING.form_share, _likeness(fit, candidate, each.candidate))) * each.nats
+        _share_left_over(fit, candidate, each) * each.nats
         for each in others
         if _side(each.candidate) == _side(candidate)
     ]
@@ -102,7 +103,23 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
     return max([NAMING.threshold, *shares])
 
 
-def _likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
+def _share_left_over(fit: Fit, candidate: Candidate, named: NamedEffect) -> float:
+    """Share of the nats of a named effect that a candidate on the same side may explain without being there.
+
+    Of an effect that was found before nothing is fitted, so that no likeness is known: laws, and entries that are
+    confused with it, then count as alike.
+    """
+    entry, other = candidate.entry, named.candidate
+    is_confused = bool(entry.group) and entry.group == other.entry.group
+    if named.found_before and (entry.law is not None or is_confused):
+        return NAMING.law_form
+    if entry.law is not None:
+        return NAMING.law_rest
+    is_fitted = bool(other.places_among(fit.unknowns))
+    return min(NAMING.form_share, likeness(fit, candidate, other)) if is_fitted else NAMING.form_share
+
+
+def likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
     """Likeness of two candidates (0 to 1): the greatest squared cosine between a slope of one and a slope of the other.
 
     Slopes are those of the innovations by their unknowns; the information matrix of the fit holds their products.
@@ -110,8 +127,6 @@ def _likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
     matrix = information(fit).matrix
     size = np.diag(matrix)
     mine, theirs = (each.places_among(fit.unknowns) for each in (candidate, other))
-    if not theirs:  # an effect of the base model, of which nothing is fitted
-        return 1.0
     scale = np.outer(size[mine], size[theirs])
     return float((matrix[np.ix_(mine, theirs)] ** 2 / np.maximum(scale, 1e-300)).max())
 

@@ -25,6 +25,7 @@ from cocorosim_ros.scenario.reading.law_text import LawText
 from cocorosim_ros.scenario.reading.ranges import Range
 from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, plain, sourced_tree
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml, yaml_text
+from cocorosim_ros.world.effects.anisotropic_drag import REPLACING
 
 Tree = dict[str, Any]
 ACTUATORS = "actuators"
@@ -87,10 +88,20 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
 
 def _chosen(diagnosis: Diagnosis, origin: Origin) -> Tree:
     """Keys for what the diagnosis has chosen: the form of the drag, and the step by which numbers were found."""
-    form = {"drag_form": diagnosis.drag_form} if diagnosis.drag_form else {}
     if diagnosis.step is None:
-        return form
-    return form | {"fitted_step": _derived(diagnosis.step, "s", origin)}
+        return {}
+    return _drag_form(diagnosis, origin.platform) | {"fitted_step": _derived(diagnosis.step, "s", origin)}
+
+
+def _drag_form(diagnosis: Diagnosis, platform: Platform) -> Tree:
+    """Key for the form of drag by which the numbers were found, where the platform's file does not say one.
+
+    The numbers hold in that form alone; a diagnosis with this file that chose another would move them all.
+    """
+    replaced = platform.effects.get("anisotropic_drag", {}).get("form") in REPLACING
+    if platform.drag_form is not None or replaced:
+        return {}
+    return {"drag_form": diagnosis.drag_form or "total_speed"}
 
 
 def _derived(value: float, unit: str, origin: Origin) -> Tree:

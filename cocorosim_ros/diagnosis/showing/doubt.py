@@ -11,8 +11,9 @@ fits the parts gains nats. So two questions are asked of each amplitude, with th
   gain by the effect.
 
 The second keeps an effect of many nats whose law has another form than the catalogue's: its number differs from slow to
-fast, but is there in all parts, and foretells them. That other laws of the kind have other numbers, which widens
-the told interval as well, is not asked: it says how large an effect is, not whether it is.
+fast, but is there in all parts, and foretells them. Beside effects that another diagnosis found only the first
+is asked: what is left of those has numbers that differ too. That other laws of the kind have other numbers, which
+widens the told interval as well, is not asked: it says how large an effect is, not whether it is.
 Source: DerSimonian and Laird, Controlled Clinical Trials 7 (1986) 177, for the mean of parts that differ; Higgins,
 Thompson and Spiegelhalter, J. R. Statist. Soc. A 172 (2009) 137, for the part that was not seen.
 """
@@ -30,7 +31,7 @@ from cocorosim_ros.diagnosis.findings import PassedOver
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.unknowns import Z95
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Refused
 from cocorosim_ros.diagnosis.naming.pruning import taken_back
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
@@ -56,9 +57,12 @@ class Clear(NamedTuple):
     in_parts: Flags
     in_mean: Flags
 
-    def of(self, effect: NamedEffect) -> Flags:
-        """Flags (unknowns,) as they count for an effect: the mean where unseen data clearly gain by it."""
-        foretells = effect.held_out.p < ESTIMATES.held_out_p
+    def of(self, effect: NamedEffect, *, found_before: bool = False) -> Flags:
+        """Flags (unknowns,) as they count for an effect: the mean where unseen data clearly gain by it.
+
+        found_before: others were, of whose forms it may be a rest; the mean is then not enough.
+        """
+        foretells = effect.held_out.p < ESTIMATES.held_out_p and not found_before
         return np.asarray(self.in_parts | self.in_mean) if foretells else self.in_parts
 
 
@@ -73,7 +77,8 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
         fewer, gone = taken_back(naming, *weakest)
         because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
         every = found_effects(naming.fit, [gone], numbers)
-        passed += [PassedOver(found, _stands(gone), because, SIZE_MAY_BE_NOTHING) for found in every]
+        stands = _stands(gone) and not naming.begins_with_found_model
+        passed += [PassedOver(found, stands, because, SIZE_MAY_BE_NOTHING) for found in every]
         naming = fewer
     return naming, tuple(passed)
 
@@ -82,18 +87,45 @@ def refused_effects(naming: Naming) -> tuple[PassedOver, ...]:
     """List the effect of most evidence that free runs refused a name, where something is missing all the same.
 
     Free runs are short and few, and of the many laws a name needs that they gain by it. Evidence that held-out readings
-    bear out, and that free runs do not contradict, says that something is missing, but not whether it is that.
+    bear out, and that free runs do not contradict, says that something is missing, but not whether it is that. Beside
+    effects that were found before, such evidence is a rest of theirs (`rests_of_found`).
     """
-    known = {effect.candidate.key for effect in naming.named}
-    asked = [each for each in naming.refused if each.effect.candidate.key not in known]
-    if not asked:
+    strongest = None if naming.begins_with_found_model else _strongest_refused(naming)
+    if strongest is None:
         return ()
-    fit, effect = max(asked, key=lambda each: each.effect.nats)
-    lost = effect.foretold is not None and effect.foretold.is_loss
-    if effect.nats < NAMING.nameless or lost or effect.held_out.p >= ESTIMATES.held_out_p:
-        return ()
+    fit, effect = strongest
     every = found_effects(fit, [effect], fitted(fit))
     return tuple(PassedOver(found, True, (GAINS_TOO_LITTLE,), NOT_FORETOLD) for found in every)
+
+
+def rests_of_found(naming: Naming) -> tuple[str, ...]:
+    """Sentence on the evidence that is left over beside effects that were found before; () if none is.
+
+    The forms of these effects are rarely quite those of the vehicle, and whatever follows what they leave gains nats. A
+    rest by which no free run becomes better is no reason to call a model that has been found once more wrong.
+    """
+    strongest = _strongest_refused(naming) if naming.begins_with_found_model else None
+    if strongest is None:
+        return ()
+    effect = strongest.effect
+    return (
+        f"Beside the effects that the platform's file has from a diagnosis, {effect.nats:.0f} nats are left over, "
+        f"which '{effect.candidate.entry.id}' would explain best. Free runs through data that no fit saw do not gain "
+        "by it: the forms of those effects are not quite those of this vehicle.",
+    )
+
+
+def _strongest_refused(naming: Naming) -> Refused | None:
+    """Find the effect of most evidence that free runs refused a name, if evidence, and free runs, leave it open."""
+    named = {effect.candidate.key for effect in naming.named}
+    asked = [each for each in naming.refused if each.effect.candidate.key not in named]
+    if not asked:
+        return None
+    strongest = max(asked, key=lambda each: each.effect.nats)
+    effect = strongest.effect
+    lost = effect.foretold is not None and effect.foretold.is_loss
+    weak = effect.nats < NAMING.nameless or effect.held_out.p >= ESTIMATES.held_out_p
+    return None if lost or weak else strongest
 
 
 def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
@@ -101,7 +133,9 @@ def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
     if not naming.named:
         return None
     clear = _clear(naming.fit)
-    asked = ((each, doubtful_robots(each, naming.fit, clear.of(each))) for each in naming.named)
+    again = naming.begins_with_found_model
+    flags = {each.candidate.key: clear.of(each, found_before=again) for each in naming.named}
+    asked = ((each, doubtful_robots(each, naming.fit, flags[each.candidate.key])) for each in naming.named)
     doubted = [(each, robots) for each, robots in asked if robots]
     return min(doubted, key=lambda pair: pair[0].nats) if doubted else None
 

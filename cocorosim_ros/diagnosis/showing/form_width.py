@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, information
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
@@ -65,13 +66,14 @@ def variances_between_parts(fit: Fit) -> Heterogeneity:
 def spread_of_other_forms(unknown: Unknown, q: float) -> float:
     """Standard deviation of q by which a number differs under other laws of the kind, as the file of its effect says.
 
-    It is that for the effect itself; what one robot has on top of others is of the same law.
+    It is that for the effect itself, a share of what the number differs from that of no effect; what one robot has on
+    top of others is of the same law.
     """
     effect, _, name = unknown.column.partition(".")
     if effect not in EFFECTS or unknown.on_top:
         return 0.0
     share = {number.name: number.other_form for number in EFFECTS[effect].numbers}.get(name, 0.0)
-    return abs(share * unknown.value(q) / unknown.slope(q))
+    return abs(share * (unknown.value(q) - float(NEUTRAL[COLUMN[unknown.column]])) / unknown.slope(q))
 
 
 def _divisions(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Iterator[list[Integers]]:

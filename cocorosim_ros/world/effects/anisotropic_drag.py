@@ -108,6 +108,7 @@ ANISOTROPIC_DRAG = Effect(
             sign="not negative",
             multiplies="kg m/s^2",  # k U v
             gives="N",
+            other_form=0.08,  # powers of the speed from 1.5 to 2.5, at other speeds
             search=Strength(large=2.0, least=-0.45),
             example=Example(2.0, "towing"),
         ),
@@ -119,6 +120,7 @@ ANISOTROPIC_DRAG = Effect(
             sign="not negative",
             multiplies="kg m/s^2",  # k U v
             gives="N",
+            other_form=0.08,  # powers of the speed from 1.5 to 2.5, at other speeds
             search=Strength(large=2.0, least=-0.45),
             example=Example(1.5, "towing"),
         ),

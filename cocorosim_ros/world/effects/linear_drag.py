@@ -36,6 +36,7 @@ LINEAR_DRAG = Effect(
             "force per speed forwards",
             multiplies="m/s",
             gives="N",
+            other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.01, "coast-down"),
         ),
@@ -45,6 +46,7 @@ LINEAR_DRAG = Effect(
             "force per speed sideways",
             multiplies="m/s",
             gives="N",
+            other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.012, "coast-down"),
         ),
@@ -54,6 +56,7 @@ LINEAR_DRAG = Effect(
             "force per speed upwards",
             multiplies="m/s",
             gives="N",
+            other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.012, "coast-down"),
         ),
@@ -63,6 +66,7 @@ LINEAR_DRAG = Effect(
             "moment per yaw rate",
             multiplies="rad/s",
             gives="N m",
+            other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=3e-5, least=0.0),
             example=Example(1.5e-5, "spin-down"),
         ),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +14,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
-from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.parts.platform import DragForm, Platform, load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.world.laws.law import Law
@@ -22,6 +23,7 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS
 
 Example = Callable[[str], Diagnosis]
 BAG = "/somewhere/tank_7"
+CONFIG = Path(__file__).parents[3] / "config"
 
 
 def origin(platform: Platform | None = None, robots: tuple[str, ...] = ("lily_01",)) -> Origin:
@@ -54,6 +56,23 @@ def test_parameters_and_effects_come_back(example: Example, tmp_path: Path) -> N
         description=lily.description,
     )  # fmt: skip
     assert same == lily
+
+
+@pytest.mark.parametrize(
+    ("chosen", "declared", "comes_back"),
+    [("", None, "total_speed"), ("own_speed", None, "own_speed"), ("", "strips", "strips")],
+)
+def test_the_form_of_the_drag_comes_back(
+    chosen: str, declared: DragForm | None, comes_back: str, example: Example, tmp_path: Path
+) -> None:
+    """Numbers hold in the form by which they were found, also where none was ahead of the usual one."""
+    text = (CONFIG / "platforms" / "lily.yaml").read_text(encoding="utf-8")
+    line = f"drag_form: {declared}" if declared else ""
+    (tmp_path / "boat.yaml").write_text(re.sub(r"(?m)^drag_form:.*$", line, text), encoding="utf-8")
+    source = origin(load_platform(tmp_path / "boat.yaml"))
+    assert source.platform.drag_form == declared
+    found = replace(example("consistent"), drag_form=chosen, step=0.1)
+    assert written(tmp_path, found, source).drag_form == comes_back
 
 
 def test_the_step_of_the_filter_comes_back(example: Example, tmp_path: Path) -> None:

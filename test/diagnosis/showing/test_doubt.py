@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Refused
 from cocorosim_ros.diagnosis.showing import doubt
-from cocorosim_ros.diagnosis.showing.doubt import Clear, beyond_doubt, doubtful_robots, refused_effects
+from cocorosim_ros.diagnosis.showing.doubt import Clear, beyond_doubt, doubtful_robots, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.form_width import Heterogeneity
 
 ROBOTS, TRACKS = ("a", "b"), ((0, 2), (1,))
@@ -129,6 +129,30 @@ def test_what_free_runs_refuse_a_name(
     passed = refused_effects(naming)
     assert [(each.found, each.stands) for each in passed] == [("linear_drag", True)] * told
     assert refused_effects(replace(naming, named=(strong, weak))) == ()
+    assert rests_of_found(naming) == ()
+    found_before = replace(naming, known=(replace(effect(candidate("added_mass"), 90.0), found_before=True),))
+    assert refused_effects(found_before) == ()
+    rests = rests_of_found(found_before)
+    assert len(rests) == told and all(f"{strong.nats:.0f} nats" in each and "'linear_drag'" in each for each in rests)
+
+
+def test_beside_found_effects_a_mean_is_not_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers that differ from part to part may be what their forms leave; taken back, it is not missing either."""
+    bias = candidate("torque_bias")
+    named = replace(effect(bias, 60.0, 0.1), held_out=HeldOutGain(np.zeros(1), 0.01))
+    fit: Any = SimpleNamespace(unknowns=tuple(bias.amplitudes()))
+    one = np.ones(len(fit.unknowns), dtype=bool)
+    monkeypatch.setattr(doubt, "_clear", lambda fit: Clear(~one, one))
+    monkeypatch.setattr(doubt, "taken_back", lambda naming, each, robots: (replace(naming, named=()), each))
+    monkeypatch.setattr(doubt, "fitted", lambda fit: ())
+    monkeypatch.setattr(doubt, "found_effects", lambda fit, named, numbers: [each.candidate.entry.id for each in named])
+    alone = Naming(fit, fit, (named,), (), ())
+    declared = replace(alone, known=(effect(candidate("linear_drag"), 90.0),))
+    assert beyond_doubt(alone) == (alone, ()) and beyond_doubt(declared) == (declared, ())
+    _, passed = beyond_doubt(
+        replace(alone, known=(replace(effect(candidate("linear_drag"), 90.0), found_before=True),))
+    )
+    assert [(each.found, each.stands) for each in passed] == [("torque_bias", False)]
 
 
 def test_a_diagnosis_without_a_name(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -110,4 +110,8 @@ def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -
     spread = spread_of_other_forms(sag, q)
     assert spread * abs(sag.slope(q)) == pytest.approx(share * sag.value(q))
     assert spread_of_other_forms(replace(sag, column="torque_bias.torque"), q) == 0.0
+    (share,) = [each.other_form for each in EFFECTS["anisotropic_drag"].numbers if each.name == "sway_ratio"]
+    ratio = replace(sag, column="anisotropic_drag.sway_ratio", base=1.0)  # 1: drag that is the same on both axes
+    spread = spread_of_other_forms(ratio, q)
+    assert spread * abs(ratio.slope(q)) == pytest.approx(share * (ratio.value(q) - 1.0))
     assert spread_of_other_forms(replace(sag, column="surge.drag"), q) == 0.0
