@@ -130,7 +130,7 @@ def _told(
     effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *clocks, *differing_effects(naming, numbers))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
-    effects, nameless = _beyond_doubt(naming, effects)
+    effects, doubted = _beyond_doubt(naming, effects)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(unseen_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
@@ -138,7 +138,7 @@ def _told(
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
     unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     tried = {each.candidate.entry.id for each in naming.screened}
-    verdict = _verdict(effects, moved, unseen, nameless)
+    verdict = _verdict((*effects, *doubted), moved, unseen, naming.nameless)
     named = {*(effect.id for effect in effects), *(each.parameter for each in moved)}
     silent = (
         *unseen,
@@ -147,7 +147,7 @@ def _told(
     )
     return Diagnosis(
         verdict,
-        difference_sentence(verdict, effects, moved, nameless),
+        difference_sentence(verdict, effects, moved, naming.nameless, doubted),
         moved,
         (),
         effects,
@@ -164,16 +164,16 @@ def _told(
         remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back)),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
-        warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(nameless)),
-        untold=_of_doubts(against.in_doubt),
-        against=against,
+        warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
+        untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted)),
+        against=replace(against, in_doubt=(*against.in_doubt, *doubted)),
     )
 
 
-def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tuple[FoundEffect, ...], str]:
-    """Differences whose size is more than nothing, and what is said to look like a difference without a name.
+def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tuple[FoundEffect, ...], tuple[str, ...]]:
+    """Differences whose size is more than nothing, and the names of those whose size may as well be nothing.
 
-    One whose interval holds nothing in each amplitude explains readings by what stands beside it in the fit.
+    One whose interval holds nothing in each amplitude may explain readings by what stands beside it in the fit.
     """
     entries = {(each.candidate.entry.id, each.candidate.entry.topic): each.candidate.entry for each in naming.named}
 
@@ -181,8 +181,8 @@ def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tup
         entry = entries.get((effect.id, effect.topic))
         return entry is not None and entry.may_be_nothing(effect.parameters)
 
-    doubted = [effect.id for effect in effects if is_doubted(effect)]
-    return tuple(effect for effect in effects if not is_doubted(effect)), naming.nameless or next(iter(doubted), "")
+    doubted = dict.fromkeys(effect.id for effect in effects if is_doubted(effect))
+    return tuple(effect for effect in effects if not is_doubted(effect)), tuple(doubted)
 
 
 def _of_nameless(law: str) -> tuple[str, ...]:
@@ -204,6 +204,15 @@ def _of_doubts(names: Sequence[str]) -> tuple[str, ...]:
     )
 
 
+def _of_vague(names: Sequence[str]) -> tuple[str, ...]:
+    """Sentences on differences that readings and free runs speak for, but whose size may as well be nothing."""
+    return tuple(
+        f"'{name}' most likely differs, but by how much is not the same in all parts of the recordings, and it may as "
+        "well be nothing. These recordings cannot tell."
+        for name in names
+    )
+
+
 def _judged_part(naming: Naming, fit: Fit, judged: Judged) -> Fit:
     """Take the judged tracks out of a fit; only what differs there goes on being fitted."""
     own = [unknown for unknown in fit.unknowns if any(each.candidate.owns(unknown) for each in naming.named)]
@@ -211,9 +220,9 @@ def _judged_part(naming: Naming, fit: Fit, judged: Judged) -> Fit:
 
 
 def _verdict(
-    effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], unseen: Sequence[str], nameless: str
+    differing: Sequence[FoundEffect | str], moved: Sequence[Recalibrated], unseen: Sequence[str], nameless: str
 ) -> Verdict:
-    if effects or nameless:
+    if differing or nameless:
         return "mismatch"
     if moved:
         return "recalibrate"

@@ -236,7 +236,8 @@ class Comparison:
     taken_back: effects that were learned, but with which the model ran away from the recordings to be judged.
     seen_from: by effect (effect:topic where each stream may have it) and number the size from which a difference would
     have been named [unit of the number; share of a factor].
-    in_doubt: effects and numbers with evidence enough by which free runs through unseen data gain nothing; not named.
+    in_doubt: effects and numbers with evidence enough, but without a name: free runs through unseen data gain nothing
+    by them, or their size may as well be nothing.
     """
 
     recordings: tuple[str, ...]

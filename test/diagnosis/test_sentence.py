@@ -177,3 +177,11 @@ def test_a_doubtful_comparison_is_said() -> None:
     assert detail_lines(found(against=doubt)) == (
         "the recordings compared with differ among themselves too: linear drag",
     )
+
+
+def test_a_difference_of_no_known_size_is_said_as_that() -> None:
+    """It is neither named as an effect nor called something outside the catalogue."""
+    told = difference_sentence("mismatch", [], [], "", ["thruster_gain:right"])
+    assert told == (
+        "Compared with when it was well, these differ: most likely thruster gain, right, by how much cannot be told."
+    )

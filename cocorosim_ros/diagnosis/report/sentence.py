@@ -51,11 +51,16 @@ def sentence_of(
 
 
 def difference_sentence(
-    verdict: Verdict, effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], nameless: str = ""
+    verdict: Verdict,
+    effects: Sequence[FoundEffect],
+    moved: Sequence[Recalibrated],
+    nameless: str = "",
+    vague: Sequence[str] = (),
 ) -> str:
     """The headline of a comparison with recordings of the same vehicle when it was well: one sentence.
 
-    nameless: the law that explains what no entry of the catalogue does, "" for none.
+    nameless: the law that explains what no entry of the catalogue does, "" for none. vague: names of what differs by an
+    amount that may as well be nothing.
     """
     begin = "Compared with when it was well"
     if verdict == "insufficient":
@@ -63,6 +68,7 @@ def difference_sentence(
     if verdict == "consistent":
         return f"{begin}, nothing differs that these recordings could show."
     names = [*_numbers(moved), *(each.name for each in effects), *([_NAMELESS] if nameless else [])]
+    names += [f"most likely {_plain(each)}, by how much cannot be told" for each in vague]
     return _as_many_as_fit(list(dict.fromkeys(names)), lambda told: f"{begin}, these differ: {told}.")
 
 
@@ -153,4 +159,4 @@ def _shortened(parts: Sequence[str]) -> str:
 
 
 def _plain(name: str) -> str:
-    return name.replace("_", " ")
+    return name.replace("_", " ").replace(":", ", ")
