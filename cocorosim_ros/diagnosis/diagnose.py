@@ -43,7 +43,7 @@ from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
-from cocorosim_ros.diagnosis.showing.other_forms import without_other_forms
+from cocorosim_ros.diagnosis.showing.other_forms import TakenBack, told_at_last, without_other_forms
 from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
@@ -193,13 +193,14 @@ def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRu
     All is asked again until nothing is taken back.
     """
     passed: tuple[PassedOver, ...] = ()
+    forms: tuple[TakenBack, ...] = ()
     while True:
         naming, free = _that_helps(naming, unseen)
-        naming, forms = without_other_forms(naming)
+        naming, bent = without_other_forms(naming)
         naming, more = beyond_doubt(naming)
-        if not (forms or more):
-            return naming, free, passed
-        passed = (*passed, *forms, *more)
+        if not (bent or more):
+            return naming, free, (*told_at_last(naming, forms), *passed)
+        passed, forms = (*passed, *more), (*forms, *bent)
 
 
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:

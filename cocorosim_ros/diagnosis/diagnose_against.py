@@ -26,7 +26,12 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
-from cocorosim_ros.diagnosis.naming.detectability import not_shown, screened_effects, streams_and_numbers_not_shown
+from cocorosim_ros.diagnosis.naming.detectability import (
+    name_of,
+    not_shown,
+    screened_effects,
+    streams_and_numbers_not_shown,
+)
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
 from cocorosim_ros.diagnosis.showing.case import Case
@@ -136,10 +141,11 @@ def _told(
     courses = smoothed_tracks(base), smoothed_tracks(final)
     stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
-    unseen = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
+    seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
+    unseen = tuple(name for name in not_shown(naming.screened) if name not in seen)
     tried = {each.candidate.entry.id for each in naming.screened}
     verdict = _verdict((*effects, *doubted), moved, unseen, naming.nameless)
-    named = {*(effect.id for effect in effects), *(each.parameter for each in moved)}
+    named = {*seen, *(each.parameter for each in moved)}
     silent = (
         *unseen,
         *(name for name in streams_and_numbers_not_shown(naming.screened) if name not in named),
@@ -181,7 +187,7 @@ def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tup
         entry = entries.get((effect.id, effect.topic))
         return entry is not None and entry.may_be_nothing(effect.parameters)
 
-    doubted = dict.fromkeys(effect.id for effect in effects if is_doubted(effect))
+    doubted = dict.fromkeys(name_of(effect.id, effect.topic) for effect in effects if is_doubted(effect))
     return tuple(effect for effect in effects if not is_doubted(effect)), tuple(doubted)
 
 
@@ -207,8 +213,8 @@ def _of_doubts(names: Sequence[str]) -> tuple[str, ...]:
 def _of_vague(names: Sequence[str]) -> tuple[str, ...]:
     """Sentences on differences that readings and free runs speak for, but whose size may as well be nothing."""
     return tuple(
-        f"'{name}' most likely differs, but by how much is not the same in all parts of the recordings, and it may as "
-        "well be nothing. These recordings cannot tell."
+        f"'{name}' most likely differs, but its size differs from part to part of the recordings, or is badly known, "
+        "and may as well be nothing. These recordings cannot tell."
         for name in names
     )
 

@@ -112,7 +112,7 @@ def test_what_has_no_name_is_likened_to_something() -> None:
     assert lines == [
         "not named: a torque of lily_01 (12.0 nats), since its size may as well be nothing: "
         "time constant 314 ms (301 to 327 ms)",
-        "not named: a tether of lily_01 (without the evidence that it needs), since its size may as well be nothing: "
+        "not named: a tether of lily_01 (90.0 nats), since its size may as well be nothing: "
         "time constant 314 ms (301 to 327 ms)",
     ]
 

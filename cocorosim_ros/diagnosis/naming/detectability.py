@@ -87,8 +87,12 @@ def streams_and_numbers_not_shown(screened: Sequence[Screened]) -> tuple[str, ..
 
 def own_name(screened: Screened) -> str:
     """Name of a screened candidate: its entry's, or effect:topic for an entry that each stream may have by itself."""
-    entry = screened.candidate.entry
-    return f"{entry.id}:{entry.topic}" if entry.id in OF_EVERY_STREAM else entry.id
+    return name_of(screened.candidate.entry.id, screened.candidate.entry.topic)
+
+
+def name_of(effect: str, topic: str | None) -> str:
+    """Name of an effect: its own, or effect:topic for one that each stream may have by itself."""
+    return f"{effect}:{topic}" if effect in OF_EVERY_STREAM else effect
 
 
 def _seen(screened: Sequence[Screened]) -> set[str]:

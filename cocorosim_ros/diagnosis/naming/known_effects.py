@@ -29,18 +29,26 @@ from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 def known_effects(base: Fit) -> tuple[NamedEffect, ...]:
     """Effects that act in the rows of the recalibrated model, each with what it explains there that no noise does.
 
-    They are found before if the platform's file gives 95 % intervals, as the model of a diagnosis does.
+    They are found before if the platform's file gives 95 % intervals of them, as the model of a diagnosis does; of a
+    law, which has none there, if it gives any.
     """
     having = _having(expand(ENTRIES, base.tracks, base.rows))
     if any(base.rows[:, COLUMN[f"{place}.coefficient"]].any() for place in (*LAWS, *SENSOR_LAWS)):
         scene = scene_of(base.tracks, smoothed_tracks(base))
         having += _having(expand(open_set(scene, [], base.rows, water=False), base.tracks, base.rows))
     nothing = HeldOutGain(np.zeros(0), 1.0)
-    found_before = any(track.vehicle.intervals for track in base.tracks)
     return tuple(
-        NamedEffect(each, base.objective - _without(base, each).objective, (), nothing, found_before=found_before)
+        NamedEffect(
+            each, base.objective - _without(base, each).objective, (), nothing, found_before=_is_found(base, each)
+        )
         for each in having
     )
+
+
+def _is_found(base: Fit, candidate: Candidate) -> bool:
+    """Tell whether the platform's file has an effect from a diagnosis."""
+    begin = "" if candidate.entry.law is not None else f"effects.{candidate.entry.id}."
+    return any(key.startswith(begin) for track in base.tracks for key in track.vehicle.intervals)
 
 
 def _having(candidates: Sequence[Candidate]) -> list[Candidate]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
@@ -74,7 +75,16 @@ class Naming:
     known: tuple[NamedEffect, ...] = ()
     refused: tuple[Refused, ...] = ()
 
-    @property
-    def begins_with_found_model(self) -> bool:
-        """Tell whether the base has effects that a diagnosis found, whose forms leave rests."""
-        return any(each.found_before for each in self.known)
+    def may_be_rest(self, effect: NamedEffect) -> bool:
+        """Tell whether the base has an effect that a diagnosis found, of whose form another one may be a rest.
+
+        What found effects of motion leave shows in motion, what found errors of a sensor leave in that sensor.
+        """
+        kind = _kind(effect.candidate)
+        return any(each.found_before and _kind(each.candidate) == kind for each in self.known)
+
+
+def _kind(candidate: Candidate) -> str:
+    """Channel of the sensor that a candidate acts on; 'motion' for all others."""
+    channel = candidate.entry.channel
+    return channel if channel in SENSOR_CHANNELS else "motion"

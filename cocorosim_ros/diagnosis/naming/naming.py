@@ -75,7 +75,8 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
     refused: tuple[Refused, ...] = ()
     entries_of_catalogue = _undeclared(base)
     known = known_effects(base)
-    again = any(each.found_before for each in known)
+    free = unseen is not None and any(True for _ in unseen.windows())
+    again = free and any(each.found_before and moves(each.candidate) for each in known)
     lasting = robots_with_lasting_errors(base)
     for round_number in range(SEARCH.most_rounds):
         progress("looking for what is missing", round_number / (round_number + SEARCH.pruned_from))

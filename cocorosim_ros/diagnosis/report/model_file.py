@@ -98,8 +98,9 @@ def _drag_form(diagnosis: Diagnosis, platform: Platform) -> Tree:
 
     The numbers hold in that form alone; a diagnosis with this file that chose another would move them all.
     """
-    replaced = platform.effects.get("anisotropic_drag", {}).get("form") in REPLACING
-    if platform.drag_form is not None or replaced:
+    everybody = (platform, *platform.robots.values())
+    replaced = any(each.effects.get("anisotropic_drag", {}).get("form") in REPLACING for each in everybody)
+    if replaced or any(each.drag_form is not None for each in everybody):
         return {}
     return {"drag_form": diagnosis.drag_form or "total_speed"}
 

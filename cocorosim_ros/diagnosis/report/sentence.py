@@ -68,7 +68,7 @@ def difference_sentence(
     if verdict == "consistent":
         return f"{begin}, nothing differs that these recordings could show."
     names = [*_numbers(moved), *(each.name for each in effects), *([_NAMELESS] if nameless else [])]
-    names += [f"most likely {_plain(each)}, by how much cannot be told" for each in vague]
+    names += [f"most likely {_plain(each.replace(':', ', '))}, by how much cannot be told" for each in vague]
     return _as_many_as_fit(list(dict.fromkeys(names)), lambda told: f"{begin}, these differ: {told}.")
 
 
@@ -128,8 +128,9 @@ def _passed_over(passed: PassedOver) -> str:
     told = {name: estimate_words(each) for name, each in found.parameters.items()}
     numbers = [f"{_plain(name)} {value} ({interval})" for name, (value, interval) in told.items()]
     size = f": {_shortened(numbers)}" if numbers else ""
-    evidence = f"{plain_number(found.nats)} nats" if passed.stands else "without the evidence that it needs"
-    return f"not named: {found.name}{_whose(found.robots)} ({evidence}), since {passed.shortly}{size}"
+    return (
+        f"not named: {found.name}{_whose(found.robots)} ({plain_number(found.nats)} nats), since {passed.shortly}{size}"
+    )
 
 
 def _whose(robots: Sequence[str]) -> str:
@@ -159,4 +160,4 @@ def _shortened(parts: Sequence[str]) -> str:
 
 
 def _plain(name: str) -> str:
-    return name.replace("_", " ").replace(":", ", ")
+    return name.replace("_", " ")

@@ -54,6 +54,10 @@ DIFFERENCES = {
     "insufficient": VERDICTS["insufficient"],
 }
 """Words of the verdicts about recordings that are compared with others of the same vehicle."""
+DIFFERS_WITHOUT_NAME = (
+    "Something differs",
+    "The compared recordings differ from these, but by nothing with a sure size.",
+)
 TIERS = {
     "confirmed": "confirmed: it also improves data that its fit did not see",
     "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
@@ -110,6 +114,8 @@ def verdict_words(diagnosis: Diagnosis) -> tuple[str, str]:
     """Heading and sentence of a verdict."""
     if diagnosis.verdict == "mismatch" and not diagnosis.effects and diagnosis.passed_over:
         return WITHOUT_NAME
+    if diagnosis.verdict == "mismatch" and not diagnosis.effects and diagnosis.against is not None:
+        return DIFFERS_WITHOUT_NAME
     return (VERDICTS if diagnosis.against is None else DIFFERENCES)[diagnosis.verdict]
 
 
@@ -137,6 +143,8 @@ def nothing_missing_words(diagnosis: Diagnosis) -> str:
         return "Nothing could be tested, because the recording holds too little information."
     if diagnosis.passed_over:
         return "No effect is named: those below explain something, but none beyond doubt."
+    if diagnosis.against is not None and diagnosis.verdict == "mismatch":
+        return "No difference is beyond doubt: what these recordings cannot tell is said with what they do not show."
     if diagnosis.against is not None:
         return "No effect of the catalogue, and no law outside it, differs from the compared recordings."
     return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."

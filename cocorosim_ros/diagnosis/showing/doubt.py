@@ -77,7 +77,7 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
         fewer, gone = taken_back(naming, *weakest)
         because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
         every = found_effects(naming.fit, [gone], numbers)
-        stands = _stands(gone) and not naming.begins_with_found_model
+        stands = stands_without_name(gone) and not naming.may_be_rest(gone)
         passed += [PassedOver(found, stands, because, SIZE_MAY_BE_NOTHING) for found in every]
         naming = fewer
     return naming, tuple(passed)
@@ -90,8 +90,8 @@ def refused_effects(naming: Naming) -> tuple[PassedOver, ...]:
     bear out, and that free runs do not contradict, says that something is missing, but not whether it is that. Beside
     effects that were found before, such evidence is a rest of theirs (`rests_of_found`).
     """
-    strongest = None if naming.begins_with_found_model else _strongest_refused(naming)
-    if strongest is None:
+    strongest = _strongest_refused(naming)
+    if strongest is None or naming.may_be_rest(strongest.effect):
         return ()
     fit, effect = strongest
     every = found_effects(fit, [effect], fitted(fit))
@@ -104,14 +104,14 @@ def rests_of_found(naming: Naming) -> tuple[str, ...]:
     The forms of these effects are rarely quite those of the vehicle, and whatever follows what they leave gains nats. A
     rest by which no free run becomes better is no reason to call a model that has been found once more wrong.
     """
-    strongest = _strongest_refused(naming) if naming.begins_with_found_model else None
-    if strongest is None:
+    strongest = _strongest_refused(naming)
+    if strongest is None or not naming.may_be_rest(strongest.effect):
         return ()
     effect = strongest.effect
     return (
         f"Beside the effects that the platform's file has from a diagnosis, {effect.nats:.0f} nats are left over, "
         f"which '{effect.candidate.entry.id}' would explain best. Free runs through data that no fit saw do not gain "
-        "by it: the forms of those effects are not quite those of this vehicle.",
+        "by it: most likely the forms of those effects are not quite those of this vehicle.",
     )
 
 
@@ -133,8 +133,7 @@ def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
     if not naming.named:
         return None
     clear = _clear(naming.fit)
-    again = naming.begins_with_found_model
-    flags = {each.candidate.key: clear.of(each, found_before=again) for each in naming.named}
+    flags = {each.candidate.key: clear.of(each, found_before=naming.may_be_rest(each)) for each in naming.named}
     asked = ((each, doubtful_robots(each, naming.fit, flags[each.candidate.key])) for each in naming.named)
     doubted = [(each, robots) for each, robots in asked if robots]
     return min(doubted, key=lambda pair: pair[0].nats) if doubted else None
@@ -161,7 +160,7 @@ def _clear(fit: Fit) -> Clear:
     return Clear(*(size > Z95 * np.sqrt(noise + variance) for variance in differing))
 
 
-def _stands(gone: NamedEffect) -> bool:
+def stands_without_name(gone: NamedEffect) -> bool:
     """Tell whether the evidence that something is missing stands without a name for it.
 
     The model without the effect is worse by enough, and free runs do not contradict that.

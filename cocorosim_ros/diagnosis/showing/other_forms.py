@@ -8,6 +8,8 @@ interval (`form_width`).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
@@ -17,9 +19,15 @@ from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 from cocorosim_ros.diagnosis.naming.needed_evidence import likeness
 from cocorosim_ros.diagnosis.naming.pruning import taken_back
+from cocorosim_ros.diagnosis.showing.doubt import stands_without_name
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 
-OTHER_FORM = "another form of a named effect"
+OTHER_FORM = "it is another form of a named effect"
+OF_NO_NAME = (
+    "It looked like another form of an effect that did not keep its name either: something is missing, and these two "
+    "do not say what."
+)
+SHORTLY_OF_NO_NAME = "what it was taken for another form of has no name either"
 
 
 class OtherForm(NamedTuple):
@@ -29,21 +37,41 @@ class OtherForm(NamedTuple):
     effect: NamedEffect
 
 
-def without_other_forms(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
+class TakenBack(NamedTuple):
+    """A law that was taken back, as it is told, and the effect of which it was taken for another form."""
+
+    told: PassedOver
+    law: NamedEffect
+    effect: str
+
+
+def without_other_forms(naming: Naming) -> tuple[Naming, tuple[TakenBack, ...]]:
     """Take back the laws that are another form of a named effect, the weakest first, and fit the rest anew."""
-    passed: list[PassedOver] = []
+    passed: list[TakenBack] = []
     while (found := _weakest_other_form(naming)) is not None:
         law, effect = found
         numbers = fitted(naming.fit)
         fewer, gone = taken_back(naming, law, law.candidate.robots)
+        name = effect.candidate.entry.id
         because = (
-            f"It changes the readings much as '{effect.candidate.entry.id}' does, and explains less than that: it is "
-            "most likely no cause of its own, but says that the law of that effect has another form here.",
+            f"It changes the readings much as '{name}' does, and explains less than that: it is most likely no cause "
+            "of its own, but says that the law of that effect has another form here.",
         )
         every = found_effects(naming.fit, [gone], numbers)
-        passed += [PassedOver(each, False, because, OTHER_FORM) for each in every]
+        passed += [TakenBack(PassedOver(each, False, because, OTHER_FORM), gone, name) for each in every]
         naming = fewer
     return naming, tuple(passed)
+
+
+def told_at_last(naming: Naming, forms: Sequence[TakenBack]) -> tuple[PassedOver, ...]:
+    """Tell of what was taken back; something is missing where the effect itself has lost its name since."""
+    named = {each.candidate.entry.id for each in naming.named}
+    return tuple(
+        each.told
+        if each.effect in named
+        else replace(each.told, stands=stands_without_name(each.law), because=(OF_NO_NAME,), shortly=SHORTLY_OF_NO_NAME)
+        for each in forms
+    )
 
 
 def _weakest_other_form(naming: Naming) -> OtherForm | None:
@@ -55,7 +83,7 @@ def _weakest_other_form(naming: Naming) -> OtherForm | None:
 
 
 def _is_other_form(fit: Fit, law: NamedEffect, effect: NamedEffect) -> bool:
-    """Tell whether a law is a rest of an effect by its evidence, and acts on the same robots in much the same way."""
-    if law.nats >= NAMING.law_form * effect.nats or set(law.candidate.robots).isdisjoint(effect.candidate.robots):
+    """Tell whether a law is a rest of an effect by its evidence, and acts on no other robots, in much the same way."""
+    if law.nats >= NAMING.law_form * effect.nats or not set(law.candidate.robots) <= set(effect.candidate.robots):
         return False
     return likeness(fit, law.candidate, effect.candidate) > NAMING.alike

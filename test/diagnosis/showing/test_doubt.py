@@ -106,7 +106,7 @@ def test_the_weakest_goes_first_and_the_rest_is_asked_again(monkeypatch: pytest.
 def test_when_something_is_missing_all_the_same(nats: float, mean: float | None, stands: bool) -> None:
     """Where the evidence suffices without a name, and free runs, if there are any, gain by the effect."""
     gone = effect(candidate("torque_bias"), nats * NAMING.threshold, mean)
-    assert doubt._stands(gone) is stands
+    assert doubt.stands_without_name(gone) is stands
     assert len(doubt._of_free_runs(gone.foretold)) == (mean is not None and mean <= 0.0)
 
 
