@@ -133,8 +133,10 @@ def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
     if not naming.named:
         return None
     clear = _clear(naming.fit)
-    flags = {each.candidate.key: clear.of(each, found_before=naming.may_be_rest(each)) for each in naming.named}
-    asked = ((each, doubtful_robots(each, naming.fit, flags[each.candidate.key])) for each in naming.named)
+    asked = (
+        (each, doubtful_robots(each, naming.fit, clear.of(each, found_before=naming.may_be_rest(each))))
+        for each in naming.named
+    )
     doubted = [(each, robots) for each, robots in asked if robots]
     return min(doubted, key=lambda pair: pair[0].nats) if doubted else None
 
