@@ -11,12 +11,11 @@ from scipy.stats import chi2
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
-from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
-from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, HeldOut, PassedOver, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, PassedOver, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
@@ -25,21 +24,20 @@ from cocorosim_ros.diagnosis.fitting.growing_force import with_growing_force
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
-from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
-from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
-from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.case import Case
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
-from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
+from cocorosim_ros.diagnosis.showing.exactness import is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
+from cocorosim_ros.diagnosis.showing.harm import that_helps
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -178,15 +176,6 @@ def _between(progress: Progress, low: float, high: float) -> Progress:
     return lambda words, share: progress(words, low + (high - low) * share)
 
 
-def _that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:
-    """Take back named effects that make free runs on unseen data worse, the one they gain least by first."""
-    free = held_out_free_runs(unseen, naming.fit)
-    while naming.named and _is_harmed(naming, free):
-        naming = without_least(naming)
-        free = held_out_free_runs(unseen, naming.fit)
-    return naming, free
-
-
 def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns, tuple[PassedOver, ...]]:
     """Take back what makes free runs worse, is another form of a named effect, or may as well be nothing.
 
@@ -195,27 +184,12 @@ def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRu
     passed: tuple[PassedOver, ...] = ()
     forms: tuple[TakenBack, ...] = ()
     while True:
-        naming, free = _that_helps(naming, unseen)
+        naming, free = that_helps(naming, unseen)
         naming, bent = without_other_forms(naming)
         naming, more = beyond_doubt(naming)
         if not (bent or more):
             return naming, free, (*told_at_last(naming, forms), *passed)
         passed, forms = (*passed, *more), (*forms, *bent)
-
-
-def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
-    """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
-
-    In all is not asked of errors of the catalogue that act on readings alone. Of a law of readings it is asked without
-    any doubt in its favour: there are many, and they follow effects of motion.
-    """
-    in_all = False
-    if free.gain is not None and not is_exact(free.table):
-        named = [effect.candidate for effect in naming.named]
-        of_reading = any(each.entry.law is not None and not moves(each) for each in named)
-        worse = free.gain.mean < -FREE_RUN_GAINS.material
-        in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
-    return in_all or any(_is_worse(channel, row) for channel, row in free.table.items())
 
 
 FORM_WORDS = {
@@ -232,18 +206,6 @@ def _of_form(form: ChosenForm | None) -> tuple[str, ...]:
         f"The platform's file does not say how quadratic drag goes with speed ('drag_form'); {FORM_WORDS[form.name]} "
         f"explains these recordings better than the total speed does, by {form.nats:.0f} nats, and is taken.",
     )
-
-
-def _is_worse(channel: str, row: HeldOut) -> bool:
-    """Tell whether the model with its effects errs clearly more than the model without, and by more than steps make.
-
-    A single free run is nothing clear: the interval of its error is a point.
-    """
-    if not is_beyond_steps(channel, row.augmented):
-        return False
-    low, high = row.intervals["augmented"]
-    clear = high > low > row.intervals["recalibrated"][1]
-    return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
 
 
 def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:

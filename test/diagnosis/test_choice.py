@@ -95,15 +95,3 @@ def test_a_comparison_names_nothing_that_free_runs_do_not_gain_by() -> None:
     assert not of_diagnosis.refuses(candidate, likely_chance)
     assert of_comparison.refuses(candidate, likely_chance)
     assert not of_comparison.refuses(candidate, likely_chance._replace(mean=0.1))
-
-
-@pytest.mark.parametrize(("spread", "taken_back"), [(0.0, False), (0.001, True)])
-def test_one_free_run_takes_no_name_back(spread: float, taken_back: bool) -> None:
-    """Of several runs an error that is clearly greater takes it back; of a single one the interval is a point."""
-    from cocorosim_ros.diagnosis.diagnose import _is_worse
-    from cocorosim_ros.diagnosis.findings import HeldOut
-
-    errors = {"nominal": 0.03, "recalibrated": 0.015, "augmented": 0.03}
-    intervals = {name: (error - spread, error + spread) for name, error in errors.items()}
-    row = HeldOut(**errors, noise_floor=0.015, unit="rad", intervals=intervals)
-    assert _is_worse("heading", row) == taken_back

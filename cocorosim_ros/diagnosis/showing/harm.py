@@ -1,0 +1,49 @@
+"""Effects that make free runs on unseen data worse: whatever their evidence, they are taken back."""
+
+from __future__ import annotations
+
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
+from cocorosim_ros.diagnosis.criteria.showing import VERDICT
+from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
+from cocorosim_ros.diagnosis.naming.choice import moves
+from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.naming.pruning import without_least
+from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
+
+
+def that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:
+    """Take back named effects that make free runs on unseen data worse, the one they gain least by first."""
+    free = held_out_free_runs(unseen, naming.fit)
+    while naming.named and _is_harmed(naming, free):
+        naming = without_least(naming)
+        free = held_out_free_runs(unseen, naming.fit)
+    return naming, free
+
+
+def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
+    """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
+
+    In all is not asked of errors of the catalogue that act on readings alone. Of a law of readings it is asked without
+    any doubt in its favour: there are many, and they follow effects of motion.
+    """
+    in_all = False
+    if free.gain is not None and not is_exact(free.table):
+        named = [effect.candidate for effect in naming.named]
+        of_reading = any(each.entry.law is not None and not moves(each) for each in named)
+        worse = free.gain.mean < -FREE_RUN_GAINS.material
+        in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
+    return in_all or any(_is_worse(channel, row) for channel, row in free.table.items())
+
+
+def _is_worse(channel: str, row: HeldOut) -> bool:
+    """Tell whether the model with its effects errs clearly more than the model without, and by more than steps make.
+
+    A single free run is nothing clear: the interval of its error is a point.
+    """
+    if not is_beyond_steps(channel, row.augmented):
+        return False
+    low, high = row.intervals["augmented"]
+    clear = high > low > row.intervals["recalibrated"][1]
+    return clear and row.augmented > VERDICT.worse * max(row.recalibrated, row.noise_floor)
