@@ -84,20 +84,24 @@ def task(group: Halves, way: Way | None, out: Path) -> Task:
 
 
 def diagnosed(plan: list[tuple[Halves, Way | None]], out: Path, terms: Terms) -> list[Outcome]:
-    """All diagnoses, those of a group one after the other in forks of a process that has learned its GOOD."""
-    of_group: dict[Halves, list[Task]] = {}
+    """All diagnoses, those of a group one after the other in forks of a process that has learned its GOOD.
+
+    Groups go side by side, and so does the altering of their logs.
+    """
+    of_group: dict[Halves, list[Way | None]] = {}
     for group, way in plan:
-        of_group.setdefault(group, []).append(task(group, way, out))
+        of_group.setdefault(group, []).append(way)
 
     end = time.monotonic() + 60.0 * terms.minutes
 
-    def of_one(tasks: list[Task]) -> list[Outcome]:
+    def of_one(group: Halves) -> list[Outcome]:
+        tasks = [task(group, way, out) for way in of_group[group]]
         left = (end - time.monotonic()) / 60.0
         is_done = left <= 0.0 or all(each.outcome.exists() for each in tasks)
         return diagnose(tasks, replace(terms, jobs=1, minutes=left, warm_up=None if is_done else tasks[0]))
 
     with ThreadPoolExecutor(terms.jobs) as pool:
-        return [outcome for found in pool.map(of_one, of_group.values()) for outcome in found]
+        return [outcome for found in pool.map(of_one, of_group) for outcome in found]
 
 
 def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
