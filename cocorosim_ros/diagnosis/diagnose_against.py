@@ -22,6 +22,7 @@ from cocorosim_ros.diagnosis.diagnose import abstained
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.drag_forms import word_of_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
@@ -173,6 +174,8 @@ def _told(
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
         untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted)),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted)),
+        drag_form=word_of_form(base) if intake.evidence.platform.drag_form is None else "",
+        step=min(track.timeline.grid.step for track in base.tracks),
     )
 
 

@@ -8,9 +8,13 @@ import boats
 import pytest
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
+from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 DECLARED = """
@@ -35,6 +39,19 @@ def test_a_boat_with_drag_by_axis_is_read_to_the_digit(tmp_path: Path) -> None:
     assert numbers["linear_drag"]["yaw"].value == pytest.approx(0.3, rel=0.01)
     drag = next(each for each in found.all_recalibrated if each.parameter == "drag")
     assert drag.estimate.value == pytest.approx(8.0, rel=0.02)
+
+
+def test_the_form_that_a_comparison_learned_is_told(tmp_path: Path) -> None:
+    """Its model file has the numbers of the learned vehicle, which hold in this form and with this step alone."""
+    boat = boats.platform(tmp_path)
+    good, bad = (boats.recorded(boat, boats.Truth(), 60.0, seed) for seed in (5, 6))
+    found = diagnose_against(bad, good, lambda words, share: None)
+    assert found.drag_form == "own_speed"
+    assert found.step is not None
+    robots = tuple(log.name for log in bad.recordings[0].robots)
+    path = tmp_path / "model.yaml"
+    path.write_text(model_yaml(as_platform(found), Origin(boat, ("made",), robots, 60.0)), encoding="utf-8")
+    assert load_platform(path).drag_form == "own_speed"
 
 
 def test_what_a_platform_declares_is_fitted_and_not_missing(tmp_path: Path) -> None:

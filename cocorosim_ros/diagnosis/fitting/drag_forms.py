@@ -41,6 +41,11 @@ def drag_form_of(fit: Fit) -> float:
     return float(fit.rows[0, COLUMN[DRAG_FORM]])
 
 
+def word_of_form(fit: Fit) -> str:
+    """Find the word of a platform file for the form that the rows of a fit have; '' for one that has no word."""
+    return next((name for name, code in FORM_BY_NAME.items() if code == drag_form_of(fit)), "")
+
+
 def with_best_form(base: Fit, rounds: int) -> tuple[Fit, ChosenForm | None]:
     """Settle the base fit in the form of drag that explains most; None where no form is clearly ahead.
 
