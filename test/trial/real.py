@@ -13,6 +13,7 @@ from trial.other_half import TIERS, kept
 from trial.provenance import sentence
 from trial.recordings import (
     Group,
+    crossings,
     dives,
     flights,
     hovercraft,
@@ -82,6 +83,15 @@ def _windy(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[P
     yield WINDY, "esso_osaka", own[0::2] + to_all_sides[0::2], own[1::2] + to_all_sides[1::2]
 
 
+def _ferry(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
+    # Two trials, an hour apart and with another allocation of thrust each: one goes from place to place, in the other
+    # thrusters push against each other. After two minutes that one only keeps its place (1 to 3 cm/s) and is left out.
+    own = crossings(data, out, "nlp1", "2025/04/11 11:15:46", 123, 4)
+    yield "milliampere_nlp1", "milliampere_ferry", own[0::2], own[1::2]
+    own = crossings(data, out, "maneuvering1", "2025/04/11 12:08:17", 60, 2)
+    yield "milliampere_maneuvering1", "milliampere_ferry", own[0::2], own[1::2]
+
+
 SETS: dict[str, Callable[[Path, Path], Iterator[tuple[str, str, list[Path], list[Path]]]]] = {
     "hovercraft_epfl": _hovercraft,
     "haizhe_auv": _haizhe,
@@ -90,6 +100,7 @@ SETS: dict[str, Callable[[Path, Path], Iterator[tuple[str, str, list[Path], list
     "slocum_glider": _glider,
     "kvlcc2_hsva": _tanker,
     "esso_osaka": _windy,
+    "milliampere_ferry": _ferry,
 }
 """By folder of the data: groups of recordings by name and platform, those learnt from and those held out."""
 

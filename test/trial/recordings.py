@@ -5,9 +5,12 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass
+from datetime import datetime, timedelta
 from pathlib import Path
 
 from trial.examiner import COMMAND
+
+_CLOCK = "%Y/%m/%d %H:%M:%S"  # of the ferry's logs
 
 
 @dataclass(frozen=True)
@@ -68,3 +71,18 @@ def zigzags(data: Path, out: Path) -> list[Path]:
 def pond(data: Path, out: Path, kind: str) -> list[Path]:
     """Drives of the small tanker's model on a pond: `zigzag`, `turning` or `random`."""
     return converted("esso_osaka", data / "esso_osaka" / kind, out / f"esso_osaka_{kind}")
+
+
+def crossings(data: Path, out: Path, trial: str, first: str, seconds: int, count: int) -> list[Path]:
+    """Parts of a trial of the ferry, so many seconds each, one after the other from `first` on its clock."""
+    logs = out / f"milliampere_{trial}_logs"
+    if not logs.exists():
+        start, length = datetime.strptime(first, _CLOCK), timedelta(seconds=seconds)
+        for part in range(count):
+            begin, end = ((start + k * length).strftime(_CLOCK) for k in (part, part + 1))
+            (logs / f"{trial}_{part}").mkdir(parents=True)
+            for log in sorted((data / "milliampere_ferry" / trial).glob("*.csv")):
+                head, *rows = log.read_text("utf-8").splitlines(keepends=True)
+                mine = [row for row in rows if begin <= row[: len(begin)] < end]  # such dates are sorted as text
+                (logs / f"{trial}_{part}" / log.name).write_text(head + "".join(mine), "utf-8")
+    return converted("milliampere_ferry", logs, out / f"milliampere_{trial}")

@@ -1,4 +1,4 @@
-"""A topic with others beside it: to each of its messages the one of another topic that is nearest in time."""
+"""A topic or file with others beside it: to each of its rows the one of another that is nearest in time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cocorosim_ros.wire.conversion.rows import Rows, Stamps
 
 @dataclass(frozen=True)
 class Neighbour:
-    """The messages of another topic, brought to the rows of the first one."""
+    """The rows of another topic or file, brought to those of the first one."""
 
     rows: Rows
     nearest: Integers  # (n,) which of them is nearest to each row
@@ -23,7 +23,7 @@ class Neighbour:
 
 
 class BesideRows:
-    """The rows of a topic; `name.field` is a field of the topic that stands beside it under that name."""
+    """The rows of a topic or file; `name.field` is a field of what stands beside it under that name."""
 
     def __init__(self, rows: Rows, neighbours: Mapping[str, Neighbour]) -> None:
         self._rows = rows
@@ -31,7 +31,7 @@ class BesideRows:
         self.origin, self.count, self.damage = rows.origin, rows.count, rows.damage
 
     def row_name(self, row: int) -> str:
-        """The row of the first topic."""
+        """The row of the first one."""
         return self._rows.row_name(row)
 
     def numbers(self, column: Entry) -> Floats:
@@ -42,11 +42,11 @@ class BesideRows:
         return np.where(neighbour.near, neighbour.rows.numbers(inner)[neighbour.nearest], np.nan)
 
     def words(self, column: Entry) -> list[str]:
-        """The cells of a column of the first topic."""
+        """The cells of a column of the first one."""
         return self._rows.words(column)
 
     def stamps(self, when: TimeMap) -> tuple[Stamps, Flags]:
-        """The times of the first topic."""
+        """The times of the first one."""
         return self._rows.stamps(when)
 
     def _of(self, column: Entry) -> tuple[Neighbour | None, Entry]:
@@ -57,7 +57,7 @@ class BesideRows:
 
 
 def neighbour(own: Stamps, other: Rows, when: TimeMap, within_ns: int) -> Neighbour:
-    """The messages of another topic that are nearest to (n,) times [ns], if not further away than `within_ns`."""
+    """The rows of another topic or file that are nearest to (n,) times [ns], if not further away than `within_ns`."""
     stamps, known = other.stamps(when)
     order = np.flatnonzero(known)
     order = order[np.argsort(stamps[order], kind="stable")]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import groupby
@@ -23,7 +23,7 @@ from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
 from cocorosim_ros.wire.conversion.formats import FORMATS
 from cocorosim_ros.wire.conversion.formats.format import FileFormat, Log, LogFormat, check_file
 from cocorosim_ros.wire.conversion.rows import Rows
-from cocorosim_ros.wire.conversion.sources import Run, check_there, find_runs, sha256_of
+from cocorosim_ros.wire.conversion.sources import Run, SourceFile, check_there, find_runs, sha256_of
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
@@ -108,16 +108,23 @@ def _file_source(mapped: ConversionMap, chosen: FileFormat, run: Run) -> _Source
     found = _Source()
     for table, files in zip(mapped.tables, run.files, strict=True):
         for file in files:
-            check_file(file.path, file.origin, chosen.summary, chosen.kinds)
-            rows = chosen.rows(file.path, file.origin, table.layout)
-            found.hashes[file.origin] = sha256_of(file.path)
-            if rows.damage:
-                found.findings.append(rows.damage)
-            found.tables.append((table, file.robot, rows))
+            rows = _read(file, table, chosen, found)
+            others = {name: _read(other, table, chosen, found) for name, other in file.beside.items()}
+            found.tables.append((table, file.robot, _beside(table, rows, others) if others else rows))
         # A pattern for other runs only is no reason to complain.
         if not files and table.runs == "*":
             found.findings.append(f"No file fits '{table.source}', so its topics are missing.")
     return found
+
+
+def _read(file: SourceFile, table: TableMap, chosen: FileFormat, found: _Source) -> Rows:
+    """The rows of one file; its hash and what is missing from it are kept."""
+    check_file(file.path, file.origin, chosen.summary, chosen.kinds)
+    rows = chosen.rows(file.path, file.origin, table.layout)
+    found.hashes[file.origin] = sha256_of(file.path)
+    if rows.damage:
+        found.findings.append(rows.damage)
+    return rows
 
 
 def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Source:
@@ -136,12 +143,17 @@ def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Sour
 
 def _with_others(table: TableMap, rows: Rows, log: Log) -> BesideRows:
     """The rows with those of other topics beside them."""
+    return _beside(table, rows, {name: log.rows(each.source, each.place) for name, each in table.beside.items()})
+
+
+def _beside(table: TableMap, rows: Rows, others: Mapping[str, Rows]) -> BesideRows:
+    """The rows with those nearest in time of others beside them."""
     own, _ = rows.stamps(table.time)
-    others = {
-        name: neighbour(own, log.rows(beside.topic, beside.place), beside.time or table.time, beside.within_ns)
-        for name, beside in table.beside.items()
+    brought = {
+        name: neighbour(own, others[name], each.time or table.time, each.within_ns)
+        for name, each in table.beside.items()
     }
-    return BesideRows(rows, others)
+    return BesideRows(rows, brought)
 
 
 def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[], _Source]) -> Conversion:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.formula import Formula
 from cocorosim_ros.wire.conversion.run_wise import Number, number_of
 
@@ -95,13 +96,14 @@ class StreamMap:
 
 @dataclass(frozen=True)
 class TimeMap:
-    """When a row was measured: exactly one of the first three, plus `start_ns`."""
+    """When a row was measured: exactly one of the ways, plus `start_ns`."""
 
     columns: tuple[tuple[Entry, Fraction], ...] = ()  # with nanoseconds per unit; their sum is the time
     counter: Entry | None = None  # a column that counts steps, together with `step_ns`
     step_ns: Fraction | None = None  # without `counter`: the distance of rows
     stamp: Entry | None = None  # path of a Time in a message
     log_time: bool = False  # when the message was recorded
+    clock: Clock | None = None  # a column of dates and times of day
     start_ns: int = 0
 
 
@@ -129,10 +131,10 @@ class CsvLayout:
 
 @dataclass(frozen=True)
 class BesideMap:
-    """Another topic, whose message nearest in time stands beside each of a table's own."""
+    """Another topic or file, whose message or row nearest in time stands beside each of a table's own."""
 
-    topic: str
-    within_ns: int  # a message further away in time counts as missing
+    source: str  # a topic, or a pattern of file names
+    within_ns: int  # what is further away in time counts as missing
     time: TimeMap | None  # None: as the table's own
     place: Entry
 

@@ -11,8 +11,9 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, exact_nanoseconds
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, time_columns
 
 
 class CsvRows:
@@ -59,18 +60,17 @@ class CsvRows:
         if when.step_ns is not None and when.counter is None:
             times = [round(row * when.step_ns) for row in range(self.count)]
             return self._checked(times, when, np.ones(self.count, dtype=bool))
-        parts = ((when.counter, when.step_ns),) if when.counter is not None and when.step_ns else when.columns
         total = [0] * self.count
         known = np.ones(self.count, dtype=bool)
-        for column, per_unit in parts:
+        for column, nanoseconds in time_columns(when):
             for row, text in enumerate(self.words(column)):
                 if text.lower() in self._layout.missing:
                     known[row] = False
                     continue
                 try:
-                    total[row] += exact_nanoseconds(text.replace(self._layout.decimal, "."), per_unit)
+                    total[row] += nanoseconds(text.replace(self._layout.decimal, "."))
                 except ArithmeticError as error:
-                    raise self._no_number(row, text, column) from error
+                    raise self._no_number(row, text, column, when.clock) from error
         return self._checked(total, when, known)
 
     def row_name(self, row: int) -> str:
@@ -111,9 +111,10 @@ class CsvRows:
         except ValueError as error:
             raise self._no_number(row, text, column) from error
 
-    def _no_number(self, row: int, text: str, column: Entry) -> CocorosimError:
+    def _no_number(self, row: int, text: str, column: Entry, clock: Clock | None = None) -> CocorosimError:
+        wanted = f"no time like '{clock.form}'" if clock else "no number"
         return CocorosimError(
-            f"{self.origin} line {self._line[row]}, column '{column.value}' has '{text[:40]}', which is no number; "
+            f"{self.origin} line {self._line[row]}, column '{column.value}' has '{text[:40]}', which is {wanted}; "
             "correct it, or add it to 'missing' in the map's layout."
         )
 

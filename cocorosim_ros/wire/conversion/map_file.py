@@ -55,8 +55,8 @@ class _TableReader:
     def table(self, entry: Entry) -> TableMap:
         """One entry of `tables`."""
         needed = (self._source, "robot", "streams") if self._log else (self._source, "time", "robot", "streams")
-        free = ("time", "beside") if self._log else ("runs", "layout")
-        section = entry.section(needed, (*free, "names", "backwards"))
+        free = ("time",) if self._log else ("runs", "layout")
+        section = entry.section(needed, (*free, "beside", "names", "backwards"))
         names = _names(section["names"]) if "names" in section else {}
         values = ValueReader(self._ros, names, self._constants)
         streams = section["streams"].mapping()
@@ -81,14 +81,14 @@ class _TableReader:
         )
 
     def _beside(self, entry: Entry) -> dict[str, BesideMap]:
-        """Other topics, by what their columns begin with."""
+        """Other topics or files, by what their columns begin with."""
         found = {}
         for name, part in entry.mapping().items():
-            section = part.section(("topic", "within"), ("time",))
+            section = part.section((self._source, "within"), ("time",))
             if not name.isidentifier():
-                raise part.problem("is no name for a topic beside; use letters, digits and _.")
+                raise part.problem("is no name for what stands beside; use letters, digits and _.")
             time = read_time(section["time"], ros=self._ros) if "time" in section else None
-            found[name] = BesideMap(section["topic"].text(), read_nanoseconds(section["within"]), time, part)
+            found[name] = BesideMap(section[self._source].text(), read_nanoseconds(section["within"]), time, part)
         return found
 
     def _clock(self, entry: Entry) -> TimeMap:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -90,6 +92,14 @@ def _fraction(value: CommandValue, rows: Rows) -> Floats:
             )
         return ahead
     return np.where(ahead < 0, -(cells - value.stop) / (value.reverse - value.stop), ahead)
+
+
+def time_columns(when: TimeMap) -> tuple[tuple[Entry, Callable[[str], int]], ...]:
+    """The columns whose sum is the time of a row, each with what makes nanoseconds of its cells."""
+    if when.clock is not None:
+        return ((when.clock.column, when.clock.nanoseconds),)
+    parts = ((when.counter, when.step_ns),) if when.counter is not None and when.step_ns else when.columns
+    return tuple((column, partial(exact_nanoseconds, per_unit=per_unit)) for column, per_unit in parts)
 
 
 def exact_nanoseconds(text: str, per_unit: Fraction) -> int:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.reading.entry import listed
+from cocorosim_ros.scenario.reading.entry import Entry, listed
 from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
 from cocorosim_ros.wire.conversion.formats import FORMATS
 from cocorosim_ros.wire.conversion.formats.format import LogFormat
@@ -23,6 +23,7 @@ class SourceFile:
     path: Path
     origin: str  # its place below the source's folder, as sentences and the recording show it
     robot: str  # what {robot} stands for in its name, '' without it
+    beside: Mapping[str, SourceFile] = field(default_factory=dict)  # of the same run, by the map's names
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ def find_runs(mapped: ConversionMap, source: Path) -> list[Run]:
         return _runs(mapped, source, None)
     for table in mapped.tables:
         folder = source.absolute().parents[table.source.count("/")]
-        match = _pattern(table).fullmatch(source.absolute().relative_to(folder).as_posix())
+        match = _pattern(table.source, table.place).fullmatch(source.absolute().relative_to(folder).as_posix())
         if match is not None and (run := match.groupdict().get("run", "")) is not None and fnmatchcase(run, table.runs):
             found = _runs(mapped, folder, run)
             if "run" in match.groupdict():
@@ -70,17 +71,15 @@ def _runs(mapped: ConversionMap, folder: Path, wanted: str | None) -> list[Run]:
     entries = sorted(path for path in _walk(folder, mapped.tables) if path.is_file())
     by_table: list[dict[str, list[SourceFile]]] = []
     for table in mapped.tables:
-        pattern = _pattern(table)
-        found: dict[str, list[SourceFile]] = {}
-        for path in entries:
-            origin = path.relative_to(folder).as_posix()
-            match = pattern.fullmatch(origin)
-            if match is not None:
-                parts = match.groupdict()
-                run = parts.get("run") or ""
-                if not run or fnmatchcase(run, table.runs):
-                    found.setdefault(run, []).append(SourceFile(path, origin, parts.get("robot") or ""))
-        by_table.append(found)
+        found = _fitting(table.source, table.place, entries, folder)
+        others = {name: _fitting(beside.source, beside.place, entries, folder) for name, beside in table.beside.items()}
+        by_table.append(
+            {
+                run: [_with_others(table, file, run, others) for file in files]
+                for run, files in found.items()
+                if not run or fnmatchcase(run, table.runs)
+            }
+        )
     names = sorted({run for found in by_table for run in found if run}) or [""]
     chosen = [name for name in names if wanted in (None, "", name)]
     runs = [Run(name, tuple(_files_of(found, name) for found in by_table)) for name in chosen]
@@ -90,24 +89,56 @@ def _runs(mapped: ConversionMap, folder: Path, wanted: str | None) -> list[Run]:
     return runs
 
 
+def _fitting(source: str, place: Entry, entries: Iterable[Path], folder: Path) -> dict[str, list[SourceFile]]:
+    """The files that fit a pattern, by run."""
+    pattern = _pattern(source, place)
+    found: dict[str, list[SourceFile]] = {}
+    for path in entries:
+        origin = path.relative_to(folder).as_posix()
+        match = pattern.fullmatch(origin)
+        if match is not None:
+            parts = match.groupdict()
+            found.setdefault(parts.get("run") or "", []).append(SourceFile(path, origin, parts.get("robot") or ""))
+    return found
+
+
+def _with_others(
+    table: TableMap, file: SourceFile, run: str, others: Mapping[str, Mapping[str, list[SourceFile]]]
+) -> SourceFile:
+    """A file with those that stand beside it. Raises CocorosimError unless there is one of each."""
+    chosen = {}
+    for name, found in others.items():
+        same = [other for other in found.get(run, []) if other.robot in ("", file.robot)]
+        if len(same) != 1:
+            many = f"{len(same)} files" if same else "no file"
+            raise table.beside[name].place.problem(
+                f"finds {many} like '{table.beside[name].source}' beside {file.origin}; it must be exactly one."
+            )
+        chosen[name] = same[0]
+    return replace(file, beside=chosen)
+
+
 def _files_of(found: dict[str, list[SourceFile]], run: str) -> tuple[SourceFile, ...]:
     """The files of a run; those without a run in their name belong to every one."""
     return tuple([*found.get(run, []), *(found.get("", []) if run else [])])
 
 
 def _walk(folder: Path, tables: Iterable[TableMap]) -> Iterable[Path]:
-    depths = {table.source.count("/") for table in tables}
+    sources = [
+        source for table in tables for source in (table.source, *(each.source for each in table.beside.values()))
+    ]
+    depths = {source.count("/") for source in sources}
     for depth in sorted(depths):
         yield from folder.glob("/".join(["*"] * (depth + 1)))
 
 
-def _pattern(table: TableMap) -> re.Pattern[str]:
+def _pattern(source: str, place: Entry) -> re.Pattern[str]:
     """The pattern of file names: * is anything, {run} and {robot} are anything that is remembered."""
-    text = re.escape(table.source).replace(r"\*", "[^/]*")
+    text = re.escape(source).replace(r"\*", "[^/]*")
     for word in ("run", "robot"):
         first, *others = text.split(re.escape(f"{{{word}}}"))
         if len(others) > 1:
-            raise table.place.problem(f"has {{{word}}} twice in 'files'; write it once.")
+            raise place.problem(f"has {{{word}}} twice in 'files'; write it once.")
         text = first + "".join(f"(?P<{word}>[^/]+?){rest}" for rest in others)
     return re.compile(text)
 

@@ -7,14 +7,15 @@ from fractions import Fraction
 
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import UNITS, read_nanoseconds, read_quantity
+from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
 from cocorosim_ros.wire.conversion.value_entries import column_name, unit_dimension
 
 
 def read_time(entry: Entry, *, ros: bool) -> TimeMap:
     """The `time` of a table; messages of ROS have stamps and are recorded, other rows have columns or a rate."""
-    ways = ("stamp", "log_time") if ros else ("column", "columns", "row_rate", "counter")
-    extra = () if ros else ("unit", "rate")
+    ways = ("stamp", "log_time") if ros else ("column", "columns", "row_rate", "counter", "clock")
+    extra = () if ros else ("unit", "rate", "form", "fraction", "ahead")
     section = entry.section((), (*ways, *extra, "start"))
     chosen = [way for way in ways if way in section]
     if len(chosen) != 1:
@@ -29,18 +30,18 @@ def nanoseconds_per(unit: str) -> Fraction:
 
 
 def _when(way: str, entry: Entry, section: dict[str, Entry]) -> TimeMap:
-    if way == "column":
-        entry.section(("column", "unit"), ("start",))
-        return TimeMap(columns=(_time_column(entry),))
-    if way == "columns":
-        entry.section(("columns",), ("start",))
-        return TimeMap(columns=tuple(_time_column(part) for part in section["columns"].items()))
+    if way in ("column", "columns"):
+        entry.section((way,), ("start",) if way == "columns" else ("unit", "start"))
+        parts = [entry] if way == "column" else section["columns"].items()
+        return TimeMap(columns=tuple(_time_column(part) for part in parts))
     if way == "row_rate":
         entry.section(("row_rate",), ("start",))
         return TimeMap(step_ns=_step(section["row_rate"]))
     if way == "counter":
         entry.section(("counter", "rate"), ("start",))
         return TimeMap(counter=column_name(section["counter"]), step_ns=_step(section["rate"]))
+    if way == "clock":
+        return TimeMap(clock=_clock(entry))
     if way == "stamp":
         section["stamp"].text()
         return TimeMap(stamp=section["stamp"])
@@ -53,6 +54,13 @@ def _time_column(entry: Entry) -> tuple[Entry, Fraction]:
     section = entry.section(("column", "unit"), ("start",))
     unit_dimension(section["unit"], ("time",))
     return column_name(section["column"]), nanoseconds_per(section["unit"].value)
+
+
+def _clock(entry: Entry) -> Clock:
+    section = entry.section(("clock", "form"), ("fraction", "ahead", "start"))
+    counts = "fraction" in section and section["fraction"].choice(("decimal", "ns")) == "ns"
+    ahead = read_nanoseconds(section["ahead"]) if "ahead" in section else 0
+    return Clock(column_name(section["clock"]), section["form"].text(), counts, ahead)
 
 
 def _step(entry: Entry) -> Fraction:

@@ -72,10 +72,14 @@ def test_instruments(convert_csv: Convert) -> None:
         ("{row_rate: 3 Hz}", ["0", "0", "0", "0"], [0, 333_333_333, 666_666_667, 1_000_000_000]),
         ("{counter: 1, rate: 25 Hz}", ["1.0", "4"], [40_000_000, 160_000_000]),
         ("{columns: [{column: 1, unit: s}, {column: 2, unit: ns}]}", ["12,5", "12,9"], [12 * S + 5, 12 * S + 9]),
+        ("{clock: 1, form: '%d.%m.%Y %H.%M.%S'}", ["01.01.1970 00.01.05.5"], [131 * S // 2]),
+        ("{clock: 1, form: '%Y-%m-%d %H:%M:%S'}", ["1970-01-01 00:00:02.5", "1970-01-01 00:00:3"], [5 * S // 2, 3 * S]),
+        ("{clock: 1, form: '%Y/%m/%dT%H:%M:%S', fraction: ns, ahead: 2 h, start: 1 s}",
+         ["1970/01/01T02:00:07.25", "1970/01/01T02:00:07.134398244"], [8 * S + 25, 8 * S + 134_398_244]),
     ],
 )  # fmt: skip
 def test_every_way_to_tell_time(convert_csv: Convert, time: str, cells: list[str], stamps: list[int]) -> None:
-    """Time from a column in any unit, two columns, the row number, a counter: exact to the nanosecond."""
+    """Time from a column in any unit, two columns, the row number, a counter, a clock: exact to the nanosecond."""
     streams = "compass: {heading: {fixed: 0 rad}}"
     rows = "\n".join(cells)
     topics = convert_csv(table(f"time: {time}, layout: {{header: false}}", streams), {"a.csv": rows}).topics
@@ -129,6 +133,32 @@ def test_several_runs_become_several_recordings(
     assert messages(done[1].folder)["/boat/pose"][0].content.pose.position.x == 2
     one = convert_csv(mapped, files, "run_b.csv", "one")
     assert [message.content.pose.position.x for message in one.topics["/boat/pose"]] == [2]
+
+
+TURNED = "pose: {x: {column: x, unit: m}, y: {fixed: 0 m}, z: {fixed: 0 m}, yaw: {column: turn.yaw, unit: rad}}"
+
+
+def test_a_file_beside(convert_csv: Convert) -> None:
+    """Each row takes the nearest of the other file of its own run; else it is left out and counted."""
+    beside = 'beside: {turn: {files: "{run}/yaw.csv", within: 0.4 s}}'
+    files = {
+        "a/place.csv": "t,x\n1,10\n2,20\n3,30\n", "a/yaw.csv": "t,yaw\n0.9,0.25\n2.1,0.5\n3.5,0.75\n",
+        "b/place.csv": "t,x\n1,40\n", "b/yaw.csv": "t,yaw\n1,1\n",
+    }  # fmt: skip
+    result = convert_csv(table(f"{TIME}, {beside}", TURNED, files='"{run}/place.csv"'), files)
+    first, second = (entry.conversion.streams[0].rows.values for entry in result.done)
+    assert first[:, 0].tolist() == [10, 20]
+    np.testing.assert_allclose(2 * np.arcsin(first[:, 5]), [0.25, 0.5], atol=1e-15)
+    np.testing.assert_allclose(second[:, [0, 5]], [[40, np.sin(0.5)]], atol=1e-15)
+    assert "1 rows with missing" in result.findings[0]
+    assert set(json.loads(result.done[0].conversion.metadata["converted_from"])) == {"a/place.csv", "a/yaw.csv"}
+
+
+def test_no_file_beside(convert_csv: Convert) -> None:
+    """The pattern and what it should stand beside are said."""
+    beside = "beside: {turn: {files: yaw.csv, within: 1 s}}"
+    with pytest.raises(CocorosimError, match=r"beside.turn' finds no file like 'yaw.csv' beside place.csv; it must be"):
+        convert_csv(table(f"{TIME}, {beside}", TURNED, files="place.csv"), {"place.csv": "t,x\n1,1\n"})
 
 
 def test_commands_from_pulse_widths(convert_csv: Convert) -> None:

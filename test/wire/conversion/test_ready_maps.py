@@ -356,3 +356,25 @@ def test_tauv_pool(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any
     force = load_platform("tauv_pool").actuator_limits()[:, 0] * command.command
     wrench_up = force @ load_platform("tauv_pool").actuator_wrenches()
     np.testing.assert_allclose(wrench_up, [4, -7, 8, -3], atol=1e-12)  # forward-left-up
+
+
+def test_milliampere_ferry(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any]]]) -> None:
+    """The middle of a ferry that looks east, 0.983 m north and 0.04 m west of its antenna; orders."""
+    trial = tmp_path / "logs" / "crossing"
+    trial.mkdir(parents=True)
+    stamp = "header_stamp_secs,header_stamp_nsecs"
+    (trial / "vectorVS330_fix.csv").write_text(f"{stamp},latitude,longitude\n60,20000000,63.4422,10.4209\n")
+    half = math.sqrt(0.5)
+    (trial / "vectorVS330_heading.csv").write_text(f"{stamp},quaternion_z,quaternion_w\n60,0,{-half},{-half}\n")
+    for number in (1, 2, 3, 4):
+        rows = f"1970/01/01 02:01:00.7,{500 * (-1) ** number},90\n1970/01/01 02:01:00.30,0,-180\n"
+        (trial / f"actuator_ref_{number}.csv").write_text(f"time,throttle_reference,angle_reference\n{rows}")
+    (made,) = convert(load_map(find_config("maps", "milliampere_ferry")), tmp_path / "logs", tmp_path / "ours")
+    assert made.conversion.findings == ()
+    topics = messages(made.folder)
+    assert place(topics["/ferry/pose"][0]) == pytest.approx([49.907 - 0.04, 111.469 + 0.983, 0, 0], abs=1e-6)
+    orders = topics["/ferry/thruster_command"]
+    assert [each.at for each in orders] == [60_000_000_007, 60_000_000_030]
+    assert tuple(orders[0].content.name) == load_platform("milliampere_ferry").actuator_names
+    np.testing.assert_allclose(orders[0].content.command, [-0.5, -0.5, 0.5, -0.5, -0.5, -0.5, 0.5, -0.5])
+    np.testing.assert_allclose(orders[1].content.command, [0.0, 1.0] * 4)

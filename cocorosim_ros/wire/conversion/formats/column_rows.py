@@ -14,7 +14,7 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, exact_nanoseconds
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, time_columns
 
 Arrays = Mapping[str, npt.NDArray[Any]]
 
@@ -61,15 +61,15 @@ class ColumnRows:
         known = np.ones(self.count, dtype=bool)
         if when.step_ns is not None and when.counter is None:
             return self._checked([round(row * when.step_ns) for row in range(self.count)], when), known
-        parts = ((when.counter, when.step_ns),) if when.counter is not None and when.step_ns else when.columns
         total = [0] * self.count
-        for column, per_unit in parts:
+        for column, nanoseconds in time_columns(when):
             cells = self._column(column)
             if cells.dtype.kind == "M":
+                per_unit = next((unit for timed, unit in when.columns if timed is column), None)
                 cells = _time_stamps(cells, per_unit, column)
             for row, cell in enumerate(cells.tolist()):
                 try:
-                    total[row] += exact_nanoseconds(str(cell), per_unit)
+                    total[row] += nanoseconds(str(cell))
                 except ArithmeticError:
                     known[row] = False
         return self._checked(total, when), known
@@ -125,7 +125,7 @@ def _single_columns(columns: Arrays) -> Mapping[str, npt.NDArray[Any]]:
     return found
 
 
-def _time_stamps(cells: npt.NDArray[Any], per_unit: Fraction, column: Entry) -> npt.NDArray[Any]:
+def _time_stamps(cells: npt.NDArray[Any], per_unit: Fraction | None, column: Entry) -> npt.NDArray[Any]:
     """(n,) nanoseconds since 1970 of moments in time; a missing one is no number."""
     if per_unit != 1:
         raise column.problem(f"has {column.found()}, a column of moments in time, which count ns; write 'unit: ns'.")
