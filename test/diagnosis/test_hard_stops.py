@@ -198,6 +198,22 @@ def test_a_delay_beside_errors_that_last(sound: Case) -> None:
         assert len(sentences(hard_stops.lasting_errors, slow)) == said
 
 
+def test_readings_of_the_only_stream_that_come_late(sound: Case) -> None:
+    """Commands that act late by as much look the same; beside another stream they do not, nor is a torque a delay."""
+
+    def alone(case: Case) -> Case:
+        def with_poses(track: Any) -> Any:
+            return replace(track, log=replace(track.log, streams={"pose": track.log.streams["pose"]}))
+
+        return replace(case, final=replace(case.final, tracks=tuple(map(with_poses, case.final.tracks))))
+
+    late = named(sound, "sensor_latency", latency=0.3)
+    (said,) = sentences(hard_stops.only_clock, alone(late))
+    assert "commands act late" in said
+    assert sentences(hard_stops.only_clock, late) == []
+    assert sentences(hard_stops.only_clock, alone(named(sound, "torque_bias", torque=1.5))) == []
+
+
 def test_noise_that_is_a_guess(sound: Case) -> None:
     """A stream whose readings were interpolated is said, with its columns."""
     (track,) = sound.final.tracks

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import FoundEffect
@@ -187,6 +188,17 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
             )
 
 
+def only_clock(case: Case) -> Iterator[Objection]:
+    """Object to late readings of the only stream of a robot: nothing else there tells what time it is."""
+    for found, named in effects_of(case):
+        if found.id == LATE_READINGS and len(streams_of(case.final.tracks, named.candidate.everybody)) == 1:
+            yield Objection(
+                f"All readings come from one stream, {found.topic}: whether it comes late or the commands act late by "
+                "as much, as after a dead time of the actuators, these recordings cannot tell.",
+                effect=found,
+            )
+
+
 def _is_below_a_step(case: Case, found: FoundEffect) -> bool:
     """Tell whether a number of an effect is a time shorter than a step of the filter."""
     step = max(track.timeline.grid.step for track in case.final.tracks if track.name in found.robots)
@@ -215,6 +227,7 @@ STOPS: tuple[Stop, ...] = (
     strayed_course,
     coloured_innovations,
     lasting_errors,
+    only_clock,
     unknown_noise,
     remainder,
 )
