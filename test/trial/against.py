@@ -153,7 +153,7 @@ def _numbers_of(way: Way) -> list[tuple[str, str]]:
 def _size_of(way: Way, number: str) -> float:
     """How far off a number was put; that of a thruster's factor is the same for twice and for half."""
     if way.effect == "thruster_gain" or (way.effect == "thruster_asymmetry" and number != way.parameter):
-        factor = 1.0 / (1.0 + way.amount)
+        factor = way.change if way.effect == "thruster_gain" else 1.0 / (1.0 + way.amount)
         return max(factor, 1.0 / factor) - 1.0
     return abs(way.change - (1.0 if way.effect in FACTORS else 0.0))
 

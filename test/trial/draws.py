@@ -11,7 +11,17 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from trial.recordings import dives, flights, hovercraft, minutes_in_the_pool, parts_of_a_mission
+from trial.recordings import (
+    NLP1,
+    crossings,
+    dives,
+    flights,
+    hovercraft,
+    minutes_in_the_pool,
+    parts_of_a_mission,
+    pond,
+    zigzags,
+)
 from trial.ways import Way
 
 NOTHING = "nothing"  # to be found of a stream that is hidden: the vehicle is as it was
@@ -31,11 +41,13 @@ class Draw:
     both: bool = True
     thruster: str = ""  # name, where there are not two of them
     poses_alone: bool = False  # no other stream, so that late poses are commands that act late
+    square: bool = False  # thrust goes with the square of the command
 
     def drawn(self, chance: random.Random) -> Way:
         """The way with an amount, and what it does."""
         amount = round(chance.uniform(self.least, self.most), 4)
-        way = way_of(self.how, -amount if self.both and chance.random() < 0.5 else amount, self.thruster)
+        amount = -amount if self.both and chance.random() < 0.5 else amount
+        way = way_of(self.how, amount, self.thruster, power=2 if self.square else 1)
         return replace(way, same=TWINS[way.effect]) if self.poses_alone else way
 
 
@@ -50,11 +62,11 @@ class DataSet:
     ways: tuple[Draw, ...]
 
 
-def way_of(how: str, amount: float, thruster: str = "") -> Way:
-    """What is to be found of a way to alter a log: effect, stream, number and its size."""
+def way_of(how: str, amount: float, thruster: str = "", power: int = 1) -> Way:
+    """What is to be found of a way to alter a log: effect, stream, number and its size; thrust ~ command**power."""
     kind, _, detail = how.partition(":")
     if kind == "gain":  # what the log understates, the thruster has more of
-        factor = 1.0 / (1.0 + amount)
+        factor = (1.0 + amount) ** -power
         if thruster:
             return Way(how, amount, "thruster_gain", None, thruster, factor)
         sign = -1.0 if detail == "0" else 1.0
@@ -109,6 +121,22 @@ def _of_the_mission(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
     yield "glider", parts_of_a_mission(data, out)
 
 
+def _of_zigzags(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
+    bags = zigzags(data, out)
+    for first in range(0, len(bags) - 3, 4):
+        yield f"kvlcc2_{first:02d}", bags[first : first + 4]
+
+
+def _on_the_pond(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
+    bags = pond(data, out, "zigzag")
+    for first in range(0, len(bags) - 3, 4):
+        yield f"esso_{first:02d}", bags[first : first + 4]
+
+
+def _of_a_crossing(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
+    yield "ferry", crossings(data, out, *NLP1)
+
+
 # Flights by turns: one to be compared with, and one of the same thrusts and gondola to be judged.
 FLIGHTS = {
     "rgblimp_long": ("001", "002", "011", "012", "041", "042", "061", "062"),
@@ -158,6 +186,35 @@ SETS = (
         (
             Draw("delay:pressure", 5.0, 20.0, both=False), Draw("pressure", 3000.0, 15000.0),
             Draw("drift", 2.0, 8.0), Draw("pressuregain", 0.03, 0.1),
+        ),
+    ),
+    DataSet(
+        "kvlcc2_hsva", "kvlcc2_hsva", _of_zigzags, 4,
+        (
+            Draw("delay:pose", 0.5, 2.0, both=False), Draw("delay:velocity", 0.5, 2.0, both=False),
+            Draw("delay:imu", 0.5, 2.0, both=False), Draw("delay:thruster_command", -2.0, -0.5, both=False),
+            Draw("gyro", 0.002, 0.01), Draw("gyroscale", 0.1, 0.3), Draw("scale", 0.05, 0.15),
+            Draw("axis", 1.0, 1.0, both=False), Draw("rightdown", 1.0, 1.0, both=False),
+            Draw("hidden:velocity", 1.0, 1.0, both=False),
+        ),
+    ),
+    DataSet(
+        "esso_osaka", "esso_osaka", _on_the_pond, 4,
+        (
+            Draw("gain:0", -0.3, -0.15, both=False, thruster="propeller", square=True),
+            Draw("delay:pose", 0.5, 2.0, both=False, poses_alone=True),
+            Draw("delay:thruster_command", -2.0, -0.5, both=False, poses_alone=True),
+            Draw("scale", 0.05, 0.15), Draw("axis", 1.0, 1.0, both=False),
+        ),
+    ),
+    DataSet(
+        "milliampere_ferry", "milliampere_ferry", _of_a_crossing, 4,
+        (
+            Draw("gain:0", -0.3, -0.15, both=False, thruster="bow_port", square=True),
+            Draw("gain:4", -0.3, -0.15, both=False, thruster="stern_starboard", square=True),
+            Draw("delay:pose", 0.3, 1.0, both=False, poses_alone=True),
+            Draw("delay:thruster_command", -1.0, -0.3, both=False, poses_alone=True),
+            Draw("scale", 0.05, 0.15), Draw("axis", 1.0, 1.0, both=False),
         ),
     ),
 )  # fmt: skip

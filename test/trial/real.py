@@ -12,6 +12,8 @@ from trial.examiner import Task, Terms
 from trial.other_half import TIERS, kept
 from trial.provenance import sentence
 from trial.recordings import (
+    MANEUVERING1,
+    NLP1,
     Group,
     crossings,
     dives,
@@ -84,12 +86,9 @@ def _windy(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[P
 
 
 def _ferry(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
-    # Two trials, an hour apart and with another allocation of thrust each: one goes from place to place, in the other
-    # thrusters push against each other. After two minutes that one only keeps its place (1 to 3 cm/s) and is left out.
-    own = crossings(data, out, "nlp1", "2025/04/11 11:15:46", 123, 4)
-    yield "milliampere_nlp1", "milliampere_ferry", own[0::2], own[1::2]
-    own = crossings(data, out, "maneuvering1", "2025/04/11 12:08:17", 60, 2)
-    yield "milliampere_maneuvering1", "milliampere_ferry", own[0::2], own[1::2]
+    for trial in (NLP1, MANEUVERING1):
+        own = crossings(data, out, *trial)
+        yield f"milliampere_{trial[0]}", "milliampere_ferry", own[0::2], own[1::2]
 
 
 SETS: dict[str, Callable[[Path, Path], Iterator[tuple[str, str, list[Path], list[Path]]]]] = {

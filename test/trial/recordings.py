@@ -11,6 +11,11 @@ from pathlib import Path
 from trial.examiner import COMMAND
 
 _CLOCK = "%Y/%m/%d %H:%M:%S"  # of the ferry's logs
+# Trials of the ferry, an hour apart and with another allocation of thrust each: where the parts of one begin, how long
+# they are and how many. In the first it goes from place to place, in the other its thrusters push against each other;
+# after two minutes that one only keeps its place (1 to 3 cm/s) and is left out.
+NLP1 = ("nlp1", "2025/04/11 11:15:46", 123, 4)
+MANEUVERING1 = ("maneuvering1", "2025/04/11 12:08:17", 60, 2)
 
 
 @dataclass(frozen=True)

@@ -56,3 +56,13 @@ def test_a_doubt_about_the_right_thruster_is_no_silence() -> None:
     assert judged(doubt, way_of("gain:1", -0.2))["outcome"] == "silent"
     assert judged(doubt, way_of("gain:2", -0.2, "down"))["outcome"] == "cannot be seen"
     assert judged(doubt, way_of("gain:0", -0.2, "ahead"))["outcome"] == "silent"
+
+
+def test_thrust_by_the_square_of_the_command() -> None:
+    """Commands logged at half their size hide four times the thrust of what is logged."""
+    weak = Draw("gain:0", -0.5, -0.5, both=False, thruster="propeller", square=True).drawn(random.Random(1))
+    assert (weak.effect, weak.parameter, weak.change) == ("thruster_gain", "propeller", 4.0)
+    gain = NONE | {"against_seen_from": {"thruster_gain:propeller": {"propeller": 2.9}}}
+    assert judged(gain, weak)["outcome"] == "silent"
+    gain["against_seen_from"]["thruster_gain:propeller"]["propeller"] = 3.1
+    assert judged(gain, weak)["outcome"] == "cannot be seen"
