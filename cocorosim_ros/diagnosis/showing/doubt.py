@@ -32,10 +32,10 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.unknowns import Z95
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Refused
-from cocorosim_ros.diagnosis.naming.pruning import taken_back
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
 from cocorosim_ros.diagnosis.showing.hard_stops import FORETELLS_NOTHING
+from cocorosim_ros.diagnosis.showing.withdrawn import withdrawn
 from cocorosim_ros.foundation.arrays import Flags
 
 MAY_BE_NOTHING = (
@@ -73,13 +73,11 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
     """
     passed: list[PassedOver] = []
     while (weakest := _weakest(naming)) is not None:
-        numbers = fitted(naming.fit)
-        fewer, gone = taken_back(naming, *weakest)
+        left, gone, told = withdrawn(naming, *weakest)
         because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
-        every = found_effects(naming.fit, [gone], numbers)
         stands = stands_without_name(gone) and not naming.may_be_rest(gone)
-        passed += [PassedOver(found, stands, because, SIZE_MAY_BE_NOTHING) for found in every]
-        naming = fewer
+        passed += [PassedOver(found, stands, because, SIZE_MAY_BE_NOTHING) for found in told]
+        naming = left
     return naming, tuple(passed)
 
 

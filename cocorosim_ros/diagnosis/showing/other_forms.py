@@ -18,9 +18,8 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 from cocorosim_ros.diagnosis.naming.needed_evidence import likeness
-from cocorosim_ros.diagnosis.naming.pruning import taken_back
 from cocorosim_ros.diagnosis.showing.doubt import stands_without_name
-from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
+from cocorosim_ros.diagnosis.showing.withdrawn import withdrawn
 
 OTHER_FORM = "it is another form of a named effect"
 OF_NO_NAME = (
@@ -50,16 +49,14 @@ def without_other_forms(naming: Naming) -> tuple[Naming, tuple[TakenBack, ...]]:
     passed: list[TakenBack] = []
     while (found := _weakest_other_form(naming)) is not None:
         law, effect = found
-        numbers = fitted(naming.fit)
-        fewer, gone = taken_back(naming, law, law.candidate.robots)
+        left, gone, told = withdrawn(naming, law, law.candidate.robots)
         name = effect.candidate.entry.id
         because = (
             f"It changes the readings much as '{name}' does, and explains less than that: it is most likely no cause "
             "of its own, but says that the law of that effect has another form here.",
         )
-        every = found_effects(naming.fit, [gone], numbers)
-        passed += [TakenBack(PassedOver(each, False, because, OTHER_FORM), gone, name) for each in every]
-        naming = fewer
+        passed += [TakenBack(PassedOver(each, False, because, OTHER_FORM), gone, name) for each in told]
+        naming = left
     return naming, tuple(passed)
 
 

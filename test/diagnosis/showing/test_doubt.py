@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Ref
 from cocorosim_ros.diagnosis.showing import doubt
 from cocorosim_ros.diagnosis.showing.doubt import Clear, beyond_doubt, doubtful_robots, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.form_width import Heterogeneity
+from cocorosim_ros.diagnosis.showing.withdrawn import Withdrawn
 
 ROBOTS, TRACKS = ("a", "b"), ((0, 2), (1,))
 
@@ -78,21 +79,24 @@ def test_numbers_are_asked_with_the_scatter_of_parts(monkeypatch: pytest.MonkeyP
     assert clear.of(foretold).tolist() == [True, True, False, True]
 
 
+def _told(effect: NamedEffect) -> Any:
+    return (effect.candidate.entry.id,)
+
+
 def test_the_weakest_goes_first_and_the_rest_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two that stand in for each other are nothing each; once the weaker is gone, the other is clear and stays."""
     drag, bias = candidate("linear_drag"), candidate("torque_bias")
     monkeypatch.setattr(doubt, "_clear", lambda fit: Clear(*np.full((2, 9), fit != "both")))
     monkeypatch.setattr(doubt, "doubtful_robots", lambda each, fit, clear: () if clear[0] else ROBOTS)
-    monkeypatch.setattr(doubt, "fitted", lambda fit: ())
-    monkeypatch.setattr(doubt, "found_effects", lambda fit, named, numbers: [each.candidate.entry.id for each in named])
     gone: list[str] = []
 
-    def taken_back(naming: Any, weakest: Any, robots: Any) -> Any:
+    def withdrawn(naming: Any, weakest: Any, robots: Any) -> Any:
         gone.append(weakest.candidate.entry.id)
         left = tuple(each for each in naming.named if each is not weakest)
-        return replace(naming, fit="one", named=left), replace(weakest, nats=weakest.nats - 5.0)
+        weaker = replace(weakest, nats=weakest.nats - 5.0)
+        return Withdrawn(replace(naming, fit="one", named=left), weaker, _told(weakest))
 
-    monkeypatch.setattr(doubt, "taken_back", taken_back)
+    monkeypatch.setattr(doubt, "withdrawn", withdrawn)
     both: Any = "both"
     naming, passed = beyond_doubt(Naming(both, both, (effect(drag, 40.0, 0.1), effect(bias, 12.0, 0.1)), (), ()))
     assert gone == ["torque_bias"] and [each.candidate.entry.id for each in naming.named] == ["linear_drag"]
@@ -143,9 +147,11 @@ def test_beside_found_effects_a_mean_is_not_enough(monkeypatch: pytest.MonkeyPat
     fit: Any = SimpleNamespace(unknowns=tuple(bias.amplitudes()))
     one = np.ones(len(fit.unknowns), dtype=bool)
     monkeypatch.setattr(doubt, "_clear", lambda fit: Clear(~one, one))
-    monkeypatch.setattr(doubt, "taken_back", lambda naming, each, robots: (replace(naming, named=()), each))
-    monkeypatch.setattr(doubt, "fitted", lambda fit: ())
-    monkeypatch.setattr(doubt, "found_effects", lambda fit, named, numbers: [each.candidate.entry.id for each in named])
+    monkeypatch.setattr(
+        doubt,
+        "withdrawn",
+        lambda naming, each, robots: Withdrawn(replace(naming, named=()), each, _told(each)),
+    )
     alone = Naming(fit, fit, (named,), (), ())
     declared = replace(alone, known=(effect(candidate("linear_drag"), 90.0),))
     assert beyond_doubt(alone) == (alone, ()) and beyond_doubt(declared) == (declared, ())

@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 from cocorosim_ros.diagnosis.showing import other_forms
 from cocorosim_ros.diagnosis.showing.other_forms import TakenBack, told_at_last, without_other_forms
+from cocorosim_ros.diagnosis.showing.withdrawn import Withdrawn
 
 
 def named(name: str, nats: float, law: str | None = None, robots: tuple[str, ...] = ("a",)) -> NamedEffect:
@@ -45,16 +46,15 @@ def test_what_is_another_form(law: NamedEffect, alike: float, is_form: bool, mon
     What is taken back is told with the effect of which it is another form, and nothing is missing for it.
     """
 
-    def gone(naming: Naming, effect: NamedEffect, robots: tuple[str, ...]) -> tuple[Naming, NamedEffect]:
+    def gone(naming: Naming, effect: NamedEffect, robots: tuple[str, ...]) -> Withdrawn:
         assert robots == effect.candidate.robots
-        return replace(naming, named=tuple(each for each in naming.named if each is not effect)), effect
+        told: Any = (effect.candidate.entry.id,)
+        return Withdrawn(
+            replace(naming, named=tuple(each for each in naming.named if each is not effect)), effect, told
+        )
 
     monkeypatch.setattr(other_forms, "likeness", lambda fit, one, other: alike)
-    monkeypatch.setattr(other_forms, "taken_back", gone)
-    monkeypatch.setattr(other_forms, "fitted", lambda fit: ())
-    monkeypatch.setattr(
-        other_forms, "found_effects", lambda fit, every, numbers: [each.candidate.entry.id for each in every]
-    )
+    monkeypatch.setattr(other_forms, "withdrawn", gone)
     fit: Any = "fit"
     left, forms = without_other_forms(Naming(fit, fit, (DRAG, law), (), ()))
     passed = [each.told for each in forms]
