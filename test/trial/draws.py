@@ -122,15 +122,11 @@ def _of_the_mission(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
 
 
 def _of_zigzags(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
-    bags = zigzags(data, out)
-    for first in range(0, len(bags) - 3, 4):
-        yield f"kvlcc2_{first:02d}", bags[first : first + 4]
+    yield "kvlcc2", zigzags(data, out)
 
 
 def _on_the_pond(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
-    bags = pond(data, out, "zigzag")
-    for first in range(0, len(bags) - 3, 4):
-        yield f"esso_{first:02d}", bags[first : first + 4]
+    yield "esso", pond(data, out, "zigzag")
 
 
 def _of_a_crossing(data: Path, out: Path) -> Iterator[tuple[str, list[Path]]]:
@@ -189,7 +185,7 @@ SETS = (
         ),
     ),
     DataSet(
-        "kvlcc2_hsva", "kvlcc2_hsva", _of_zigzags, 4,
+        "kvlcc2_hsva", "kvlcc2_hsva", _of_zigzags, 12,
         (
             Draw("delay:pose", 0.5, 2.0, both=False), Draw("delay:velocity", 0.5, 2.0, both=False),
             Draw("delay:imu", 0.5, 2.0, both=False), Draw("delay:thruster_command", -2.0, -0.5, both=False),
@@ -199,7 +195,7 @@ SETS = (
         ),
     ),
     DataSet(
-        "esso_osaka", "esso_osaka", _on_the_pond, 4,
+        "esso_osaka", "esso_osaka", _on_the_pond, 8,
         (
             Draw("gain:0", -0.3, -0.15, both=False, thruster="propeller", square=True),
             Draw("delay:pose", 0.5, 2.0, both=False, poses_alone=True),
