@@ -210,6 +210,9 @@ def test_readings_of_the_only_stream_that_come_late(sound: Case) -> None:
     late = named(sound, "sensor_latency", latency=0.3)
     (said,) = sentences(hard_stops.only_clock, alone(late))
     assert "commands act late" in said
+    (effect,) = late.named  # a comparison shows a part of its tracks, whose numbers were those of all
+    elsewhere = replace(effect, candidate=replace(effect.candidate, tracks=((7,),)))
+    assert sentences(hard_stops.only_clock, alone(replace(late, named=(elsewhere,)))) == [said]
     assert sentences(hard_stops.only_clock, late) == []
     assert sentences(hard_stops.only_clock, alone(named(sound, "torque_bias", torque=1.5))) == []
 

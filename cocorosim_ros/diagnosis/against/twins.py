@@ -23,14 +23,13 @@ def with_twin(effect: NamedEffect, candidates: Sequence[Candidate], tracks: Sequ
     """Add the twin of a delay to its rivals, if its robots have one stream; tracks: by the candidates' numbers."""
     mine = effect.candidate
     twin = _TWINS.get(mine.entry.id)
-    if twin is None or len(streams_of(tracks, mine.everybody)) != 1:
+    if twin is None or len(streams_of([tracks[number] for number in mine.everybody])) != 1:
         return effect
     found = [each for each in candidates if each.entry.id == twin and each.robots == mine.robots]
     others = tuple(rival for rival in effect.rivals if rival.candidate.entry.id != twin)
     return replace(effect, rivals=(*(NearRival(each, 0.0) for each in found[:1]), *others)) if found else effect
 
 
-def streams_of(tracks: Sequence[Track], numbers: Sequence[int]) -> set[str]:
-    """Topics of which some of the tracks have readings, by the numbers of these tracks."""
-    logs = [tracks[number].log for number in numbers]
-    return {topic for log in logs for topic, stream in log.streams.items() if len(stream.time)}
+def streams_of(tracks: Sequence[Track]) -> set[str]:
+    """Topics of which some of the tracks have readings."""
+    return {topic for track in tracks for topic, stream in track.log.streams.items() if len(stream.time)}

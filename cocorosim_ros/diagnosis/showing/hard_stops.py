@@ -190,8 +190,9 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
 
 def only_clock(case: Case) -> Iterator[Objection]:
     """Object to late readings of the only stream of a robot: nothing else there tells what time it is."""
-    for found, named in effects_of(case):
-        if found.id == LATE_READINGS and len(streams_of(case.final.tracks, named.candidate.everybody)) == 1:
+    for found, _ in effects_of(case):
+        own = [track for track in case.final.tracks if track.name in found.robots]
+        if found.id == LATE_READINGS and len(streams_of(own)) == 1:
             yield Objection(
                 f"All readings come from one stream, {found.topic}: whether it comes late or the commands act late by "
                 "as much, as after a dead time of the actuators, these recordings cannot tell.",
