@@ -11,6 +11,7 @@ from typing import Any
 from trial.examiner import Task, Terms
 from trial.other_half import TIERS, kept
 from trial.provenance import sentence
+from trial.real_page import kept_lines, page_of
 from trial.recordings import (
     MANEUVERING1,
     NLP1,
@@ -26,21 +27,9 @@ from trial.recordings import (
 )
 from trial.sealed import diagnose
 from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, WINDY_DAY, ships
+from trial.thruster import thruster_rows
 from trial.unseen import OnUnseen, on_unseen
 from trial.ways import answer, effects
-
-MEASURED_AGAINST = (
-    "All models start from one state, which the recalibrated model makes of the readings before, and are measured",
-    "against the readings that come, in blocks (or whole recordings) that no fit of the numbers saw. `course`",
-    "beside a channel: no reading shows it as it is, and the course that the recalibrated model sees in the other",
-    "readings stands in. Which effects a model has was decided on everything, free runs through these blocks among it.",
-    "The noise floor is the error of a model that names nothing and has learnt a smooth force. Unseen recordings had",
-    "no part in the found model: it and the platform's file run from the same starts, over the same seconds, through",
-    "the same windows, which fill these recordings but for their first tenth; in brackets how long, how many, and in",
-    "what share of them the found model errs more. Versions up to a79eb88 measured in a fifth of them: rows that were",
-    "made by one have fewer windows. Still earlier ones measured each model against its own smoothed course; their",
-    "figures do not compare with these.",
-)
 
 
 def _hovercraft(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
@@ -203,84 +192,6 @@ def other_half(pair: tuple[Group, Group], out: Path) -> str:
     return f"| {pair[0].name} | {' | '.join(cells)} |"
 
 
-HEADS = {
-    "found": ["## What was found", ""],
-    "runs": [
-        "", "## Free runs on data that no fit of the numbers saw", "", *MEASURED_AGAINST, "",
-        "| recordings | channel | nominal | recalibrated | augmented | noise floor"
-        " | unseen recordings, nominal | unseen recordings, found model |",
-        "|---|---|---|---|---|---|---|---|",
-    ],
-    "again": [
-        "", "## The same model again, and one half against the other", "",
-        "The found model finds nothing twice if the same recordings are `consistent` with it; so are two halves of one",
-        "vehicle in one state, compared by `--against`.", "",
-        "| recordings | the same recordings, found model | held-out half against the other |", "|---|---|---|",
-    ],
-    "other": [
-        "", "## Effects on the other half of the recordings", "",
-        "Each half was diagnosed by itself against the platform's file. An effect keeps its sign if the other half",
-        "names it too, on the same stream, with all amplitudes that are clear here on the same side; its size, if",
-        "their 95 % intervals have something in common as well.", "",
-        "| recordings | confirmed effects | suspected effects |", "|---|---|---|",
-    ],
-    "ships": ["", "## Two model ships", ""],
-}  # fmt: skip
-
-
-def _page(
-    pairs: Sequence[tuple[Group, Group]],
-    out: Path,
-    made: Sequence[str],
-    kept: dict[str, list[str]],
-    of_ships: Sequence[str] = (),
-) -> list[str]:
-    """Lines of the page; made: by what; kept: lines of other data sets by section, from the page that was there.
-
-    of_ships: what is measured of the two model ships alone.
-    """
-    own = {
-        "found": [line for pair in pairs for line in findings(pair, out)],
-        "runs": [line for pair in pairs for line in held_out(pair, out)],
-        "again": [again(pair, out) for pair in pairs],
-        "other": [other_half(pair, out) for pair in pairs],
-        "ships": list(of_ships),
-    }
-    heads = {name: words for name, words in HEADS.items() if name != "ships" or own[name] or kept.get(name)}
-    head = [
-        "# Real recordings as they are", "",
-        "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half.", "",
-        *made, "",
-    ]  # fmt: skip
-    return head + [line for name, words in heads.items() for line in (*words, *kept.get(name, []), *own[name])] + [""]
-
-
-def kept_lines(page: Path, names: Sequence[str]) -> tuple[list[str], dict[str, list[str]]]:
-    """What made an earlier page, and its lines on recordings other than `names` by section; nothing without a page."""
-    if not page.exists():
-        return [], {}
-    made: list[str] = []
-    kept: dict[str, list[str]] = {name: [] for name in HEADS}
-    section, group = "", ""
-    for line in page.read_text(encoding="utf-8").splitlines():
-        section = next((name for name, words in HEADS.items() if line.startswith("## ") and line in words), section)
-        if line.startswith("Made by"):
-            made.append(line)
-        elif line.startswith("- "):
-            group = line[2:].split(" ")[0].rstrip(":")
-        elif line.startswith("| ") and not line.startswith("| recordings"):
-            group = line[2:].split(" ")[0]
-        if section and line.lstrip().startswith(("- ", "| ")) and not line.startswith("| recordings"):
-            kept[section] += [_comparable(line) if section == "runs" else line] if group not in names else []
-    return made if any(kept.values()) else [], kept
-
-
-def _comparable(row: str) -> str:
-    """A row of the free runs, without what an earlier version measured over other seconds for each of two models."""
-    *inside, _, found, _ = row.split("|")
-    return row if " windows" in found or found == " - " else "|".join([*inside, " - ", " - ", ""])
-
-
 def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any], sets: Sequence[str] = ()) -> int:
     """Converts, diagnoses, tries on what was held out, and writes the page; source: what made it.
 
@@ -290,9 +201,19 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
     diagnose([task for pair in pairs for task in learn(pair, out)], replace(terms, keep_reports=True))
     rest = [replay(pair, out) for pair in pairs if answer(out / "diagnoses" / pair[0].name)]
     diagnose(rest, replace(terms, keep_reports=True))
-    made, kept = kept_lines(pages / "real.md", [pair[0].name for pair in pairs])
+    of_thruster = thruster_rows(data)
+    anew = [pair[0].name for pair in pairs] + [row.split()[1] for row in of_thruster]
+    made, kept = kept_lines(pages / "real.md", anew)
     mine = f"{sentence(source)} ({', '.join(pair[0].name for pair in pairs)})"
-    text = _page(pairs, out, [*(line for line in made if line != mine), mine], kept, ships(pairs, data, out))
+    own = {
+        "found": [line for pair in pairs for line in findings(pair, out)],
+        "runs": [line for pair in pairs for line in held_out(pair, out)],
+        "again": [again(pair, out) for pair in pairs],
+        "other": [other_half(pair, out) for pair in pairs],
+        "ships": ships(pairs, data, out),
+        "thruster": of_thruster,
+    }
+    text = page_of(own, [*(line for line in made if line != mine), mine], kept)
     pages.mkdir(parents=True, exist_ok=True)
     (pages / "real.md").write_text("\n".join(text), encoding="utf-8")
     facts = {

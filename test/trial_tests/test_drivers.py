@@ -253,7 +253,7 @@ def test_an_earlier_page_is_kept_but_for_what_was_done_again(tmp_path: Path) -> 
 
     A row that does not say its windows has errors of two models over different seconds, and loses these.
     """
-    from trial.real import kept_lines
+    from trial.real_page import kept_lines
 
     page = tmp_path / "real.md"
     page.write_text(

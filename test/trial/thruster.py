@@ -1,0 +1,77 @@
+"""Arm three, an actuator by itself: how well the forms of a platform file hold the published table of a thruster."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.optimize import least_squares
+
+FOLDER, FORCE, STOP, FULL = "t200_thruster", 5, 1500.0, 400.0  # column of the force; PWM [us]
+KEPT = 10  # every tenth reading, 40 us apart, makes the curve; it is tried on all others
+STANDARD_GRAVITY = 9.80665  # m/s^2: the table has kilograms
+FORMS = ("linear", "square", "linear with a dead band", "table")
+
+
+def thruster_rows(data: Path) -> list[str]:
+    """Rows of the page: by supply voltage, what each form errs by; none where the table is not there."""
+    return [f"| {path.stem} | {_errors(path)} |" for path in sorted((data / FOLDER).glob("*.csv"))]
+
+
+def _errors(path: Path) -> str:
+    """Cells: root mean square of force less table on readings that made no curve, in N."""
+    pulse, force = np.genfromtxt(path, delimiter=",", skip_header=1, usecols=(0, FORCE)).T
+    command, force = (pulse - STOP) / FULL, STANDARD_GRAVITY * force
+    made = np.zeros(len(command), dtype=bool)
+    made[::KEPT] = True
+    cells = [f"{np.abs(force).max():.1f}"]
+    for form in FORMS:
+        found = forces(fitted(form, command[made], force[made]), command[~made])
+        cells.append(f"{np.sqrt(np.mean((found - force[~made]) ** 2)):.2f}")
+    return " | ".join(cells)
+
+
+def fitted(form: str, command: Any, force: Any) -> Any:
+    """A thruster of a platform whose curve has this form, by least squares; a table goes through all its points."""
+    from cocorosim_ros.scenario.parts.thrust_curve import ThrustCurve
+
+    ahead, astern = max(float(force[-1]), 1e-3), max(-float(force[0]), 1e-3)
+    if form == "table":
+        quiet = np.where(force * command > 0.0, force, 0.0)  # at rest single readings have the other sign
+        return _thruster(ahead, astern, ThrustCurve("table", None, tuple(command), tuple(quiet)))
+
+    def made(numbers: Any) -> Any:
+        band = float(numbers[2]) if form == FORMS[2] else None
+        return _thruster(float(numbers[0]), float(numbers[1]), ThrustCurve(form.split(maxsplit=1)[0], band))
+
+    def off(numbers: Any) -> Any:
+        return forces(made(numbers), command) - force
+
+    return made(least_squares(off, [ahead, astern, 0.05], bounds=([1e-3, 1e-3, 0.0], [1e3, 1e3, 0.5])).x)
+
+
+def _thruster(ahead: float, astern: float, curve: Any) -> Any:
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+
+    platform = load_platform("bluerov2_heavy")
+    first = next(each for each in platform.actuators if isinstance(each, Thruster))
+    return replace(platform, actuators=(replace(first, maximum=ahead, maximum_reverse=astern, curve=curve),))
+
+
+def forces(platform: Any, commands: Any) -> Any:
+    """What the only thruster of a platform gives at each command [N]."""
+    from cocorosim_ros.world.motion.motion import apply_commands
+    from cocorosim_ros.world.state.state import STATE_SIZE, row_size
+    from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
+
+    vehicles = build_vehicles([platform])
+
+    def at(command: float) -> float:
+        state = np.zeros((1, 1, row_size(1)))
+        apply_commands(state, np.full((1, 1, 1), command), vehicles)
+        return float(state[0, 0, STATE_SIZE])
+
+    return np.array([at(float(each)) for each in commands])
