@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.evidence import SPACING
+from cocorosim_ros.diagnosis.criteria.evidence import BURSTS, SPACING
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
-_EVEN = re.compile(r": \d+ readings( at \S+ Hz)?\.$")
+_EVEN = re.compile(r": \d+ readings( at \S+ Hz| in bunches, \S+ a second)?\.$")
 
 
 @dataclass(frozen=True)
@@ -99,11 +99,18 @@ def timing_sentence(name: str, time: Floats) -> str:
         return f"{name}: {len(time)} readings."
     steps = np.diff(time)
     usual = float(np.median(steps))
+    gaps: Sequence[tuple[float, float]] = gaps_of(time)
+    mean = (float(time[-1] - time[0]) - sum(end - start for start, end in gaps)) / (len(steps) - len(gaps) or 1)
+    if usual < BURSTS.at_once * mean:  # as of several writers of one topic
+        return _with_gaps(name, [f"{len(time)} readings in bunches, {1.0 / mean:.3g} a second"], gaps)
     parts = [f"{len(time)} readings at {1.0 / usual:.3g} Hz"]
     jitter = 1.4826 * float(np.median(np.abs(steps - usual)))
     if jitter > SPACING.jitter * usual:
         parts.append(f"unevenly (jitter {1000.0 * jitter:.3g} ms)")
-    gaps: Sequence[tuple[float, float]] = gaps_of(time)
+    return _with_gaps(name, parts, gaps)
+
+
+def _with_gaps(name: str, parts: list[str], gaps: Sequence[tuple[float, float]]) -> str:
     if gaps:
         longest = max(gaps, key=lambda gap: gap[1] - gap[0])
         times = "1 gap" if len(gaps) == 1 else f"{len(gaps)} gaps, the longest"
@@ -112,5 +119,5 @@ def timing_sentence(name: str, time: Floats) -> str:
 
 
 def is_noteworthy(remark: str) -> bool:
-    """Tell whether a remark says more than the rate of a topic that was recorded evenly and without gaps."""
+    """Tell whether a remark says more than the rate of a topic that was recorded without gaps, evenly or in bunches."""
     return _EVEN.search(remark) is None

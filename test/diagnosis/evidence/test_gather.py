@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.evidence.cleaning import is_noteworthy, timing_sentence
 from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
 from cocorosim_ros.diagnosis.evidence.gather import gather_evidence, gather_recording
 from cocorosim_ros.diagnosis.evidence.intake import take_in
@@ -206,6 +207,17 @@ def test_jitter_is_said(record: Record, circle: Any, lily_platform: Platform, is
     remarks = gather_recording(record(circle), lily_platform).remarks
     assert is_said(remarks, "lily_01/compass", "unevenly (jitter")
     assert not is_said(remarks, "lily_01/pose", "unevenly")
+
+
+def test_bunches_have_a_mean_rate() -> None:
+    """Four writers of one topic that write 10 us after each other, ten times a second, do not write at 100 kHz."""
+    together = (0.1 * np.arange(50)[:, None] + 1e-5 * np.arange(4)).ravel()
+    said = timing_sentence("commands", together)
+    assert said == "commands: 200 readings in bunches, 40.6 a second." and not is_noteworthy(said)
+    paused = np.append(together, together + 20.0)
+    assert timing_sentence("commands", paused) == (
+        "commands: 400 readings in bunches, 40.6 a second, 1 gap from 4.9 to 20.0 s."
+    )
 
 
 def test_heading_over_a_gap_follows_the_gyroscope(
