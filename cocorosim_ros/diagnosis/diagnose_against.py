@@ -77,7 +77,10 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     naming = replace(naming, screened=alike.all_weighed(naming.screened))
     against = _against(good, learned, control, naming)
     clocks = tuple(other_clocks(intake.evidence, well.evidence))
-    return _told(naming, judged, intake, replace(against, taken_back=taken_back), clocks)
+    told = _told(naming, judged, intake, replace(against, taken_back=taken_back), clocks)
+    # The numbers of the model file are those of the learned vehicle, found with its steps and in its form of drag.
+    form = word_of_form(learned) if bad.platform.drag_form is None else ""
+    return replace(told, drag_form=form, step=min(track.timeline.grid.step for track in learned.tracks))
 
 
 def _thrusters(platform: Platform) -> tuple[str, ...]:
@@ -174,8 +177,6 @@ def _told(
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
         untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted)),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted)),
-        drag_form=word_of_form(base) if intake.evidence.platform.drag_form is None else "",
-        step=min(track.timeline.grid.step for track in base.tracks),
     )
 
 

@@ -47,7 +47,6 @@ def test_the_form_that_a_comparison_learned_is_told(tmp_path: Path) -> None:
     good, bad = (boats.recorded(boat, boats.Truth(), 60.0, seed) for seed in (5, 6))
     found = diagnose_against(bad, good, lambda words, share: None)
     assert found.drag_form == "own_speed"
-    assert found.step is not None
     robots = tuple(log.name for log in bad.recordings[0].robots)
     path = tmp_path / "model.yaml"
     path.write_text(model_yaml(as_platform(found), Origin(boat, ("made",), robots, 60.0)), encoding="utf-8")

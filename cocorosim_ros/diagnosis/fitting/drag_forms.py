@@ -42,8 +42,9 @@ def drag_form_of(fit: Fit) -> float:
 
 
 def word_of_form(fit: Fit) -> str:
-    """Find the word of a platform file for the form that the rows of a fit have; '' for one that has no word."""
-    return next((name for name, code in FORM_BY_NAME.items() if code == drag_form_of(fit)), "")
+    """Find the word of a platform file for the form that a fit has chosen; '' for the total speed, which is usual."""
+    form = drag_form_of(fit)
+    return next((name for name, code in FORM_BY_NAME.items() if code == form != TOTAL_SPEED), "")
 
 
 def with_best_form(base: Fit, rounds: int) -> tuple[Fit, ChosenForm | None]:

@@ -204,3 +204,25 @@ def test_late_poses_without_another_stream_are_told_with_their_twin(swim: Any) -
     assert {found.id, found.ambiguous_with[0].id} == {"command_delay", "sensor_latency"}
     (number,) = found.parameters.values()
     assert number.value == pytest.approx(0.25, abs=0.05)
+
+
+def test_the_step_of_the_learned_numbers_is_told(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file with a hundredth of the drag has longer steps than the vehicle that is learned, whose numbers are told."""
+    from cocorosim_ros.diagnosis import diagnose_against
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.ranges import Range
+
+    lily, fits = load_platform("lily"), []
+    wide = {"drag": Range(0.01, 5.0, "kg/m"), "yaw_drag": Range(1e-7, 1e-3, "N m s^2")}
+    slow = replace(lily, drag=0.01 * lily.drag, yaw_drag=0.01 * lily.yaw_drag, ranges=wide)
+
+    def kept(*given: Any) -> Any:
+        fits.append(joint(*given))
+        return fits[-1]
+
+    joint = diagnose_against.joint_fit
+    monkeypatch.setattr(diagnose_against, "joint_fit", kept)
+    good, bad = (swim(lily, 2.5 * SECONDS, seed=seed, base=slow) for seed in (4, 3))
+    found = diagnose_against.diagnose_against(bad, good, lambda words, share: None)
+    learned, *judged = (track.timeline.grid.step for track in fits[-1].tracks)
+    assert found.step == learned < max(judged)
