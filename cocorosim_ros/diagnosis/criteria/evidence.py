@@ -146,13 +146,19 @@ class SpacingCriteria:
     """[usual intervals] between commands that come at a steady rate, nearly always. Chosen, not measured."""
     nearly_all: float = 0.95
     """[share of the intervals] of these commands that are no longer than that. Chosen, not measured."""
+    many: float = 0.05
+    """[share of the intervals] that are long, from which they are no gaps but belong to how a topic is written. Chosen,
+    not measured."""
+    bunched: float = 0.25
+    """[share of the intervals] shorter than `BURSTS.at_once`, above which a topic has several writers. Chosen, not
+    measured."""
     jitter: float = 0.2
     """[of the usual interval] of jitter from which a remark gives it; drivers make less. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
 class BurstCriteria:
-    """Signs of readings that were delivered in bursts (`bursts`)."""
+    """Signs of readings that were delivered in bursts (`bursts`), and of writers that write at once (`cleaning`)."""
 
     at_once: float = 0.1
     """[of the mean interval] no instrument takes two readings so close to each other. Chosen, not measured."""

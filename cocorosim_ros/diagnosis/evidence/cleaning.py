@@ -88,26 +88,43 @@ def gaps_of(time: Floats) -> tuple[tuple[float, float], ...]:
     """Start and end [s] of every gap: a time without readings that is long beside their usual interval."""
     if len(time) < 3:
         return ()
-    steps = np.diff(time)
-    long = steps > max(SPACING.gap_intervals * float(np.median(steps)), SPACING.gap_seconds)
-    return tuple((float(time[k]), float(time[k + 1])) for k in np.flatnonzero(long))
+    return tuple((float(time[k]), float(time[k + 1])) for k in np.flatnonzero(_is_long(np.diff(time))))
+
+
+def _is_long(steps: Floats) -> Flags:
+    """Tell of each interval (n,) [s] whether it is long beside the usual one."""
+    return steps > max(SPACING.gap_intervals * float(np.median(steps)), SPACING.gap_seconds)
 
 
 def timing_sentence(name: str, time: Floats) -> str:
     """A sentence about the rate, the evenness and the gaps of a recorded topic."""
     if len(time) < 3:
         return f"{name}: {len(time)} readings."
+    first = _first_of_bunches(time)
+    if len(first) < len(time):
+        gaps = gaps_of(first)
+        alive = float(first[-1] - first[0]) - sum(end - start for start, end in gaps)
+        a_second = len(time) / len(first) * (len(first) - 1 - len(gaps)) / alive if alive > 0.0 else np.nan
+        return _with_gaps(name, [f"{len(time)} readings in bunches, {a_second:.3g} a second"], gaps)
     steps = np.diff(time)
     usual = float(np.median(steps))
-    gaps: Sequence[tuple[float, float]] = gaps_of(time)
-    mean = (float(time[-1] - time[0]) - sum(end - start for start, end in gaps)) / (len(steps) - len(gaps) or 1)
-    if usual < BURSTS.at_once * mean:  # as of several writers of one topic
-        return _with_gaps(name, [f"{len(time)} readings in bunches, {1.0 / mean:.3g} a second"], gaps)
     parts = [f"{len(time)} readings at {1.0 / usual:.3g} Hz"]
     jitter = 1.4826 * float(np.median(np.abs(steps - usual)))
     if jitter > SPACING.jitter * usual:
         parts.append(f"unevenly (jitter {1000.0 * jitter:.3g} ms)")
-    return _with_gaps(name, parts, gaps)
+    return _with_gaps(name, parts, gaps_of(time))
+
+
+def _first_of_bunches(time: Floats) -> Floats:
+    """Stamps of the first of the readings that writers of a topic give at once; all stamps if there is one writer.
+
+    Intervals that are long beside the usual one are gaps if there are few of them; many are those between bunches.
+    """
+    steps = np.diff(time)
+    long = _is_long(steps)
+    mean = float(np.mean(steps[~long] if np.mean(long) < SPACING.many else steps))
+    at_once = steps < BURSTS.at_once * mean
+    return time[np.append(True, ~at_once)] if np.mean(at_once) > SPACING.bunched else time
 
 
 def _with_gaps(name: str, parts: list[str], gaps: Sequence[tuple[float, float]]) -> str:

@@ -209,15 +209,24 @@ def test_jitter_is_said(record: Record, circle: Any, lily_platform: Platform, is
     assert not is_said(remarks, "lily_01/pose", "unevenly")
 
 
-def test_bunches_have_a_mean_rate() -> None:
-    """Four writers of one topic that write 10 us after each other, ten times a second, do not write at 100 kHz."""
-    together = (0.1 * np.arange(50)[:, None] + 1e-5 * np.arange(4)).ravel()
-    said = timing_sentence("commands", together)
-    assert said == "commands: 200 readings in bunches, 40.6 a second." and not is_noteworthy(said)
-    paused = np.append(together, together + 20.0)
-    assert timing_sentence("commands", paused) == (
-        "commands: 400 readings in bunches, 40.6 a second, 1 gap from 4.9 to 20.0 s."
-    )
+@pytest.mark.parametrize(("writers", "apart", "period"), [(4, 1e-5, 0.1), (4, 1e-3, 5.0), (2, 1e-3, 0.1)])
+def test_bunches_have_a_mean_rate(writers: int, apart: float, period: float) -> None:
+    """Writers of one topic that write shortly after each other do not write at the rate of the time between them."""
+    together = (period * np.arange(50)[:, None] + apart * np.arange(writers)).ravel()
+    said = timing_sentence("commands", np.delete(together, 30))
+    assert said == f"commands: {50 * writers - 1} readings in bunches, {(writers - 0.02) / period:.3g} a second."
+    assert not is_noteworthy(said)
+    paused = timing_sentence("commands", np.append(together, together + 100.0 * period))
+    last, again = 49 * period, 100 * period
+    assert paused.endswith(f"{writers / period:.3g} a second, 1 gap from {last:.1f} to {again:.1f} s.")
+    assert is_noteworthy(paused)
+
+
+def test_a_long_gap_makes_no_bunches() -> None:
+    """Two minutes of even readings an hour apart are even readings."""
+    even = 0.1 * np.arange(1200)
+    said = timing_sentence("pose", np.append(even, even + 3600.0))
+    assert said == "pose: 2400 readings at 10 Hz, 1 gap from 119.9 to 3600.0 s."
 
 
 def test_heading_over_a_gap_follows_the_gyroscope(
