@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -105,14 +104,15 @@ def timing_sentence(name: str, time: Floats) -> str:
         gaps = gaps_of(first)
         alive = float(first[-1] - first[0]) - sum(end - start for start, end in gaps)
         a_second = len(time) / len(first) * (len(first) - 1 - len(gaps)) / alive if alive > 0.0 else np.nan
-        return _with_gaps(name, [f"{len(time)} readings in bunches, {a_second:.3g} a second"], gaps)
+        parts = [f"{len(time)} readings in bunches, {a_second:.3g} a second"]
+        return f"{name}: {', '.join((*parts, *_of_gaps(first)))}."
     steps = np.diff(time)
     usual = float(np.median(steps))
     parts = [f"{len(time)} readings at {1.0 / usual:.3g} Hz"]
     jitter = 1.4826 * float(np.median(np.abs(steps - usual)))
     if jitter > SPACING.jitter * usual:
         parts.append(f"unevenly (jitter {1000.0 * jitter:.3g} ms)")
-    return _with_gaps(name, parts, gaps_of(time))
+    return f"{name}: {', '.join((*parts, *_of_gaps(time)))}."
 
 
 def _first_of_bunches(time: Floats) -> Floats:
@@ -127,12 +127,14 @@ def _first_of_bunches(time: Floats) -> Floats:
     return time[np.append(True, ~at_once)] if np.mean(at_once) > SPACING.bunched else time
 
 
-def _with_gaps(name: str, parts: list[str], gaps: Sequence[tuple[float, float]]) -> str:
-    if gaps:
-        longest = max(gaps, key=lambda gap: gap[1] - gap[0])
-        times = "1 gap" if len(gaps) == 1 else f"{len(gaps)} gaps, the longest"
-        parts.append(f"{times} from {longest[0]:.1f} to {longest[1]:.1f} s")
-    return f"{name}: {', '.join(parts)}."
+def _of_gaps(time: Floats) -> tuple[str, ...]:
+    """Words on the gaps between readings; () without any."""
+    gaps = gaps_of(time)
+    if not gaps:
+        return ()
+    longest = max(gaps, key=lambda gap: gap[1] - gap[0])
+    times = "1 gap" if len(gaps) == 1 else f"{len(gaps)} gaps, the longest"
+    return (f"{times} from {longest[0]:.1f} to {longest[1]:.1f} s",)
 
 
 def is_noteworthy(remark: str) -> bool:
