@@ -27,7 +27,7 @@ from trial.recordings import (
 )
 from trial.sealed import diagnose
 from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, WINDY_DAY, ships
-from trial.thruster import thruster_rows
+from trial.thruster import FOLDER, thruster_rows
 from trial.unseen import OnUnseen, on_unseen
 from trial.ways import answer, effects
 
@@ -197,14 +197,14 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
 
     sets: data sets by folder, all if left out; what an earlier page says of others is kept.
     """
-    pairs = groups(data, out, sets or tuple(SETS))
+    pairs = groups(data, out, [name for name in sets if name != FOLDER] if sets else tuple(SETS))
     diagnose([task for pair in pairs for task in learn(pair, out)], replace(terms, keep_reports=True))
     rest = [replay(pair, out) for pair in pairs if answer(out / "diagnoses" / pair[0].name)]
     diagnose(rest, replace(terms, keep_reports=True))
-    of_thruster = thruster_rows(data)
+    of_thruster = thruster_rows(data) if not sets or FOLDER in sets else []
     anew = [pair[0].name for pair in pairs] + [row.split()[1] for row in of_thruster]
     made, kept = kept_lines(pages / "real.md", anew)
-    mine = f"{sentence(source)} ({', '.join(pair[0].name for pair in pairs)})"
+    mine = f"{sentence(source)} ({', '.join([pair[0].name for pair in pairs] + [FOLDER] * bool(of_thruster))})"
     own = {
         "found": [line for pair in pairs for line in findings(pair, out)],
         "runs": [line for pair in pairs for line in held_out(pair, out)],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -52,11 +53,17 @@ def fitted(form: str, command: Any, force: Any) -> Any:
     return made(least_squares(off, [ahead, astern, 0.05], bounds=([1e-3, 1e-3, 0.0], [1e3, 1e3, 0.5])).x)
 
 
-def _thruster(ahead: float, astern: float, curve: Any) -> Any:
+@lru_cache(maxsize=1)
+def _rov() -> Any:
     from cocorosim_ros.scenario.parts.platform import load_platform
+
+    return load_platform("bluerov2_heavy")
+
+
+def _thruster(ahead: float, astern: float, curve: Any) -> Any:
     from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 
-    platform = load_platform("bluerov2_heavy")
+    platform = _rov()
     first = next(each for each in platform.actuators if isinstance(each, Thruster))
     return replace(platform, actuators=(replace(first, maximum=ahead, maximum_reverse=astern, curve=curve),))
 
