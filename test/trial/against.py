@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from trial.draws import FACTORS, NOTHING, SETS, DataSet
+from trial.draws import FACTORS, NOTHING, SETS, WHOLE, DataSet
 from trial.examiner import Outcome, Task, Terms
 from trial.provenance import sentence
 from trial.sealed import diagnose
@@ -108,7 +108,7 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
     """The outcome of one diagnosis, and what it names beside what was put in."""
     if said is None:
         return {"outcome": NONE, "beside": [], "named": []}
-    named = [*effects(said), *({"id": each["parameter"], "parameters": {}} for each in said["recalibrated"])]
+    named = [*effects(said), *(_as_effect(each) for each in said["recalibrated"])]
     own = [each for each in named if way and (_is_it(each, way) or _is_twin(each, way))]
     beside = [each["id"] for each in named if each not in own]
     outcome = RIGHT if own and any(_fits(each, way) for each in own) else WRONG if named else SILENT
@@ -117,6 +117,11 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
     elif outcome == SILENT and _is_out_of_sight(said, way):
         outcome = BLIND
     return {"outcome": outcome, "beside": beside, "named": [each["id"] for each in named]}
+
+
+def _as_effect(number: dict[str, Any]) -> dict[str, Any]:
+    """A number of the platform that has moved, as effects are told."""
+    return {"id": number["parameter"], "parameters": {number["parameter"]: number}}
 
 
 def _names_of(way: Way) -> set[str]:
@@ -152,8 +157,8 @@ def _numbers_of(way: Way) -> list[tuple[str, str]]:
 
 def _size_of(way: Way, number: str) -> float:
     """How far off a number was put; that of a thruster's factor is the same for twice and for half."""
-    if way.effect == "thruster_gain" or (way.effect == "thruster_asymmetry" and number != way.parameter):
-        factor = way.change if way.effect == "thruster_gain" else 1.0 / (1.0 + way.amount)
+    if way.effect in ("thruster_gain", WHOLE) or (way.effect == "thruster_asymmetry" and number != way.parameter):
+        factor = way.change if way.effect in ("thruster_gain", WHOLE) else 1.0 / (1.0 + way.amount)
         return max(factor, 1.0 / factor) - 1.0
     return abs(way.change - (1.0 if way.effect in FACTORS else 0.0))
 

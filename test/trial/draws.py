@@ -25,7 +25,14 @@ from trial.recordings import (
 from trial.ways import Way
 
 NOTHING = "nothing"  # to be found of a stream that is hidden: the vehicle is as it was
-FACTORS = ("camera_scale", "thruster_gain", "pressure_gain", "gyro_scale")  # numbers that are 1 where nothing is wrong
+WHOLE = "thrust_gain"  # of all thrusters: a number of the platform, which is that of a single one
+FACTORS = (
+    "camera_scale",
+    "thruster_gain",
+    WHOLE,
+    "pressure_gain",
+    "gyro_scale",
+)  # numbers that are 1 where nothing is wrong
 
 # Effects and numbers that are one thing where a vehicle has poses alone, by what was done.
 TWINS = {"sensor_latency": ("command_delay", "delay"), "command_delay": ("sensor_latency", "latency")}
@@ -67,6 +74,8 @@ def way_of(how: str, amount: float, thruster: str = "", power: int = 1) -> Way:
     kind, _, detail = how.partition(":")
     if kind == "gain":  # what the log understates, the thruster has more of
         factor = (1.0 + amount) ** -power
+        if thruster == WHOLE:
+            return Way(how, amount, WHOLE, None, WHOLE, factor)
         if thruster:
             return Way(how, amount, "thruster_gain", None, thruster, factor)
         sign = -1.0 if detail == "0" else 1.0
@@ -197,7 +206,7 @@ SETS = (
     DataSet(
         "esso_osaka", "esso_osaka", _on_the_pond, 8,
         (
-            Draw("gain:0", -0.3, -0.15, both=False, thruster="propeller", square=True),
+            Draw("gain:0", -0.3, -0.15, both=False, thruster=WHOLE, square=True),
             Draw("delay:pose", 0.5, 2.0, both=False, poses_alone=True),
             Draw("delay:thruster_command", -2.0, -0.5, both=False, poses_alone=True),
             Draw("scale", 0.05, 0.15), Draw("axis", 1.0, 1.0, both=False),

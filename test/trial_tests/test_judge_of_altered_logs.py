@@ -6,7 +6,7 @@ import random
 from typing import Any
 
 from trial.against import judged
-from trial.draws import Draw, way_of
+from trial.draws import WHOLE, Draw, way_of
 
 NONE: dict[str, Any] = {"effects": [], "recalibrated": [], "not_shown_by_this_recording": []}
 
@@ -66,3 +66,14 @@ def test_thrust_by_the_square_of_the_command() -> None:
     assert judged(gain, weak)["outcome"] == "silent"
     gain["against_seen_from"]["thruster_gain:propeller"]["propeller"] = 3.1
     assert judged(gain, weak)["outcome"] == "cannot be seen"
+
+
+def test_the_gain_of_a_single_thruster_is_a_number_of_the_platform() -> None:
+    """A ship with one propeller has no other thrust that could have moved."""
+    weak = Draw("gain:0", -0.2, -0.2, both=False, thruster=WHOLE, square=True).drawn(random.Random(1))
+    moved: dict[str, Any] = {"parameter": WHOLE, "value": 1.57, "ci95": [1.5, 1.65]}
+    assert judged(NONE | {"recalibrated": [moved]}, weak) == {"outcome": "right", "beside": [], "named": [WHOLE]}
+    moved |= {"value": 0.9, "ci95": [0.8, 1.0]}
+    assert judged(NONE | {"recalibrated": [moved]}, weak)["outcome"] == "something else"
+    other = Draw("scale", 0.1, 0.1, both=False).drawn(random.Random(1))
+    assert judged(NONE | {"recalibrated": [moved]}, other)["beside"] == [WHOLE]
