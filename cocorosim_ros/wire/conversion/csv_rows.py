@@ -13,7 +13,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
-from cocorosim_ros.wire.conversion.rows import Stamps, check_times, time_columns
+from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
 
 
 class CsvRows:
@@ -88,7 +88,7 @@ class CsvRows:
         places = [index for index, name in enumerate(self._header) if name == column.value]
         if not places:
             known = nearest(column.value, self._header)
-            raise column.problem(f"has {column.found()}, no column of {self.origin}{known}.")
+            raise ColumnError(str(column.problem(f"has {column.found()}, no column of {self.origin}{known}.")))
         if len(places) > 1:
             raise column.problem(f"has {column.found()}, the name of several columns of {self.origin}; give a number.")
         return places[0]

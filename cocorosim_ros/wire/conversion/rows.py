@@ -29,6 +29,10 @@ Stamps = Integers
 LATEST_NS = 2**63 - 1
 
 
+class ColumnError(CocorosimError):
+    """A column is named that the rows do not have."""
+
+
 class Rows(Protocol):
     """The rows of one file, or the messages of one topic."""
 
@@ -36,6 +40,10 @@ class Rows(Protocol):
     count: int
     damage: str
     """A sentence about what is missing from them; empty if nothing is."""
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names that columns have, or the paths of fields that are numbers."""
 
     def numbers(self, column: Entry) -> Floats:
         """(n,) the cells of a column; NaN where there is no number. Raises CocorosimError for words."""

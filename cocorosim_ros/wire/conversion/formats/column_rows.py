@@ -15,7 +15,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
-from cocorosim_ros.wire.conversion.rows import Stamps, check_times, time_columns
+from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
 
 Arrays = Mapping[str, npt.NDArray[Any]]
 
@@ -89,9 +89,8 @@ class ColumnRows:
                 raise column.problem(f"has {column.found()}, and {self.origin} has only {len(names)} columns.")
             return self._columns[names[column.value - 1]]
         if column.value not in self._columns:
-            raise column.problem(
-                f"has {column.found()}, no column of {self.origin}{nearest(str(column.value), names)}."
-            )
+            known = nearest(str(column.value), names)
+            raise ColumnError(str(column.problem(f"has {column.found()}, no column of {self.origin}{known}.")))
         cells = self._columns[column.value]
         if len(cells) != self.count:
             raise column.problem(
