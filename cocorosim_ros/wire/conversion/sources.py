@@ -68,7 +68,7 @@ def sha256_of(path: Path) -> str:
 
 
 def _runs(mapped: ConversionMap, folder: Path, wanted: str, this: Path | None = None) -> list[Run]:
-    """The runs of a folder, or the one that is wanted; `this` file alone of the table that it is for."""
+    """The runs of a folder, or the one that is wanted; `this` file alone of tables that it is for."""
     entries = sorted(path for path in _walk(folder, mapped.tables) if path.is_file())
     by_table: list[_ByRun] = []
     beside: list[dict[str, _ByRun]] = []
@@ -149,8 +149,6 @@ def _pattern(source: str, place: Entry) -> re.Pattern[str]:
 
 
 def _with_this_alone(run: Run, source: Path) -> Run:
-    """The run with no other file than the one that was named for the first table that it fits."""
-    fitting = [[file for file in files if file.path.absolute() == source.absolute()] for files in run.files]
-    index = next(place for place, files in enumerate(fitting) if files)
-    mine = tuple(fitting[index])
-    return Run(run.name, (*run.files[:index], mine, *run.files[index + 1 :]))
+    """The run with no other file than the one that was named, in all tables that this is for."""
+    mine = [tuple(file for file in files if file.path.absolute() == source.absolute()) for files in run.files]
+    return Run(run.name, tuple(alone or files for alone, files in zip(mine, run.files, strict=True)))

@@ -135,6 +135,15 @@ def test_several_runs_become_several_recordings(
     assert [message.content.pose.position.x for message in one.topics["/boat/pose"]] == [2]
 
 
+def test_one_file_of_two_tables(convert_csv: Convert) -> None:
+    """What is named is read alone, by every table that it fits."""
+    tables = table(TIME) + table(TIME, "compass: {heading: {fixed: 0 rad}}")
+    result = convert_csv(tables, {"a.csv": "t,x,y\n0,1,1\n", "b.csv": "t,x,y\n1,2,1\n"}, "b.csv")
+    assert {topic: [message.at for message in found] for topic, found in result.topics.items()} == {
+        "/boat/pose": [S], "/boat/compass": [S]
+    }  # fmt: skip
+
+
 def test_commands_from_pulse_widths(convert_csv: Convert) -> None:
     """1500 us is stop, 1900 full ahead, 1100 full astern; a dead zone stays in; beyond the limits is cut and said."""
     streams = "thruster_command: {left: {column: p, unit: us, stop: 1500 us, forward: 1900 us, reverse: 1100 us}}"
