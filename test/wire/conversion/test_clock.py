@@ -178,3 +178,17 @@ def test_wrong_words_in_arrays(tmp_path: Path, time: str, cells: npt.NDArray[Any
     """A row whose time is written otherwise is not left out in silence."""
     with pytest.raises(CocorosimError, match=sentence):
         from_npz(tmp_path, time, cells)
+
+
+def test_words_in_parquet(tmp_path: Path) -> None:
+    """A cell without a value has no time; one in another form is an error."""
+    arrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    text = f"name: m\nformat: parquet\ntables:\n  - {{files: a.parquet, robot: boat, time: {CLOCK}, {COMPASS}}}\n"
+    (tmp_path / "map.yaml").write_text(text, "utf-8")
+    mapped = load_map(tmp_path / "map.yaml")
+    parquet.write_table(arrow.table({"t": [FIRST, None, SECOND]}), tmp_path / "a.parquet")
+    made = convert(mapped, tmp_path / "a.parquet", tmp_path / "bag")[0].conversion
+    assert made.streams[0].stamp_ns.tolist() == [5 * NS // 2, 3 * NS]
+    parquet.write_table(arrow.table({"t": [FIRST, "noon"]}), tmp_path / "a.parquet")
+    with pytest.raises(CocorosimError, match=r"a.parquet row 2, column 't' has 'noon', which is no time like"):
+        convert(mapped, tmp_path / "a.parquet", tmp_path / "other")
