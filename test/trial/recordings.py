@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -82,12 +83,16 @@ def crossings(data: Path, out: Path, trial: str, first: str, seconds: int, count
     """Parts of a trial of the ferry, so many seconds each, one after the other from `first` on its clock."""
     logs = out / f"milliampere_{trial}_logs"
     if not logs.exists():
+        unfinished = logs.with_name(f"{logs.name}_unfinished")  # an interrupted cut is not taken for a whole one
+        shutil.rmtree(unfinished, ignore_errors=True)
         start, length = datetime.strptime(first, _CLOCK), timedelta(seconds=seconds)
         for part in range(count):
             begin, end = ((start + k * length).strftime(_CLOCK) for k in (part, part + 1))
-            (logs / f"{trial}_{part}").mkdir(parents=True)
+            folder = unfinished / f"{trial}_{part}"
+            folder.mkdir(parents=True)
             for log in sorted((data / "milliampere_ferry" / trial).glob("*.csv")):
-                head, *rows = log.read_text("utf-8").splitlines(keepends=True)
-                mine = [row for row in rows if begin <= row[: len(begin)] < end]  # such dates are sorted as text
-                (logs / f"{trial}_{part}" / log.name).write_text(head + "".join(mine), "utf-8")
+                lines = log.read_text("utf-8").splitlines(keepends=True)  # none, if nothing was logged
+                mine = [row for row in lines[1:] if begin <= row[: len(begin)] < end]  # such dates are sorted as text
+                (folder / log.name).write_text("".join([*lines[:1], *mine]), "utf-8")
+        unfinished.rename(logs)
     return converted("milliampere_ferry", logs, out / f"milliampere_{trial}")

@@ -21,3 +21,23 @@ def test_parts_of_a_crossing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert [(part / "log.csv").read_text() for part in parts] == [
         "".join(["time,x\n", *rows[2:4]]), "".join(["time,x\n", *rows[4:]])
     ]  # fmt: skip
+
+
+def test_an_interrupted_cut_is_begun_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Parts are there when all of them are; a log without a line is cut to ones without a line."""
+    from trial import recordings
+
+    monkeypatch.setattr(recordings, "converted", lambda vehicle, logs, out: sorted(logs.iterdir()))
+    trial = tmp_path / "data" / "milliampere_ferry" / "t"
+    trial.mkdir(parents=True)
+    (trial / "a.csv").write_text("time,x\n2025/04/11 12:00:00.1,1\n")
+    (trial / "b.csv").write_bytes(b"\xff")
+    call = (tmp_path / "data", tmp_path / "out", "t", "2025/04/11 12:00:00", 1, 2)
+    with pytest.raises(UnicodeDecodeError):
+        recordings.crossings(*call)
+    (trial / "b.csv").write_text("")
+    parts = recordings.crossings(*call)
+    assert [[path.name for path in sorted(part.iterdir())] for part in parts] == [["a.csv", "b.csv"]] * 2
+    assert [(part / "a.csv").read_text().count("\n") for part in parts] == [2, 1]
+    assert [(part / "b.csv").read_text() for part in parts] == ["", ""]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["milliampere_t_logs"]

@@ -49,7 +49,7 @@ def table_of_file(path: Path, pattern: str) -> tuple[LogTable, str]:
     layout = _layout(path) if ENDINGS[path.suffix.lower()] == "csv" else CsvLayout()
     if not isinstance(chosen, FileFormat):
         raise TypeError(f"{path.suffix} is no table")
-    columns = dict(_columns(chosen.rows(path, path.name, layout)))  # type: ignore[arg-type]
+    columns = dict(_columns(chosen.rows(path, path.name, layout)))
     name, unit, doubt = _time(path, columns)
     factor = float(UNITS["time"][unit])
     time = columns.pop(name) * factor

@@ -83,14 +83,14 @@ def read_list(entry: Entry, dimension: str) -> tuple[float, ...]:
     return tuple(read_quantity(part, dimension) for part in _parts(entry))
 
 
-def read_nanoseconds(entry: Entry) -> int:
-    """A positive time as a whole number of nanoseconds."""
-    seconds = read_quantity(entry, "time", "positive")
+def read_nanoseconds(entry: Entry, sign: Sign = "positive") -> int:
+    """A time, a positive one unless told otherwise, as a whole number of nanoseconds."""
+    seconds = read_quantity(entry, "time", sign)
     value, unit = _value_and_unit(entry)
     exact = Decimal(repr(float(value))) * Decimal(UNITS["time"][unit]) * 1_000_000_000
-    if exact != exact.to_integral_value() or exact < 1:
+    if exact != exact.to_integral_value():
         raise entry.problem(f"has {entry.found()}, which is not a whole number of nanoseconds; round {seconds!r} s.")
-    if exact > _LONGEST_NS:
+    if abs(exact) > _LONGEST_NS:
         raise entry.problem(f"has {entry.found()}, which is longer than 292 years; write a time of use.")
     return int(exact)
 

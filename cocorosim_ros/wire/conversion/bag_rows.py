@@ -15,7 +15,7 @@ from cocorosim_ros.wire.cdr import field_paths
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
 from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, ColumnError, Stamps
 
 
 class BagRows:
@@ -47,6 +47,11 @@ class BagRows:
         self.damage = f"{self.origin}: {unreadable} messages cannot be read and were left out." if unreadable else ""
         if not self._messages:
             raise CocorosimError(f"No message of {self.origin} is a {self._type}; record it again or leave it out.")
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The paths of all numbers in its first message."""
+        return tuple(sorted(field_paths.number_paths(self._messages[0])))
 
     def row_name(self, row: int) -> str:
         """The message, counted from 1."""
@@ -85,10 +90,9 @@ class BagRows:
         except ValueError as error:
             raise column.problem(f"has {column.found()}, which is no path like pose.position.x.") from error
         except AttributeError as error:
-            known = sorted(field_paths.number_paths(self._messages[0]))
-            raise column.problem(
-                f"has {column.found()}, no field of {self.origin} ({self._type}){nearest(str(column.value), known)}."
-            ) from error
+            known = nearest(str(column.value), self.columns)
+            told = f"has {column.found()}, no field of {self.origin} ({self._type}){known}."
+            raise ColumnError(str(column.problem(told))) from error
         except TypeError as error:
             raise column.problem(f"has {column.found()}, which leads to no single value in {self._type}.") from error
 

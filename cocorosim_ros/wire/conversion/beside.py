@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
-from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
-from cocorosim_ros.wire.conversion.rows import Rows, Stamps
+from cocorosim_ros.wire.conversion.rows import ColumnError, Rows, Stamps
+
+_NUMBER = re.compile("[1-9][0-9]{0,5}")  # of a column
 
 
 @dataclass(frozen=True)
@@ -22,6 +25,17 @@ class Neighbour:
     near: Flags  # (n,) whether it is near enough
 
 
+@dataclass(frozen=True)
+class _FieldEntry(Entry):
+    """The column of what stands beside, which sentences show as it stands in the map, with the name before it."""
+
+    whole: str
+
+    def found(self) -> str:
+        """The column with the name before it."""
+        return f"'{self.whole}'"
+
+
 class BesideRows:
     """The rows of a topic or file; `name.field` is a field of what stands beside it under that name."""
 
@@ -30,6 +44,12 @@ class BesideRows:
         self._neighbours = neighbours
         self.origin, self.count, self.damage = rows.origin, rows.count, rows.damage
 
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of all columns, those beside with what they begin with."""
+        beside = (f"{name}.{column}" for name, each in self._neighbours.items() for column in each.rows.columns)
+        return (*self._rows.columns, *beside)
+
     def row_name(self, row: int) -> str:
         """The row of the first one."""
         return self._rows.row_name(row)
@@ -37,9 +57,13 @@ class BesideRows:
     def numbers(self, column: Entry) -> Floats:
         """(n,) the cells of a column; NaN where there is none, or none near in time."""
         neighbour, inner = self._of(column)
-        if neighbour is None:
-            return self._rows.numbers(column)
-        return np.where(neighbour.near, neighbour.rows.numbers(inner)[neighbour.nearest], np.nan)
+        rows = neighbour.rows if neighbour else self._rows
+        try:
+            cells = rows.numbers(inner)
+        except ColumnError as error:
+            known = nearest(str(column.value), self.columns)
+            raise column.problem(f"has {column.found()}, no column of {rows.origin}{known}.") from error
+        return np.where(neighbour.near, cells[neighbour.nearest], np.nan) if neighbour else cells
 
     def words(self, column: Entry) -> list[str]:
         """The cells of a column of the first one."""
@@ -50,10 +74,20 @@ class BesideRows:
         return self._rows.stamps(when)
 
     def _of(self, column: Entry) -> tuple[Neighbour | None, Entry]:
-        name, dot, field = str(column.value).partition(".")
+        whole = str(column.value)
+        name, dot, field = whole.partition(".")
         if not dot or name not in self._neighbours:
             return None, column
-        return self._neighbours[name], replace(column, value=field)
+        rows = self._neighbours[name].rows
+        if whole in self._rows.columns:
+            raise column.problem(
+                f"has {column.found()}, a column of {self.origin}, and '{field}' of {rows.origin} beside it; give that "
+                "another name in 'beside'."
+            )
+        number = _NUMBER.fullmatch(field) and field not in rows.columns
+        return self._neighbours[name], _FieldEntry(
+            int(field) if number else field, column.file, column.line, column.key, whole
+        )
 
 
 def neighbour(own: Stamps, other: Rows, when: TimeMap, within_ns: int) -> Neighbour:

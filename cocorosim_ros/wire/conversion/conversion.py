@@ -21,7 +21,7 @@ from cocorosim_ros.wire.conversion.assembly import Stream, joined, table_streams
 from cocorosim_ros.wire.conversion.beside import BesideRows, neighbour
 from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
 from cocorosim_ros.wire.conversion.formats import FORMATS
-from cocorosim_ros.wire.conversion.formats.format import FileFormat, Log, LogFormat, check_file
+from cocorosim_ros.wire.conversion.formats.format import FileFormat, LogFormat, check_file
 from cocorosim_ros.wire.conversion.rows import Rows
 from cocorosim_ros.wire.conversion.sources import Run, SourceFile, check_there, find_runs, sha256_of
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
@@ -92,6 +92,11 @@ class _Source:
         self.hashes: dict[str, str] = {}
         self.findings: list[str] = []
 
+    def tell(self, rows: Rows) -> None:
+        """Keep what is missing from rows, once if several tables read them."""
+        if rows.damage and rows.damage not in self.findings:
+            self.findings.append(rows.damage)
+
 
 def _runs(mapped: ConversionMap, source: Path) -> Iterator[tuple[str, str, Callable[[], _Source]]]:
     """The name of each run, '' for the only one; how recordings are called in the map; and what reads its rows."""
@@ -122,8 +127,7 @@ def _read(file: SourceFile, table: TableMap, chosen: FileFormat, found: _Source)
     check_file(file.path, file.origin, chosen.summary, chosen.kinds)
     rows = chosen.rows(file.path, file.origin, table.layout)
     found.hashes[file.origin] = sha256_of(file.path)
-    if rows.damage:
-        found.findings.append(rows.damage)
+    found.tell(rows)
     return rows
 
 
@@ -135,15 +139,11 @@ def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Sour
     found.findings += log.damage
     for table in mapped.tables:
         rows = log.rows(table.source, table.place)
-        if rows.damage:
-            found.findings.append(rows.damage)
-        found.tables.append((table, "", _with_others(table, rows, log) if table.beside else rows))
+        others = {name: log.rows(each.source, each.place) for name, each in table.beside.items()}
+        for each in (rows, *others.values()):
+            found.tell(each)
+        found.tables.append((table, "", _beside(table, rows, others) if others else rows))
     return found
-
-
-def _with_others(table: TableMap, rows: Rows, log: Log) -> BesideRows:
-    """The rows with those of other topics beside them."""
-    return _beside(table, rows, {name: log.rows(each.source, each.place) for name, each in table.beside.items()})
 
 
 def _beside(table: TableMap, rows: Rows, others: Mapping[str, Rows]) -> BesideRows:

@@ -13,7 +13,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, time_columns
+from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
 
 
 class CsvRows:
@@ -59,33 +59,23 @@ class CsvRows:
         """(n,) times [ns] and whether each is known; a row whose time is missing has none."""
         if when.step_ns is not None and when.counter is None:
             times = [round(row * when.step_ns) for row in range(self.count)]
-            return self._checked(times, when, np.ones(self.count, dtype=bool))
+            return check_times(times, when, self), np.ones(self.count, dtype=bool)
         total = [0] * self.count
         known = np.ones(self.count, dtype=bool)
-        for column, nanoseconds in time_columns(when):
+        for column, nanoseconds in time_columns(when, self._layout.decimal):
             for row, text in enumerate(self.words(column)):
                 if text.lower() in self._layout.missing:
                     known[row] = False
                     continue
                 try:
-                    total[row] += nanoseconds(text.replace(self._layout.decimal, "."))
+                    total[row] += nanoseconds(text)
                 except ArithmeticError as error:
                     raise self._no_number(row, text, column, when.clock) from error
-        return self._checked(total, when, known)
+        return check_times(total, when, self), known
 
     def row_name(self, row: int) -> str:
         """The line of a row."""
         return f"line {self._line[row]}"
-
-    def _checked(self, times: list[int], when: TimeMap, known: Flags) -> tuple[Stamps, Flags]:
-        shifted = [time + when.start_ns for time in times]
-        for row, time in enumerate(shifted):
-            if not 0 <= time <= LATEST_NS:
-                raise CocorosimError(
-                    f"{self.origin} line {self._line[row]} has the time {time / 1e9:g} s, and a recording begins at 0 "
-                    "s; add 'start' to 'time', or correct its unit."
-                )
-        return np.array(shifted, dtype=np.int64), known
 
     def _index(self, column: Entry) -> int:
         """Where a column stands, from 0."""
@@ -98,7 +88,7 @@ class CsvRows:
         places = [index for index, name in enumerate(self._header) if name == column.value]
         if not places:
             known = nearest(column.value, self._header)
-            raise column.problem(f"has {column.found()}, no column of {self.origin}{known}.")
+            raise ColumnError(str(column.problem(f"has {column.found()}, no column of {self.origin}{known}.")))
         if len(places) > 1:
             raise column.problem(f"has {column.found()}, the name of several columns of {self.origin}; give a number.")
         return places[0]
@@ -113,9 +103,10 @@ class CsvRows:
 
     def _no_number(self, row: int, text: str, column: Entry, clock: Clock | None = None) -> CocorosimError:
         wanted = f"no time like '{clock.form}'" if clock else "no number"
+        or_form = ", or the map's 'form'" if clock else ""
         return CocorosimError(
             f"{self.origin} line {self._line[row]}, column '{column.value}' has '{text[:40]}', which is {wanted}; "
-            "correct it, or add it to 'missing' in the map's layout."
+            f"correct it{or_form}, or add it to 'missing' in the map's layout."
         )
 
 

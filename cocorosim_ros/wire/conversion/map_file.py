@@ -77,18 +77,25 @@ class _TableReader:
             sort,
             tuple(read_stream(topic, part, values) for topic, part in streams.items()),
             entry,
-            self._beside(section["beside"]) if "beside" in section else {},
+            self._beside(section["beside"], source) if "beside" in section else {},
         )
 
-    def _beside(self, entry: Entry) -> dict[str, BesideMap]:
-        """Other topics or files, by what their columns begin with."""
+    def _beside(self, entry: Entry, own: str) -> dict[str, BesideMap]:
+        """Other topics or files than the table's own, by what their columns begin with."""
         found = {}
         for name, part in entry.mapping().items():
             section = part.section((self._source, "within"), ("time",))
             if not name.isidentifier():
                 raise part.problem("is no name for what stands beside; use letters, digits and _.")
+            source = section[self._source].text()
+            lacking = [word for word in ("{run}", "{robot}") if word in source and word not in own]
+            if lacking and self._log is None:
+                raise section["files"].problem(
+                    f"has {lacking[0]}, and the table's own 'files' ('{own}') has not, so it stands for nothing; write "
+                    "it there too, or name one file here, which then stands beside all."
+                )
             time = read_time(section["time"], ros=self._ros) if "time" in section else None
-            found[name] = BesideMap(section[self._source].text(), read_nanoseconds(section["within"]), time, part)
+            found[name] = BesideMap(source, read_nanoseconds(section["within"]), time, part)
         return found
 
     def _clock(self, entry: Entry) -> TimeMap:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -11,6 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion.conversion_map import (
     ColumnValue,
@@ -28,6 +29,10 @@ Stamps = Integers
 LATEST_NS = 2**63 - 1
 
 
+class ColumnError(CocorosimError):
+    """A column is named that the rows do not have."""
+
+
 class Rows(Protocol):
     """The rows of one file, or the messages of one topic."""
 
@@ -35,6 +40,10 @@ class Rows(Protocol):
     count: int
     damage: str
     """A sentence about what is missing from them; empty if nothing is."""
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names that columns have, or the paths of fields that are numbers."""
 
     def numbers(self, column: Entry) -> Floats:
         """(n,) the cells of a column; NaN where there is no number. Raises CocorosimError for words."""
@@ -94,19 +103,39 @@ def _fraction(value: CommandValue, rows: Rows) -> Floats:
     return np.where(ahead < 0, -(cells - value.stop) / (value.reverse - value.stop), ahead)
 
 
-def time_columns(when: TimeMap) -> tuple[tuple[Entry, Callable[[str], int]], ...]:
-    """The columns whose sum is the time of a row, each with what makes nanoseconds of its cells."""
+def time_columns(when: TimeMap, mark: str = ".") -> tuple[tuple[Entry, Callable[[str], int]], ...]:
+    """The columns whose sum is the time of a row, each with what makes nanoseconds of its cells.
+
+    mark: what stands before decimals, beside a point.
+    """
     if when.clock is not None:
-        return ((when.clock.column, when.clock.nanoseconds),)
+        return ((when.clock.column, partial(when.clock.nanoseconds, mark=mark)),)
     parts = ((when.counter, when.step_ns),) if when.counter is not None and when.step_ns else when.columns
-    return tuple((column, partial(exact_nanoseconds, per_unit=per_unit)) for column, per_unit in parts)
+    return tuple((column, partial(exact_nanoseconds, per_unit=per_unit, mark=mark)) for column, per_unit in parts)
 
 
-def exact_nanoseconds(text: str, per_unit: Fraction) -> int:
+def check_times(times: Iterable[int], when: TimeMap, rows: Rows) -> Stamps:
+    """(n,) times [ns] with the `start` of their map. Raises CocorosimError for one that no recording can have."""
+    shifted = [time + when.start_ns for time in times]
+    for row, time in enumerate(shifted):
+        if not 0 <= time <= LATEST_NS:
+            known = f"a recording lies between 0 s and {LATEST_NS / 1e9:.3g} s"
+            way_out = "add 'start' to 'time', or correct its unit"
+            if when.clock is not None:
+                known += " after 1970 began in UTC"
+                way_out = f"correct 'form' ('{when.clock.form}') or 'ahead' of its 'time'"
+            raise CocorosimError(
+                f"{rows.origin} {rows.row_name(row)} has the time {time / 1e9:g} s, and {known}; {way_out}."
+            )
+    return np.array(shifted, dtype=np.int64)
+
+
+def exact_nanoseconds(text: str, per_unit: Fraction, mark: str = ".") -> int:
     """A decimal number of units as whole nanoseconds, rounded; no digit of a long stamp is lost.
 
     Raises ArithmeticError if the text is no finite number.
     """
+    text = text.replace(mark, ".")
     if per_unit.denominator == 1 and text.isdecimal():
         return int(text) * per_unit.numerator
     number = Decimal(text)

@@ -34,6 +34,9 @@ class Run:
     files: tuple[tuple[SourceFile, ...], ...]
 
 
+_ByRun = dict[str, list[SourceFile]]  # by what {run} stands for, '' where a pattern has none
+
+
 def check_there(mapped: ConversionMap, source: Path) -> None:
     """Nothing, if anything lies at the path. Raises CocorosimError otherwise."""
     if not source.exists():
@@ -48,15 +51,12 @@ def find_runs(mapped: ConversionMap, source: Path) -> list[Run]:
     Raises CocorosimError: no file fits, or the file fits none of the map's patterns.
     """
     if source.is_dir():
-        return _runs(mapped, source, None)
+        return _runs(mapped, source, "")
     for table in mapped.tables:
         folder = source.absolute().parents[table.source.count("/")]
         match = _pattern(table.source, table.place).fullmatch(source.absolute().relative_to(folder).as_posix())
         if match is not None and (run := match.groupdict().get("run", "")) is not None and fnmatchcase(run, table.runs):
-            found = _runs(mapped, folder, run)
-            if "run" in match.groupdict():
-                return found
-            return [_with_this_alone(found[0], mapped.tables.index(table), source)]
+            return _runs(mapped, folder, run, None if "run" in match.groupdict() else source)
     patterns = listed(f"'{table.source}'" for table in mapped.tables)
     raise CocorosimError(f"{source.name} fits no 'files' of {mapped.file}: {patterns}; give a file that does.")
 
@@ -67,32 +67,30 @@ def sha256_of(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def _runs(mapped: ConversionMap, folder: Path, wanted: str | None) -> list[Run]:
+def _runs(mapped: ConversionMap, folder: Path, wanted: str, this: Path | None = None) -> list[Run]:
+    """The runs of a folder, or the one that is wanted; `this` file alone of tables that it is for."""
     entries = sorted(path for path in _walk(folder, mapped.tables) if path.is_file())
-    by_table: list[dict[str, list[SourceFile]]] = []
+    by_table: list[_ByRun] = []
+    beside: list[dict[str, _ByRun]] = []
     for table in mapped.tables:
         found = _fitting(table.source, table.place, entries, folder)
-        others = {name: _fitting(beside.source, beside.place, entries, folder) for name, beside in table.beside.items()}
-        by_table.append(
-            {
-                run: [_with_others(table, file, run, others) for file in files]
-                for run, files in found.items()
-                if not run or fnmatchcase(run, table.runs)
-            }
-        )
+        by_table.append({run: files for run, files in found.items() if not run or fnmatchcase(run, table.runs)})
+        beside.append({name: _fitting(each.source, each.place, entries, folder) for name, each in table.beside.items()})
     names = sorted({run for found in by_table for run in found if run}) or [""]
-    chosen = [name for name in names if wanted in (None, "", name)]
+    chosen = [name for name in names if wanted in ("", name)]
     runs = [Run(name, tuple(_files_of(found, name) for found in by_table)) for name in chosen]
     if not any(files for run in runs for files in run.files):
         patterns = listed(f"'{table.source}'" for table in mapped.tables)
         raise CocorosimError(f"{folder} holds no file like {patterns}; give the folder that does, or correct 'files'.")
-    return runs
+    if this is not None:
+        runs = [_with_this_alone(runs[0], this)]
+    return [_with_others(mapped, run, beside) for run in runs]
 
 
-def _fitting(source: str, place: Entry, entries: Iterable[Path], folder: Path) -> dict[str, list[SourceFile]]:
+def _fitting(source: str, place: Entry, entries: Iterable[Path], folder: Path) -> _ByRun:
     """The files that fit a pattern, by run."""
     pattern = _pattern(source, place)
-    found: dict[str, list[SourceFile]] = {}
+    found: _ByRun = {}
     for path in entries:
         origin = path.relative_to(folder).as_posix()
         match = pattern.fullmatch(origin)
@@ -102,13 +100,20 @@ def _fitting(source: str, place: Entry, entries: Iterable[Path], folder: Path) -
     return found
 
 
-def _with_others(
-    table: TableMap, file: SourceFile, run: str, others: Mapping[str, Mapping[str, list[SourceFile]]]
-) -> SourceFile:
+def _with_others(mapped: ConversionMap, run: Run, beside: Iterable[Mapping[str, _ByRun]]) -> Run:
+    """A run, each of its files with those that stand beside it; `beside` is what fits, for each table."""
+    tables = []
+    for table, files, fitting in zip(mapped.tables, run.files, beside, strict=True):
+        others = {name: _files_of(found, run.name) for name, found in fitting.items()}
+        tables.append(tuple(_with_its_others(table, file, others) for file in files))
+    return Run(run.name, tuple(tables))
+
+
+def _with_its_others(table: TableMap, file: SourceFile, others: Mapping[str, Iterable[SourceFile]]) -> SourceFile:
     """A file with those that stand beside it. Raises CocorosimError unless there is one of each."""
     chosen = {}
     for name, found in others.items():
-        same = [other for other in found.get(run, []) if other.robot in ("", file.robot)]
+        same = [other for other in found if other.robot in ("", file.robot)]
         if len(same) != 1:
             many = f"{len(same)} files" if same else "no file"
             raise table.beside[name].place.problem(
@@ -118,7 +123,7 @@ def _with_others(
     return replace(file, beside=chosen)
 
 
-def _files_of(found: dict[str, list[SourceFile]], run: str) -> tuple[SourceFile, ...]:
+def _files_of(found: _ByRun, run: str) -> tuple[SourceFile, ...]:
     """The files of a run; those without a run in their name belong to every one."""
     return tuple([*found.get(run, []), *(found.get("", []) if run else [])])
 
@@ -143,7 +148,7 @@ def _pattern(source: str, place: Entry) -> re.Pattern[str]:
     return re.compile(text)
 
 
-def _with_this_alone(run: Run, index: int, source: Path) -> Run:
-    """The run with no other file for that table than the one that was named."""
-    mine = tuple(file for file in run.files[index] if file.path.absolute() == source.absolute())
-    return Run(run.name, (*run.files[:index], mine, *run.files[index + 1 :]))
+def _with_this_alone(run: Run, source: Path) -> Run:
+    """The run with no other file than the one that was named, in all tables that this is for."""
+    mine = [tuple(file for file in files if file.path.absolute() == source.absolute()) for files in run.files]
+    return Run(run.name, tuple(alone or files for alone, files in zip(mine, run.files, strict=True)))

@@ -7,9 +7,18 @@ from fractions import Fraction
 
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import UNITS, read_nanoseconds, read_quantity
-from cocorosim_ros.wire.conversion.clock import Clock
+from cocorosim_ros.wire.conversion.clock import FIELDS, Clock, comes_back, fields_of
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
 from cocorosim_ros.wire.conversion.value_entries import column_name, unit_dimension
+
+_ZONE = "; write the cells' own characters in its place, and say with 'ahead' how far the clock is ahead of UTC"
+_NOT_READ = {
+    "%f": "; leave it out with the point before it: what stands behind the point is read without it",
+    "%z": _ZONE,
+    "%Z": _ZONE,
+    **dict.fromkeys(("%c", "%x", "%X"), ", which is written otherwise on other machines; write its fields one by one"),
+}
+"""Fields that `strptime` knows, and why a map may not have them."""
 
 
 def read_time(entry: Entry, *, ros: bool) -> TimeMap:
@@ -59,8 +68,25 @@ def _time_column(entry: Entry) -> tuple[Entry, Fraction]:
 def _clock(entry: Entry) -> Clock:
     section = entry.section(("clock", "form"), ("fraction", "ahead", "start"))
     counts = "fraction" in section and section["fraction"].choice(("decimal", "ns")) == "ns"
-    ahead = read_nanoseconds(section["ahead"]) if "ahead" in section else 0
-    return Clock(column_name(section["clock"]), section["form"].text(), counts, ahead)
+    ahead = read_nanoseconds(section["ahead"], "any") if "ahead" in section else 0
+    return Clock(column_name(section["clock"]), _form(section["form"]), counts, ahead)
+
+
+def _form(entry: Entry) -> str:
+    """A form that tells a date, and nothing that would be read and lost."""
+    form = entry.text()
+    for field in fields_of(form):
+        if field in _NOT_READ:
+            raise entry.problem(f"has '{field}'{_NOT_READ[field]}.")
+        if field[1:] not in FIELDS:
+            allowed = ", ".join(f"%{letter}" for letter in sorted(FIELDS, key=str.lower))
+            raise entry.problem(f"has '{field}', no field of a date or time of day; allowed: {allowed}.")
+    if not comes_back(form):
+        raise entry.problem(
+            f"has {entry.found()}, from which year, month, day and time of day cannot be read again; write each field "
+            "once as the cells have it, as in '%Y-%m-%d %H:%M:%S' (with %I also %p)."
+        )
+    return form
 
 
 def _step(entry: Entry) -> Fraction:

@@ -135,30 +135,13 @@ def test_several_runs_become_several_recordings(
     assert [message.content.pose.position.x for message in one.topics["/boat/pose"]] == [2]
 
 
-TURNED = "pose: {x: {column: x, unit: m}, y: {fixed: 0 m}, z: {fixed: 0 m}, yaw: {column: turn.yaw, unit: rad}}"
-
-
-def test_a_file_beside(convert_csv: Convert) -> None:
-    """Each row takes the nearest of the other file of its own run; else it is left out and counted."""
-    beside = 'beside: {turn: {files: "{run}/yaw.csv", within: 0.4 s}}'
-    files = {
-        "a/place.csv": "t,x\n1,10\n2,20\n3,30\n", "a/yaw.csv": "t,yaw\n0.9,0.25\n2.1,0.5\n3.5,0.75\n",
-        "b/place.csv": "t,x\n1,40\n", "b/yaw.csv": "t,yaw\n1,1\n",
+def test_one_file_of_two_tables(convert_csv: Convert) -> None:
+    """What is named is read alone, by every table that it fits."""
+    tables = table(TIME) + table(TIME, "compass: {heading: {fixed: 0 rad}}")
+    result = convert_csv(tables, {"a.csv": "t,x,y\n0,1,1\n", "b.csv": "t,x,y\n1,2,1\n"}, "b.csv")
+    assert {topic: [message.at for message in found] for topic, found in result.topics.items()} == {
+        "/boat/pose": [S], "/boat/compass": [S]
     }  # fmt: skip
-    result = convert_csv(table(f"{TIME}, {beside}", TURNED, files='"{run}/place.csv"'), files)
-    first, second = (entry.conversion.streams[0].rows.values for entry in result.done)
-    assert first[:, 0].tolist() == [10, 20]
-    np.testing.assert_allclose(2 * np.arcsin(first[:, 5]), [0.25, 0.5], atol=1e-15)
-    np.testing.assert_allclose(second[:, [0, 5]], [[40, np.sin(0.5)]], atol=1e-15)
-    assert "1 rows with missing" in result.findings[0]
-    assert set(json.loads(result.done[0].conversion.metadata["converted_from"])) == {"a/place.csv", "a/yaw.csv"}
-
-
-def test_no_file_beside(convert_csv: Convert) -> None:
-    """The pattern and what it should stand beside are said."""
-    beside = "beside: {turn: {files: yaw.csv, within: 1 s}}"
-    with pytest.raises(CocorosimError, match=r"beside.turn' finds no file like 'yaw.csv' beside place.csv; it must be"):
-        convert_csv(table(f"{TIME}, {beside}", TURNED, files="place.csv"), {"place.csv": "t,x\n1,1\n"})
 
 
 def test_commands_from_pulse_widths(convert_csv: Convert) -> None:

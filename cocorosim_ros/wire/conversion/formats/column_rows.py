@@ -13,10 +13,14 @@ import numpy.typing as npt
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, Stamps, time_columns
+from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
 
 Arrays = Mapping[str, npt.NDArray[Any]]
+
+_MISSING = ("", "none", "nan", "nat")
+_INFINITE = ("inf", "-inf")
 
 
 class ColumnRows:
@@ -47,7 +51,7 @@ class ColumnRows:
 
     def words(self, column: Entry) -> list[str]:
         """The cells of a column as text."""
-        return [str(cell) for cell in self._column(column).tolist()]
+        return [_text(cell) for cell in self._column(column).tolist()]
 
     def numbers(self, column: Entry) -> Floats:
         """(n,) the cells of a column; NaN where one is missing. Raises CocorosimError for words."""
@@ -60,29 +64,23 @@ class ColumnRows:
         """(n,) times [ns] and whether each is known; a row whose time is missing has none."""
         known = np.ones(self.count, dtype=bool)
         if when.step_ns is not None and when.counter is None:
-            return self._checked([round(row * when.step_ns) for row in range(self.count)], when), known
+            return check_times([round(row * when.step_ns) for row in range(self.count)], when, self), known
         total = [0] * self.count
         for column, nanoseconds in time_columns(when):
             cells = self._column(column)
             if cells.dtype.kind == "M":
                 per_unit = next((unit for timed, unit in when.columns if timed is column), None)
                 cells = _time_stamps(cells, per_unit, column)
-            for row, cell in enumerate(cells.tolist()):
-                try:
-                    total[row] += nanoseconds(str(cell))
-                except ArithmeticError:
+            missing = _MISSING if when.clock else (*_MISSING, *_INFINITE)
+            for row, text in enumerate(map(_text, cells.tolist())):
+                if text.lower() in missing:
                     known[row] = False
-        return self._checked(total, when), known
-
-    def _checked(self, times: list[int], when: TimeMap) -> Stamps:
-        shifted = [time + when.start_ns for time in times]
-        for row, time in enumerate(shifted):
-            if not 0 <= time <= LATEST_NS:
-                raise CocorosimError(
-                    f"{self.origin} {self.row_name(row)} has the time {time / 1e9:g} s, and a recording begins at 0 s; "
-                    "add 'start' to 'time', or correct its unit."
-                )
-        return np.array(shifted, dtype=np.int64)
+                    continue
+                try:
+                    total[row] += nanoseconds(text)
+                except ArithmeticError as error:
+                    raise self._no_time(row, text, column, when.clock) from error
+        return check_times(total, when, self), known
 
     def _column(self, column: Entry) -> npt.NDArray[Any]:
         names = list(self._columns)
@@ -91,9 +89,8 @@ class ColumnRows:
                 raise column.problem(f"has {column.found()}, and {self.origin} has only {len(names)} columns.")
             return self._columns[names[column.value - 1]]
         if column.value not in self._columns:
-            raise column.problem(
-                f"has {column.found()}, no column of {self.origin}{nearest(str(column.value), names)}."
-            )
+            known = nearest(str(column.value), names)
+            raise ColumnError(str(column.problem(f"has {column.found()}, no column of {self.origin}{known}.")))
         cells = self._columns[column.value]
         if len(cells) != self.count:
             raise column.problem(
@@ -101,6 +98,13 @@ class ColumnRows:
                 f"{self.count}; name a column of that length."
             )
         return cells
+
+    def _no_time(self, row: int, text: str, column: Entry, clock: Clock | None) -> CocorosimError:
+        wanted = f"no time like '{clock.form}'; correct it, or the map's 'form'" if clock else "no number; correct it"
+        return CocorosimError(
+            f"{self.origin} {self.row_name(row)}, column '{column.value}' has '{text[:40]}', which is {wanted}, or "
+            "leave the cell empty (NaN, None)."
+        )
 
     def _number(self, row: int, cell: Any, column: Entry) -> float:
         try:
@@ -110,6 +114,11 @@ class ColumnRows:
                 f"{self.origin} {self.row_name(row)}, column '{column.value}' has '{str(cell)[:40]}', which is no "
                 "number; name another column."
             ) from error
+
+
+def _text(cell: Any) -> str:
+    """A cell as text; files of MATLAB and HDF hold theirs as bytes."""
+    return (cell.decode("utf-8", "replace") if isinstance(cell, bytes) else str(cell)).strip()
 
 
 def _single_columns(columns: Arrays) -> Mapping[str, npt.NDArray[Any]]:
@@ -127,6 +136,9 @@ def _single_columns(columns: Arrays) -> Mapping[str, npt.NDArray[Any]]:
 
 def _time_stamps(cells: npt.NDArray[Any], per_unit: Fraction | None, column: Entry) -> npt.NDArray[Any]:
     """(n,) nanoseconds since 1970 of moments in time; a missing one is no number."""
+    if per_unit is None:
+        way = f"time: {{column: {column.value}, unit: ns}}"
+        raise column.problem(f"has {column.found()}, a column of moments in time, which count ns; write '{way}'.")
     if per_unit != 1:
         raise column.problem(f"has {column.found()}, a column of moments in time, which count ns; write 'unit: ns'.")
     counts = cells.astype("datetime64[ns]").astype(np.int64).astype(object)
