@@ -69,16 +69,7 @@ def _thruster(ahead: float, astern: float, curve: Any) -> Any:
 
 
 def forces(platform: Any, commands: Any) -> Any:
-    """What the only thruster of a platform gives at each command [N]."""
-    from cocorosim_ros.world.motion.motion import apply_commands
-    from cocorosim_ros.world.state.state import STATE_SIZE, row_size
-    from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
+    """What the only thruster of a platform gives at each command (n,) [N]."""
+    from cocorosim_ros.world.vehicle_model.curves import forces_at
 
-    vehicles = build_vehicles([platform])
-
-    def at(command: float) -> float:
-        state = np.zeros((1, 1, row_size(1)))
-        apply_commands(state, np.full((1, 1, 1), command), vehicles)
-        return float(state[0, 0, STATE_SIZE])
-
-    return np.array([at(float(each)) for each in commands])
+    return forces_at(platform, commands[:, None])[:, 0]
