@@ -34,8 +34,11 @@ endif
 endif
 
 # Folders of test/ that start ROS or build something, one test at a time, since each takes all cores. All others run on
-# as many cores as PYTEST_JOBS says, a file's tests together, and in `make test` on NumPy 1.26 also.
+# as many cores as PYTEST_JOBS says, a file's tests together, and in `make test` on NumPy 1.26 also, but for the longest
+# diagnoses (WHOLE_DIAGNOSES): two thirds of the time, and their parts have tests of their own. `make numpy1` runs all.
 WAITING_TESTS := test/graph/ test/examples/ # nodes that mostly wait for each other: beside others, on all cores
+WHOLE_DIAGNOSES := against/test_named_differences against/test_strangers test_nothing_twice test_naming test_choice \
+	test_drag_forms test_water_and_surface test_errors_of_instruments
 ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
 PYTEST_JOBS ?= 2
 ON_ALL_CORES = -n $(PYTEST_JOBS) --dist loadfile
@@ -117,7 +120,7 @@ PYTHON_HAS_NUMPY1 = $(BIN)/python -c 'import sys; sys.exit(sys.version_info >= (
 tests-numpy1: set-up
 	@if ! $(PYTHON_HAS_NUMPY1); then echo "NumPy 1.26 does not exist for this Python: the tests run on NumPy 2 alone."; \
 	elif [ -n "$(CORE_TESTS)" ]; then $(MAKE) --no-print-directory $(NUMPY1) && echo "The core on NumPy 1.26:" && \
-	$(ON_NUMPY1) -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS); fi
+	$(ON_NUMPY1) -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(WHOLE_DIAGNOSES:%=--ignore=test/diagnosis/%.py) $(CORE_TESTS); fi
 
 numpy1: set-up
 	@$(PYTHON_HAS_NUMPY1) || { echo "NumPy 1.26 does not exist for this Python: use PYTHON=python3.12 or python3.11." >&2; exit 1; }
