@@ -24,9 +24,12 @@ def joint_fit(learned: Fit, bad: Evidence) -> Fit:
     """Fit the learned vehicle to its own tracks and to those of `bad`, which follow; noise is each side's own.
 
     Delays stay within what the learned vehicle's own recordings leave open: their likelihood is so rough that a stream
-    which comes later in `bad` would draw them to a place between both, from which no slope leads back.
+    which comes later in `bad` would draw them to a place between both, from which no slope leads back. The steps of the
+    filter are those of the learned vehicle, since other steps average other readings.
     """
-    tracks, first = make_tracks(bad), len(learned.tracks)
+    step = min(track.timeline.grid.step for track in learned.tracks)
+    tracks = make_tracks(replace(bad, platform=replace(bad.platform, fitted_step=step)))
+    first = len(learned.tracks)
     known = _rows_of(learned, tracks)
     rows = known.copy()
     rows[:, NOISE_COLUMNS] = base_rows(tracks)[:, NOISE_COLUMNS]

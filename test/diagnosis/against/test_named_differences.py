@@ -206,9 +206,10 @@ def test_late_poses_without_another_stream_are_told_with_their_twin(swim: Any) -
     assert number.value == pytest.approx(0.25, abs=0.05)
 
 
-def test_the_step_of_the_learned_numbers_is_told(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_step_of_the_learned_numbers_serves_both_and_is_told(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A file with a hundredth of the drag has longer steps than the vehicle that is learned, whose numbers are told."""
     from cocorosim_ros.diagnosis import diagnose_against
+    from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
     from cocorosim_ros.scenario.parts.platform import load_platform
     from cocorosim_ros.scenario.reading.ranges import Range
 
@@ -224,5 +225,6 @@ def test_the_step_of_the_learned_numbers_is_told(swim: Any, monkeypatch: pytest.
     monkeypatch.setattr(diagnose_against, "joint_fit", kept)
     good, bad = (swim(lily, 2.5 * SECONDS, seed=seed, base=slow) for seed in (4, 3))
     found = diagnose_against.diagnose_against(bad, good, lambda words, share: None)
-    learned, *judged = (track.timeline.grid.step for track in fits[-1].tracks)
-    assert found.step == learned < max(judged)
+    steps = {track.timeline.grid.step for track in fits[-1].tracks}
+    assert steps == {found.step}
+    assert found.step < make_tracks(bad)[0].timeline.grid.step
