@@ -105,7 +105,7 @@ def test_the_likelihood_is_that_of_a_filter_whose_state_holds_the_error(heaving:
     pose = heaving.recordings[0].robots[0].streams["pose"]
     found = track.filter.full(numbers(track, MEMORY)).log_likelihood
     white = track.filter.full(numbers(track, 1e-9)).log_likelihood
-    exact = independent(pose, track.filter.start)
+    exact = independent(pose, track.filter.beginning.start)
     assert exact - white > 100.0
     assert abs(found - exact) < 1e-3 * (exact - white)
 

@@ -102,7 +102,7 @@ def test_the_likelihood_is_that_of_a_textbook_filter(heaving: Any) -> None:
     track = make_tracks(heaving)[0]
     passed = track.filter.full(numbers(track))
     assert passed.believed.all()
-    assert passed.log_likelihood == pytest.approx(independent(heaving, track.filter.start), abs=1e-6)
+    assert passed.log_likelihood == pytest.approx(independent(heaving, track.filter.beginning.start), abs=1e-6)
 
 
 def test_the_smoother_knows_more_than_any_reading(heaving: Any) -> None:

@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.detectability import OF_EVERY_STREAM
+from cocorosim_ros.diagnosis.tracks.columns import SENSORS
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
@@ -47,14 +48,15 @@ def as_well(others: Floats, moved: Floats, variance: Floats) -> Floats:
 def start_slopes(fit: Fit, number: int) -> Floats:
     """Slopes (m, 4) of a track's innovations by where it starts, x, y, z and yaw [m, rad], gains held."""
     track, passed, row = fit.tracks[number], fit.passes[number], fit.filled[number]
-    filtering = track.filter
+    filtering, start = track.filter, track.filter.beginning.under(row[SENSORS])
     states = (X, Y, Z, YAW)
     found = np.zeros((len(states), len(passed.innovation)))
     for state, slope in zip(states, found, strict=True):
-        step = STEPS.start * float(filtering.start.spread[state])
+        step = STEPS.start * float(start.spread[state])
         if step > 0.0:
-            mean = filtering.start.mean.copy()
+            mean = start.mean.copy()
             mean[state] += step
-            shifted = filtering.over(filtering.timeline, filtering.actuation, filtering.start._replace(mean=mean))
+            elsewhere = filtering.beginning.at(start._replace(mean=mean))
+            shifted = filtering.over(filtering.timeline, filtering.actuation, elsewhere)
             shifted.slope(row, passed, step, slope)
     return found.T

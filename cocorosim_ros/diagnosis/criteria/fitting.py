@@ -193,6 +193,11 @@ class StartCriteria:
     """[m/s] least standard deviation of the first speeds, for vehicles that hardly drive. Chosen, not measured."""
     least_turn: float = 0.3
     """[rad/s] the same of the first yaw rate. Chosen, not measured."""
+    steps: int = 3
+    """[turns] of secant steps for a start under errors of the instruments that showed it: one is exact for errors that
+    are linear and of one number each, and the distortion of a compass is nearly so. Chosen, not measured."""
+    secant: float = 1e-3
+    """[m, rad] of these steps. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

@@ -1,21 +1,97 @@
-"""State of a robot when its recording began, from the first readings."""
+"""State of a robot when its recording began, from the first readings.
+
+Where a model has errors of the instruments that showed the first place and heading, its start is where these readings
+put it with their errors: a camera of which all lengths are 15 % too large saw a robot 3.45 m from the origin that
+began 3 m from it. A start that stayed at 3.45 m would speak against that camera in every recording, and for the other
+instrument of two that disagree.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import START
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.filter.layout import COMPASS, KINDS_OF_STREAM, POSE_X, POSE_Y, POSE_YAW, POSE_Z, PRESSURE
+from cocorosim_ros.diagnosis.filter.layout import (
+    COMPASS,
+    KIND_NAMES,
+    KINDS_OF_STREAM,
+    POSE_X,
+    POSE_Y,
+    POSE_YAW,
+    POSE_Z,
+    PRESSURE,
+)
+from cocorosim_ros.diagnosis.filter.reading import Along, deviation, expected_along
 from cocorosim_ros.diagnosis.filter.records import Start
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.sensors.errors import NEUTRAL, changes_of
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
+from cocorosim_ros.world.terms.motors import Motors
+
+_WITNESSES = {X: (POSE_X,), Y: (POSE_Y,), Z: (POSE_Z, PRESSURE), YAW: (POSE_YAW, COMPASS)}
+"""By number of the state: kinds of readings that show it, the one that is believed first."""
+_NO_MOTORS = Motors(np.zeros(0, dtype=np.bool_), np.zeros((0, 0)), np.zeros((0, 2)))
 
 
-def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
+class FirstReading(NamedTuple):
+    """The first reading of a number of the state."""
+
+    state: int
+    kind: int
+    value: float
+
+
+class Beginning(NamedTuple):
+    """The start of a track as the first readings show it, these readings, and the moment [s] of the start."""
+
+    start: Start
+    shown: tuple[FirstReading, ...]
+    moment: float
+
+    def under(self, sensor: Floats) -> Start:
+        """Return the start under the errors of sensors (numbers in the order of NEUTRAL): where these readings put it.
+
+        Place by place by secant steps, which are exact for errors that are linear. Errors that depend on what motors
+        do, or on the water, have nothing to depend on yet.
+        """
+        wrong = [each for each in self.shown if _has_errors(each.kind, sensor)]
+        if not wrong:
+            return self.start
+        mean = self.start.mean.copy()
+        for each in wrong * START.steps:
+            left, near = (self._left(each, mean, off, sensor) for off in (0.0, START.secant))
+            slope = (left - near) / START.secant
+            if slope != 0.0:
+                mean[each.state] += left / slope
+        return self.start._replace(mean=mean)
+
+    def at(self, start: Start) -> Beginning:
+        """Return another start, which is the same under all errors of sensors."""
+        return Beginning(start, (), self.moment)
+
+    def _left(self, reading: FirstReading, mean: Floats, off: float, sensor: Floats) -> float:
+        """Tell what a first reading shows beyond what is expected at a start with one number of its mean `off`."""
+        state = mean[None].copy()
+        state[0, reading.state] += off
+        shown = np.empty(1)
+        along = Along(np.array([self.moment]), state, np.zeros((1, 4)))
+        expected_along(reading.kind, along, _NO_MOTORS, sensor, shown)
+        return float(deviation(reading.kind, reading.value, float(shown[0])))
+
+
+def _has_errors(kind: int, sensor: Floats) -> bool:
+    columns = [column for _, numbers in changes_of(KIND_NAMES[kind]) for column in numbers]
+    return any(sensor[column] != NEUTRAL[column] for column in columns)
+
+
+def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginning:
     """Guess the state at the first grid point, and its standard deviation, from readings soon after `begin` [s].
 
     Numbers that no reading shows are 0; speeds are uncertain by what full thrust may reach.
@@ -32,7 +108,15 @@ def start_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Start:
     speed = max(START.least_speed, math.sqrt(force / vehicle.mass) * START.speed_share)
     spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed
     spread[YAW_RATE] = max(START.least_turn, math.sqrt(moment / vehicle.yaw_inertia))
-    return Start(mean, spread)
+    return Beginning(Start(mean, spread), tuple(_shown(first)), begin)
+
+
+def _shown(first: dict[int, float]) -> Iterator[FirstReading]:
+    """The first reading of each number of the state that any shows; first: values by kind."""
+    for state, kinds in _WITNESSES.items():
+        kind = next((kind for kind in kinds if kind in first), None)
+        if kind is not None:
+            yield FirstReading(state, kind, first[kind])
 
 
 def first_values(log: RobotLog, begin: float, window: float) -> dict[int, float]:

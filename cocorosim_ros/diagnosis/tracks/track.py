@@ -10,7 +10,7 @@ from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.grid import grid_begin, grid_step
-from cocorosim_ros.diagnosis.tracks.start import start_of
+from cocorosim_ros.diagnosis.tracks.start import beginning_of
 from cocorosim_ros.diagnosis.tracks.surroundings import RecordedSurroundings
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.diagnosis.tracks.track_filter import TrackFilter
@@ -59,8 +59,8 @@ class Track:
             around = around[first : first + points]
         vehicle = replace(self.vehicle, surroundings=self.vehicle.surroundings._replace(around=around))
         actuation = Actuation(vehicle, self.log, timeline.grid, before=first)
-        start = start_of(vehicle, self.log, timeline.grid.begin)
-        return Track(self.log, vehicle, timeline, actuation, self.filter.over(timeline, actuation, start))
+        beginning = beginning_of(vehicle, self.log, timeline.grid.begin)
+        return Track(self.log, vehicle, timeline, actuation, self.filter.over(timeline, actuation, beginning))
 
     def without_stream(self, name: str) -> Track:
         """Make a track without the readings of a stream."""
@@ -79,4 +79,4 @@ def make_track(platform: Platform, log: RobotLog, begin: float, end: float, foun
     step = own.fitted_step or wanted_step(vehicle, vehicle.row if found is None else found)
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)
-    return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, start_of(vehicle, log, begin)))
+    return Track(log, vehicle, timeline, actuation, TrackFilter(timeline, actuation, beginning_of(vehicle, log, begin)))

@@ -19,7 +19,6 @@ from cocorosim_ros.diagnosis.filter.records import (
     Past,
     Readings,
     SlopeNumbers,
-    Start,
     Stretch,
 )
 from cocorosim_ros.diagnosis.filter.smoother import smooth
@@ -29,6 +28,7 @@ from cocorosim_ros.diagnosis.tracks.columns import MEMORY_COLUMNS, READING_COLUM
 from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.diagnosis.tracks.passes import COURSE_SIZE, Pass, Smoothed
 from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
+from cocorosim_ros.diagnosis.tracks.start import Beginning
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import STATE_SIZE
@@ -61,22 +61,22 @@ class TrackFilter:
     """
 
     def __init__(
-        self, timeline: Timeline, actuation: Actuation, start: Start, course: Course | None = None,
+        self, timeline: Timeline, actuation: Actuation, beginning: Beginning, course: Course | None = None,
         agitation: Agitation | None = None,
     ) -> None:  # fmt: skip
-        self.timeline, self.actuation, self.start = timeline, actuation, start
+        self.timeline, self.actuation, self.beginning = timeline, actuation, beginning
         self._course, self._agitation = course, agitation
         self._passes: Lately[Pass] = Lately(KEPT_PASSES)
         self._left: Lately[Floats] = Lately(KEPT_SHARES)
         self._courses: Lately[Smoothed] = Lately(KEPT_COURSES)
 
-    def over(self, timeline: Timeline, actuation: Actuation, start: Start | None = None) -> TrackFilter:
-        """Copy the filter for other readings and forces of the same robot; the rest stays, the start if not given."""
-        return TrackFilter(timeline, actuation, start or self.start, self._course, self._agitation)
+    def over(self, timeline: Timeline, actuation: Actuation, beginning: Beginning | None = None) -> TrackFilter:
+        """Copy the filter for other readings, forces and, if given, another beginning of the same robot."""
+        return TrackFilter(timeline, actuation, beginning or self.beginning, self._course, self._agitation)
 
     def agitated(self, agitation: Agitation) -> TrackFilter:
         """Copy the filter with what the random force may grow with."""
-        return TrackFilter(self.timeline, self.actuation, self.start, self._course, agitation)
+        return TrackFilter(self.timeline, self.actuation, self.beginning, self._course, agitation)
 
     def lately(self, row: Floats) -> Pass:
         """Return what `full` does, without running the filter again where the same row was asked for just before.
@@ -135,7 +135,8 @@ class TrackFilter:
         numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), self._shares_left(row), step)
         kept = Past(past.innovation, past.gain, past.believed)
         body = self.actuation.vehicle.body(row)
-        slope_pass(self.readings(row), self.actuation.drive(row), self.start.mean, body, numbers, kept, slope)
+        start = self.beginning.under(row[SENSORS]).mean
+        slope_pass(self.readings(row), self.actuation.drive(row), start, body, numbers, kept, slope)
 
     def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""
@@ -146,7 +147,8 @@ class TrackFilter:
         variance = np.exp(2.0 * row[READING_COLUMNS])
         numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, self._shares_left(row), swell)
         body = self.actuation.vehicle.body(row)
-        filter_pass(self.readings(row), self.actuation.drive(row), self.start, body, numbers, belief)
+        start = self.beginning.under(row[SENSORS])
+        filter_pass(self.readings(row), self.actuation.drive(row), start, body, numbers, belief)
         return belief
 
     def _shares_left(self, row: Floats) -> Floats:

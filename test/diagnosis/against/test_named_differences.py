@@ -86,6 +86,12 @@ def stretched(log: Any) -> Any:
     return replace(log, streams={**log.streams, "pose": longer})
 
 
+def far_away(log: Any) -> Any:
+    """A log of a place far from the origin."""
+    pose = log.streams["pose"]
+    return replace(log, streams={**log.streams, "pose": replace(pose, value=pose.value + np.array([6.0, -4.0, 0, 0]))})
+
+
 def slow_gyroscope(log: Any) -> Any:
     """A log whose gyroscope reads 85 % of the rate."""
     imu = log.streams["imu"]
@@ -204,6 +210,19 @@ def test_late_poses_without_another_stream_are_told_with_their_twin(swim: Any) -
     assert {found.id, found.ambiguous_with[0].id} == {"command_delay", "sensor_latency"}
     (number,) = found.parameters.values()
     assert number.value == pytest.approx(0.25, abs=0.05)
+
+
+def test_of_a_camera_and_a_speed_log_the_one_in_error_is_named(swim_with_log: Any) -> None:
+    """Both measure lengths. Far from the origin a camera with long lengths also saw a start farther away."""
+    from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
+
+    good = recordings(swim_with_log, vehicle(WELL), GOOD, far_away)
+    bad = recordings(swim_with_log, vehicle(WELL), BAD, lambda log: stretched(far_away(log)))
+    diagnosis = diagnose_against(bad, good, lambda words, share: None)
+    (found,) = diagnosis.effects
+    assert found.id == "camera_scale"
+    scale = found.parameters["scale"]
+    assert abs(scale.value - 1.06) <= scale.high - scale.low
 
 
 def test_the_step_of_the_learned_numbers_serves_both_and_is_told(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -35,4 +35,4 @@ def test_a_piece_begins_where_the_whole_was(swim: Callable[..., Any]) -> None:
     assert piece.timeline.stamp.min() >= piece.timeline.grid.begin
     pose = track.log.streams["pose"]
     at = int(np.searchsorted(pose.time, piece.timeline.grid.begin))
-    np.testing.assert_array_equal(piece.filter.start.mean[:4], pose.value[at])
+    np.testing.assert_array_equal(piece.filter.beginning.start.mean[:4], pose.value[at])
