@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.filter.records import (
     Past,
     Readings,
     SlopeNumbers,
+    Start,
     Stretch,
 )
 from cocorosim_ros.diagnosis.filter.smoother import smooth
@@ -69,6 +70,7 @@ class TrackFilter:
         self._passes: Lately[Pass] = Lately(KEPT_PASSES)
         self._left: Lately[Floats] = Lately(KEPT_SHARES)
         self._courses: Lately[Smoothed] = Lately(KEPT_COURSES)
+        self._starts: Lately[Start] = Lately()
 
     def over(self, timeline: Timeline, actuation: Actuation, beginning: Beginning | None = None) -> TrackFilter:
         """Copy the filter for other readings, forces and, if given, another beginning of the same robot."""
@@ -135,8 +137,8 @@ class TrackFilter:
         numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), self._shares_left(row), step)
         kept = Past(past.innovation, past.gain, past.believed)
         body = self.actuation.vehicle.body(row)
-        start = self.beginning.under(row[SENSORS]).mean
-        slope_pass(self.readings(row), self.actuation.drive(row), start, body, numbers, kept, slope)
+        start = self._start(row)
+        slope_pass(self.readings(row), self.actuation.drive(row), start.mean, body, numbers, kept, slope)
 
     def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""
@@ -147,9 +149,12 @@ class TrackFilter:
         variance = np.exp(2.0 * row[READING_COLUMNS])
         numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, self._shares_left(row), swell)
         body = self.actuation.vehicle.body(row)
-        start = self.beginning.under(row[SENSORS])
-        filter_pass(self.readings(row), self.actuation.drive(row), start, body, numbers, belief)
+        filter_pass(self.readings(row), self.actuation.drive(row), self._start(row), body, numbers, belief)
         return belief
+
+    def _start(self, row: Floats) -> Start:
+        """Start under the errors of sensors in a row; slopes by most numbers ask for the same one again."""
+        return self._starts.once(row[SENSORS].tobytes(), lambda: self.beginning.under(row[SENSORS]))
 
     def _shares_left(self, row: Floats) -> Floats:
         """Shares (m,) of errors that are left of those before, in the order of `readings` under the same row."""
