@@ -35,8 +35,8 @@ from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSUR
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.motors import Motors
 
-_WITNESSES = {X: (POSE_X,), Y: (POSE_Y,), Z: (POSE_Z, PRESSURE), YAW: (POSE_YAW, COMPASS)}
-"""By number of the state: kinds of readings that show it, the one that is believed first."""
+_SHOWN_BY = {X: (POSE_X,), Y: (POSE_Y,), Z: (POSE_Z, PRESSURE), YAW: (POSE_YAW, COMPASS)}
+"""Kinds of readings that show a number of the state, by that number; the one that is believed comes first."""
 _NO_MOTORS = Motors(np.zeros(0, dtype=np.bool_), np.zeros((0, 0)), np.zeros((0, 2)))
 
 
@@ -113,7 +113,7 @@ def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginnin
 
 def _shown(first: dict[int, float]) -> Iterator[FirstReading]:
     """The first reading of each number of the state that any shows; first: values by kind."""
-    for state, kinds in _WITNESSES.items():
+    for state, kinds in _SHOWN_BY.items():
         kind = next((kind for kind in kinds if kind in first), None)
         if kind is not None:
             yield FirstReading(state, kind, first[kind])

@@ -55,7 +55,7 @@ def test_a_scale_far_off_is_put_right_too(swim: Callable[..., Any], scale: float
 
 
 def test_a_pressure_in_error_alone_shows_the_depth(swim: Callable[..., Any]) -> None:
-    """Where pressure is the only witness of depth, an offset of a metre of water begins a metre higher."""
+    """Where pressure alone shows the depth, an offset of a metre of water begins a metre higher."""
     begun, row = beginning(without(swim(load_platform("lily"), 10.0), "pose"))
     row[COLUMN["pressure_offset.offset"]] = PASCAL_PER_METRE
     assert begun.under(row[SENSORS]).mean[Z] == pytest.approx(begun.start.mean[Z] + 1.0, abs=1e-6)
