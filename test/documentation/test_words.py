@@ -86,6 +86,7 @@ def test_no_courtroom_in_the_proof() -> None:
         "tampered.md",
         "real.md",
         "against.md",
+        "against_eight.md",
         "against_five.md",
     )
     pages = [ROOT / "docs" / name for name in names]
