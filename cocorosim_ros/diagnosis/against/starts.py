@@ -1,9 +1,10 @@
 """Information on errors of readings that a shifted start would not give as well.
 
 A filter starts where the first readings are, so an error that shifts all readings of a place or a heading shifts the
-start with them: a pressure that reads too high makes a vehicle that began deeper. The slope of a reading's error knows
-nothing of it, as the start stays where it is. So directions of the innovations that a shift of a track's start makes
-are taken out before it is told what these recordings would show.
+start with them: a pressure that reads too high makes a vehicle that began deeper. The filter knows it where the error
+is of the first readings themselves (`tracks.start`); other readings of the same state may be in error as well. So
+directions of the innovations that a shift of a track's start makes are taken out before it is told what these
+recordings would show.
 """
 
 from __future__ import annotations
@@ -17,7 +18,6 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.detectability import OF_EVERY_STREAM
-from cocorosim_ros.diagnosis.tracks.columns import SENSORS
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
@@ -48,7 +48,7 @@ def as_well(others: Floats, moved: Floats, variance: Floats) -> Floats:
 def start_slopes(fit: Fit, number: int) -> Floats:
     """Slopes (m, 4) of a track's innovations by where it starts, x, y, z and yaw [m, rad], gains held."""
     track, passed, row = fit.tracks[number], fit.passes[number], fit.filled[number]
-    filtering, start = track.filter, track.filter.beginning.under(row[SENSORS])
+    filtering, start = track.filter, track.filter.start(row)
     states = (X, Y, Z, YAW)
     found = np.zeros((len(states), len(passed.innovation)))
     for state, slope in zip(states, found, strict=True):

@@ -110,6 +110,10 @@ class Along(NamedTuple):
     water: Floats  # (n, 4) velocities through the water, for kinds that are `of_water` alone
 
 
+NO_MOTORS = Motors(np.zeros(0, dtype=np.bool_), np.zeros((0, 0)), np.zeros((0, 2)))
+"""Motors of a robot for readings that do not feel them."""
+
+
 @allocating_kernel
 def expected_along(kind: int, along: Along, motors: Motors, sensor: Floats, shown: Floats) -> None:
     """Write into `shown` (n,) what readings of one kind show along a course, with the errors of `sensor`."""

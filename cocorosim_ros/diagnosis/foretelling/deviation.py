@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
-from cocorosim_ros.diagnosis.filter.reading import Along, expected_along
+from cocorosim_ros.diagnosis.filter.reading import NO_MOTORS, Along, expected_along
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
@@ -66,7 +66,7 @@ def _motors(track: Track, kind: int, moment: Floats, row: Floats) -> tuple[Motor
     A force is a mean from each grid point to the next, and belongs to the middle between them.
     """
     if not _feels_motors(kind, row[SENSORS_IN_ROW]):
-        return Motors(np.zeros(0, dtype=np.bool_), np.zeros((0, 0)), np.zeros((0, 2))), np.zeros((len(moment), 0))
+        return NO_MOTORS, np.zeros((len(moment), 0))
     vehicle, middle = track.actuation.vehicle, track.timeline.grid.moments + 0.5 * track.timeline.grid.step
     forces = track.actuation.drive(row).force.T[: len(vehicle.is_pump)]
     force = np.array([np.interp(moment, middle, each) for each in forces]).T

@@ -26,18 +26,16 @@ from cocorosim_ros.diagnosis.filter.layout import (
     POSE_Z,
     PRESSURE,
 )
-from cocorosim_ros.diagnosis.filter.reading import Along, deviation, expected_along
+from cocorosim_ros.diagnosis.filter.reading import NO_MOTORS, Along, deviation, expected_along
 from cocorosim_ros.diagnosis.filter.records import Start
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.errors import NEUTRAL, changes_of
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
-from cocorosim_ros.world.terms.motors import Motors
 
 _SHOWN_BY = {X: (POSE_X,), Y: (POSE_Y,), Z: (POSE_Z, PRESSURE), YAW: (POSE_YAW, COMPASS)}
 """Kinds of readings that show a number of the state, by that number; the one that is believed comes first."""
-_NO_MOTORS = Motors(np.zeros(0, dtype=np.bool_), np.zeros((0, 0)), np.zeros((0, 2)))
 
 
 class FirstReading(NamedTuple):
@@ -82,7 +80,7 @@ class Beginning(NamedTuple):
         state[0, reading.state] += off
         shown = np.empty(1)
         along = Along(np.array([self.moment]), state, np.zeros((1, 4)))
-        expected_along(reading.kind, along, _NO_MOTORS, sensor, shown)
+        expected_along(reading.kind, along, NO_MOTORS, sensor, shown)
         return float(deviation(reading.kind, reading.value, float(shown[0])))
 
 
@@ -96,19 +94,18 @@ def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginnin
 
     Numbers that no reading shows are 0; speeds are uncertain by what full thrust may reach.
     """
-    first = first_values(log, begin, START.window)
+    shown = tuple(_shown(first_values(log, begin, START.window)))
     mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
-    mean[X], mean[Y] = first.get(POSE_X, 0.0), first.get(POSE_Y, 0.0)
-    height = -(first[PRESSURE] - SURFACE_PRESSURE) / PASCAL_PER_METRE if PRESSURE in first else 0.0
-    mean[Z] = first.get(POSE_Z, height)
-    mean[YAW] = first.get(POSE_YAW, first.get(COMPASS, 0.0))
+    for each in shown:
+        is_pressure = each.kind == PRESSURE
+        mean[each.state] = -(each.value - SURFACE_PRESSURE) / PASCAL_PER_METRE if is_pressure else each.value
     spread[X] = spread[Y] = spread[Z] = START.place
     spread[YAW] = START.yaw
     force, moment = vehicle.force_scale[0], vehicle.force_scale[3]
     speed = max(START.least_speed, math.sqrt(force / vehicle.mass) * START.speed_share)
     spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed
     spread[YAW_RATE] = max(START.least_turn, math.sqrt(moment / vehicle.yaw_inertia))
-    return Beginning(Start(mean, spread), tuple(_shown(first)), begin)
+    return Beginning(Start(mean, spread), shown, begin)
 
 
 def _shown(first: dict[int, float]) -> Iterator[FirstReading]:

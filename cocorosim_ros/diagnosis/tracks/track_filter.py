@@ -137,7 +137,7 @@ class TrackFilter:
         numbers = SlopeNumbers(row[SENSORS], np.exp(row[WATER]), self._shares_left(row), step)
         kept = Past(past.innovation, past.gain, past.believed)
         body = self.actuation.vehicle.body(row)
-        start = self._start(row)
+        start = self.start(row)
         slope_pass(self.readings(row), self.actuation.drive(row), start.mean, body, numbers, kept, slope)
 
     def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
@@ -149,10 +149,10 @@ class TrackFilter:
         variance = np.exp(2.0 * row[READING_COLUMNS])
         numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, self._shares_left(row), swell)
         body = self.actuation.vehicle.body(row)
-        filter_pass(self.readings(row), self.actuation.drive(row), self._start(row), body, numbers, belief)
+        filter_pass(self.readings(row), self.actuation.drive(row), self.start(row), body, numbers, belief)
         return belief
 
-    def _start(self, row: Floats) -> Start:
+    def start(self, row: Floats) -> Start:
         """Start under the errors of sensors in a row; slopes by most numbers ask for the same one again."""
         return self._starts.once(row[SENSORS].tobytes(), lambda: self.beginning.under(row[SENSORS]))
 
