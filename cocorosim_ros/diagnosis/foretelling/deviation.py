@@ -6,7 +6,6 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.reading import NO_MOTORS, Along, expected_along
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -35,8 +34,8 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     """
     kind = int(track.timeline.kind[chosen][0])
     topic = next(name for name, each in KINDS_OF_STREAM.items() if kind in each)
-    stamp = track.timeline.stamp[chosen]
-    moment = (stamp - row[COLUMN[f"sensor_latency.{topic}"]]) / (1.0 + row[COLUMN[f"clock_skew.{topic}"]])
+    stamp, timing = track.timeline.stamp[chosen], track.timeline.timing_under(row)
+    moment = (stamp - timing.latency[topic]) / (1.0 + timing.skew[topic])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
     water = _through_water(track, kind, moment, state, row)
     motors, forces = _motors(track, kind, moment, row)

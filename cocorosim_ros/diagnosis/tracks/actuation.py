@@ -12,6 +12,7 @@ from cocorosim_ros.diagnosis.filter.commands import mean_forces
 from cocorosim_ros.diagnosis.filter.records import Drive, Grid
 from cocorosim_ros.diagnosis.tracks.columns import ACTUATING, COLUMN, COMMAND_DELAY
 from cocorosim_ros.diagnosis.tracks.lately import Lately
+from cocorosim_ros.diagnosis.tracks.lateness import clocks_of, common_lateness
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
@@ -29,7 +30,7 @@ class Actuation:
 
     def __init__(self, vehicle: VehicleModel, log: RobotLog, grid: Grid, before: int = 0) -> None:
         self.vehicle, self.grid = vehicle, grid
-        self._log, self._before = log, before
+        self._log, self._before, self._clocks = log, before, clocks_of(log)
         self._lately: Lately[tuple[Floats, Floats]] = Lately()
 
     def drive(self, row: Floats, with_rates: bool = False) -> Drive:
@@ -42,7 +43,7 @@ class Actuation:
         if with_rates:
             body = body._replace(active=body.active | LAW_BITS)
         force, rate = self._lately.once(
-            (body.active & ACTUATION_BITS, row[ACTUATING].tobytes()),
+            (body.active & ACTUATION_BITS, row[ACTUATING].tobytes(), self._delay(row)),
             lambda: self._tilted(*self._forces(row, body)),
         )
         return Drive(force, rate, self.vehicle.surroundings.around)
@@ -54,9 +55,13 @@ class Actuation:
         return force[self._before :], rate[self._before :]
 
     def _times(self, row: Floats) -> Floats:
-        """Moments [s] from which the commands act, each later than recorded by the delay that a row (columns,) has."""
-        delay = row[COLUMN[COMMAND_DELAY]]
+        """Moments [s] from which the commands act under a row (columns,), by the stamps of the readings."""
+        delay = self._delay(row)
         return self._log.command_time if delay == 0.0 else self._log.command_time + delay
+
+    def _delay(self, row: Floats) -> float:
+        """Time [s] by which commands act late under a row (columns,), and by which all readings are late."""
+        return float(row[COLUMN[COMMAND_DELAY]]) + common_lateness(row, self._clocks)
 
     def _tilted(self, force: Floats, rate: Floats) -> tuple[Floats, Floats]:
         """Forces and rates (points, acting): the actuators', then what roll and pitch add to the thrust's x, y, z."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.tracks.columns import TIMING
 from cocorosim_ros.diagnosis.tracks.grid import grid_until
 from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
 from cocorosim_ros.diagnosis.tracks.lately import Lately
+from cocorosim_ros.diagnosis.tracks.lateness import clocks_of, common_lateness
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 
@@ -43,10 +44,14 @@ class Timeline:
     Readings stand in the order in which the filter takes them if all stamps are right. Each column is (m,):
     kind: codes of filter.layout; stream: numbers in `stream_names`; stamp [s]; value: SI units; share: variance as a
     share of that of a single reading; reach [s]: the readings of an average lie evenly in stamp +- reach.
+    clocks: names of the streams whose common lateness the commands have in place of the readings; None: all of the log.
     """
 
-    def __init__(self, log: RobotLog, step: float, begin: float, end: float) -> None:
+    def __init__(
+        self, log: RobotLog, step: float, begin: float, end: float, clocks: Sequence[str] | None = None
+    ) -> None:
         self.grid = grid_until(begin, step, end)
+        self._clocks = clocks_of(log) if clocks is None else clocks
         self.stream_names = [name for name in KINDS_OF_STREAM if name in log.streams]
         self._log = log
         self._lately: Lately[Readings] = Lately()
@@ -86,17 +91,22 @@ class Timeline:
         """Make a timeline of `points` grid points of this one, from grid point `first` on."""
         begin, step, _ = self.grid
         start = begin + first * step
-        return Timeline(self._log, step, start, start + step * (points - 1))
+        return Timeline(self._log, step, start, start + step * (points - 1), self._clocks)
 
     def without_stream(self, name: str) -> Timeline:
         """Make a timeline on the same grid without the readings of a stream."""
         streams = {other: stream for other, stream in self._log.streams.items() if other != name}
         begin, step, points = self.grid
-        return Timeline(replace(self._log, streams=streams), step, begin, begin + step * (points - 1))
+        return Timeline(replace(self._log, streams=streams), step, begin, begin + step * (points - 1), self._clocks)
 
     def under(self, row: Floats) -> Readings:
         """Readings on the grid, stamps corrected by the errors that a row of numbers (columns,) holds."""
-        return self._lately.once(row[TIMING].tobytes(), lambda: self.readings(timing_of(row)))
+        return self._lately.once(row[TIMING].tobytes(), lambda: self.readings(self.timing_under(row)))
+
+    def timing_under(self, row: Floats) -> Timing:
+        """Errors of stamps that a row of numbers (columns,) holds, without what all streams are late by."""
+        timing, common = timing_of(row), common_lateness(row, self._clocks)
+        return replace(timing, latency={name: late - common for name, late in timing.latency.items()})
 
     def readings(self, timing: Timing = RIGHT) -> Readings:
         """Readings by grid point, at the moments when they were true if stamps are off by `timing`.

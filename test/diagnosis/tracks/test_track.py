@@ -36,3 +36,27 @@ def test_a_piece_begins_where_the_whole_was(swim: Callable[..., Any]) -> None:
     pose = track.log.streams["pose"]
     at = int(np.searchsorted(pose.time, piece.timeline.grid.begin))
     np.testing.assert_array_equal(piece.filter.beginning.start.mean[:4], pose.value[at])
+
+
+def test_late_readings_and_late_commands_are_one_thing_where_all_readings_are_late(swim: Callable[..., Any]) -> None:
+    """To the bit: the same likelihood, and no reading in another place on the grid."""
+    (track,) = make_tracks(swim(load_platform("lily"), 20.0))
+    readings, commands = track.vehicle.row.copy(), track.vehicle.row.copy()
+    for name in track.timeline.stream_names:
+        readings[COLUMN[f"sensor_latency.{name}"]] = 0.35
+    commands[COLUMN["command_delay.delay"]] = 0.35
+    late, delayed = (track.filter.full(row) for row in (readings, commands))
+    np.testing.assert_array_equal(late.innovation, delayed.innovation)
+    assert late.log_likelihood == delayed.log_likelihood != track.filter.full(track.vehicle.row).log_likelihood
+    np.testing.assert_array_equal(track.timeline.under(readings).after, track.timeline.under(commands).after)
+
+
+def test_a_stream_that_is_left_out_leaves_the_others_their_time(swim: Callable[..., Any]) -> None:
+    """Late poses move, as they do beside a compass that is not late, where this compass is held out."""
+    (track,) = make_tracks(swim(load_platform("lily"), 20.0))
+    row = track.vehicle.row.copy()
+    for name in track.timeline.stream_names[:-1]:
+        row[COLUMN[f"sensor_latency.{name}"]] = 0.35
+    held_out = track.without_stream(track.timeline.stream_names[-1])
+    assert held_out.timeline.timing_under(row).latency["pose"] == 0.35
+    assert held_out.piece(0, 50).timeline.timing_under(row).latency["pose"] == 0.35
