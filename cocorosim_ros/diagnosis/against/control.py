@@ -6,9 +6,7 @@ over the tracks has a chi-squared distribution if they differ by their noise alo
 By that spread evidence from other recordings is divided, as variances are in quasi-likelihood, and by more where the
 recordings to be judged have more information each. Where the learned vehicle has no number of the candidate's kind, the
 difference of two amplitudes is asked for, and the one of the learned vehicle is known no better than its recordings
-tell. The likelihood of a delay is rough: its slope goes with the noise of the readings and with where they fall on the
-filter's grid, which differs from track to track. So score and information on a delay are those of a parabola through
-the likelihood at three delays, as far apart as the starts of a search for one.
+tell.
 Source: McCullagh and Nelder, Generalized Linear Models (1989), section 9.2; DerSimonian and Laird, Controlled Clinical
 Trials 7 (1986) 177.
 """
@@ -83,7 +81,7 @@ class Alike:
         tracks = len(candidate.everybody) / max(len(candidate.sharers), 1)
         if not told or not sum(mine) > ALIKE.told:
             return 1.0 + unknown_there + self._within_a_step(screened) / tracks
-        differing = overdispersion(self._by_delays(candidate, screened.values) or told)
+        differing = overdispersion(told)
         return 1.0 + unknown_there + (differing - 1.0) * (own / tracks) / (sum(mine) / len(mine))
 
     def _is_shared(self, candidate: Candidate) -> bool:
@@ -99,23 +97,6 @@ class Alike:
         moved = self._screen.slopes(whole, values, whole.amplitudes())
         found = [self._orthogonal(number, moved[number]) for number in numbers]
         return [each for each in found if np.isfinite(each.matrix).all() and np.isfinite(each.score).all()]
-
-    def _by_delays(self, candidate: Candidate, values: dict[str, float]) -> list[Told]:
-        """List what each track tells of a delay, by the likelihood at three delays, as far apart as starts of a search.
-
-        Empty for a candidate that is no delay, or one that cannot be less, and where the likelihood is not curved as
-        at a maximum: then slopes have to do.
-        """
-        if not _is_delay(candidate):
-            return []
-        starts = candidate.entry.amplitudes[0].searched
-        whole, step = _as_one(candidate, self._having(candidate)), min(map(abs, starts))
-        (unknown,) = whole.amplitudes()
-        if unknown.clipped(-step) != -step:
-            return []
-        points = step * np.array([-1.0, 0.0, 1.0])
-        gains = [self._screen.gains_at(whole, values, np.array([point])) for point in points]
-        return delays_told(points, np.array(gains))
 
     def _within_a_step(self, screened: Screened) -> float:
         """Nats twice over that a delay of a step of the filter would yield, by what a delay that was tried yields.
@@ -144,22 +125,6 @@ class Alike:
             -weighted_products(moved, passed.innovation[:, None], passed.variance).ravel() - absorbed.T @ known.score
         )
         return Told(0.5 * (matrix + matrix.T), score)
-
-
-def delays_told(points: Floats, gains: Floats) -> list[Told]:
-    """List what each track tells of one number near 0, by parabolas; points (3,), gains (3, tracks) [nats].
-
-    Alike tracks have the information of their mean, since the curvature of one alone is as rough as its likelihood; []
-    where the likelihood is not curved as at a maximum.
-    """
-    gains = gains[:, np.isfinite(gains).all(axis=0)]
-    if not gains.size:
-        return []
-    bent, slopes, _ = np.polyfit(points, gains, 2)
-    information = float(np.mean(-2.0 * bent))
-    if not information > 0.0:
-        return []
-    return [Told(np.array([[information]]), np.array([slope])) for slope in slopes]
 
 
 def overdispersion(told: Sequence[Told]) -> float:

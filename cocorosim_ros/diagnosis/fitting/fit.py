@@ -26,6 +26,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import (
     prior_weights,
     write_values,
 )
+from cocorosim_ros.diagnosis.tracks.columns import LATENCY
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
@@ -86,17 +87,27 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
     the fit, or new ones that are still neutral.
     """
     filled = fit.filled if unknowns is fit.unknowns else write_values(fit.filled, unknowns, q)
-    steps = [unknown.inward_step(float(place)) for unknown, place in zip(unknowns, q, strict=True)]
 
     def of_track(number: int) -> Floats:
         passed, passing = fit.passes[number], fit.tracks[number].filter
         found = np.zeros((len(unknowns), len(passed.innovation)))
-        for unknown, place, step, slope in zip(unknowns, q, steps, found, strict=True):
+        for unknown, place, slope in zip(unknowns, q.tolist(), found, strict=True):
             if number in unknown.tracks:
-                passing.slope(nudged(filled[number], unknown, float(place), step), passed, step, slope)
+                step = _step_of(unknown, place, fit.tracks[number])
+                passing.slope(nudged(filled[number], unknown, place, step), passed, step, slope)
         return found.T
 
     return tuple(of_each_track(of_track, len(fit.tracks)))
+
+
+def _step_of(unknown: Unknown, q: float, track: Track) -> float:
+    """Step of q for a slope on a track; of a latency it is a whole step of the grid.
+
+    By less than that, readings come to lie otherwise between grid points. The gains would follow; held, they make of
+    every innovation before a slope, and of rough slopes an information that is a hundred times too great.
+    """
+    is_latency = unknown.column in LATENCY
+    return unknown.inward_step(q, track.timeline.grid.step / abs(unknown.scale) if is_latency else None)
 
 
 @dataclass(frozen=True)

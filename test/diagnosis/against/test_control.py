@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from cocorosim_ros.diagnosis.against.control import Alike, Told, delays_told, overdispersion
+from cocorosim_ros.diagnosis.against.control import Alike, Told, overdispersion
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 
@@ -39,22 +39,6 @@ def test_parts_that_tell_nothing_leave_evidence_as_it_is() -> None:
     """No information, or very calm parts, never make evidence stronger."""
     assert overdispersion([Told(np.zeros((2, 2)), np.zeros(2))]) == 1.0
     assert overdispersion(told([0.01, 0.02])) == 1.0
-
-
-def test_a_delay_is_told_by_a_parabola_and_not_by_the_rough_slope_at_zero() -> None:
-    """Likelihoods of which each has its maximum at its own delay: score and information are those of the parabolas."""
-    points, maxima, information = np.array([-0.5, 0.0, 0.5]), np.array([0.2, -0.1, 0.0]), 8.0
-    gains = -0.5 * information * ((points[:, None] - maxima) ** 2 - maxima**2)
-    told = delays_told(points, gains)
-    assert [float(each.matrix[0, 0]) for each in told] == pytest.approx([information] * 3)
-    assert [float(each.score[0]) for each in told] == pytest.approx((information * maxima).tolist())
-
-
-def test_a_likelihood_without_a_maximum_tells_nothing_of_delays() -> None:
-    """It is the best at both ends; or a model ran away at one of the delays."""
-    points = np.array([0.0, 0.5, 1.0])
-    assert delays_told(points, np.array([[0.0, 0.0], [-3.0, -4.0], [0.0, 0.0]])) == []
-    assert delays_told(points, np.array([[0.0], [-np.inf], [-3.0]])) == []
 
 
 @pytest.mark.parametrize(("steps", "spread"), [(1.0, 1.0 + 20.0), (4.0, 1.0 + 20.0 / 16.0)])
