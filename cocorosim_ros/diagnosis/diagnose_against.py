@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from cocorosim_ros.diagnosis.against.axes import in_its_axes
 from cocorosim_ros.diagnosis.against.comparable import comparable, taken_in
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
@@ -12,7 +13,7 @@ from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
 from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
-from cocorosim_ros.diagnosis.against.running import runnable, runs_away
+from cocorosim_ros.diagnosis.against.running import Running, runnable, runs_away
 from cocorosim_ros.diagnosis.against.stamps import other_clocks
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
@@ -64,7 +65,12 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     thrusters = _thrusters(bad.platform)
     learned = learned_once(well.evidence, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
     progress("fitting both together", 0.4)
-    learned, joint, taken_back = runnable(learned, lambda vehicle: joint_fit(vehicle, intake.evidence))
+    learned, joint, taken_back = _joined(learned, intake)
+    turned = in_its_axes(learned, joint, intake)
+    if turned is not intake:
+        intake = turned
+        learned, joint, more = _joined(learned, intake)
+        taken_back += more
     if runs_away(joint):
         reason = f"The vehicle of --against cannot be run through these recordings of '{bad.platform.name}'."
         return _with_files(abstained(bad, (reason,)), good)
@@ -81,6 +87,10 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     # The numbers of the model file are those of the learned vehicle, found with its steps and in its form of drag.
     form = word_of_form(learned) if bad.platform.drag_form is None else ""
     return replace(told, drag_form=form, step=min(track.timeline.grid.step for track in learned.tracks))
+
+
+def _joined(learned: Fit, intake: Intake) -> Running:
+    return runnable(learned, lambda vehicle: joint_fit(vehicle, intake.evidence))
 
 
 def _thrusters(platform: Platform) -> tuple[str, ...]:

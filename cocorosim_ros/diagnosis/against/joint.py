@@ -27,28 +27,38 @@ def joint_fit(learned: Fit, bad: Evidence) -> Fit:
     which comes later in `bad` would draw them to a place between both, from which no slope leads back. The steps of the
     filter are those of the learned vehicle, since other steps average other readings.
     """
-    step = min(track.timeline.grid.step for track in learned.tracks)
-    tracks = make_tracks(replace(bad, platform=replace(bad.platform, fitted_step=step)))
-    first = len(learned.tracks)
-    known = _rows_of(learned, tracks)
-    rows = known.copy()
-    rows[:, NOISE_COLUMNS] = base_rows(tracks)[:, NOISE_COLUMNS]
-    unknowns = tuple(_extended(unknown, tracks, first) for unknown in _with_kept_delays(learned))
-    noise = noise_unknowns(tracks, rows)
-    water = [_as_learned(unknown, known) for unknown in noise]
+    known = below(learned)
+    mine, first = judged_alone(learned, bad, known), len(learned.tracks)
+    unknowns = tuple(_extended(unknown, mine.tracks, first) for unknown in _with_kept_delays(learned))
     return climbed(
         evaluated(
             Fit(
-                (*learned.tracks, *tracks),
-                np.concatenate([below(learned), rows]),
+                (*learned.tracks, *mine.tracks),
+                np.concatenate([known, mine.rows]),
                 unknowns,
-                (*learned.noise, *(_shifted(unknown, first) for unknown in noise)),
+                (*learned.noise, *(_shifted(unknown, first) for unknown in mine.noise)),
                 learned.q,
-                np.concatenate([learned.q_noise, water]),
+                np.concatenate([learned.q_noise, mine.q_noise]),
                 (),
             )
         )
     )
+
+
+def judged_alone(learned: Fit, bad: Evidence, known: Floats) -> Fit:
+    """Make the tracks of `bad` with numbers `known` (tracks of the learned vehicle, columns), noise their own.
+
+    It is not evaluated. Noise begins with that of the learned vehicle's water, and for readings with what these show.
+    """
+    step = min(track.timeline.grid.step for track in learned.tracks)
+    tracks = make_tracks(replace(bad, platform=replace(bad.platform, fitted_step=step)))
+    names = [track.name for track in learned.tracks]
+    of_names = np.array([known[names.index(track.name)] for track in tracks])
+    rows = of_names.copy()
+    rows[:, NOISE_COLUMNS] = base_rows(tracks)[:, NOISE_COLUMNS]
+    noise = noise_unknowns(tracks, rows)
+    water = [_as_learned(unknown, of_names) for unknown in noise]
+    return Fit(tracks, rows, (), tuple(noise), np.zeros(0), np.array(water), ())
 
 
 def below(fit: Fit) -> Floats:
@@ -79,12 +89,6 @@ def part_of(fit: Fit, numbers: Sequence[int], kept: Sequence[Unknown]) -> Fit:
             (),
         )
     )
-
-
-def _rows_of(learned: Fit, tracks: Sequence[Track]) -> Floats:
-    """Rows (tracks, columns) of the learned vehicle for other tracks of the same robots."""
-    known, names = below(learned), [track.name for track in learned.tracks]
-    return np.array([known[names.index(track.name)] for track in tracks])
 
 
 def _as_learned(noise: Unknown, known: Floats) -> float:

@@ -86,6 +86,17 @@ class ChangeCriteria:
     measured."""
 
 
+@dataclass(frozen=True)
+class AxesOfVehicleCriteria:
+    """Axes of judged poses that are told by the learned vehicle (`against.axes`)."""
+
+    lead: float = 100.0
+    """[nats] by which turned poses have to be likelier than as they are, and than otherwise turned ones. TODO."""
+    rounds: int = 12
+    """[steps] of the noise, so that it may grow where the vehicle foretells badly. Chosen, not measured."""
+
+
+AXES_OF_VEHICLE = AxesOfVehicleCriteria()
 CHANGES = ChangeCriteria()
 LEARNING = LearningCriteria()
 ALIKE = AlikeCriteria()

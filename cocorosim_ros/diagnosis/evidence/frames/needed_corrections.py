@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -121,16 +122,21 @@ def _pose(turned: Orientation, down: float) -> Found:
     upside_down = down > AXES.margin
     if turned.position == turned.yaw == SAME and not upside_down:
         return []
-    matrix, offset = np.eye(4), np.zeros(4)
-    matrix[PLANE, PLANE] = matrix_of(turned.position)
-    matrix[Z, Z] = -1.0 if upside_down else 1.0
-    matrix[YAW, YAW], offset[YAW] = on_angle(turned.yaw)
     nats = (down if upside_down else 0.0) + (turned.nats if (turned.position, turned.yaw) != (SAME, SAME) else 0.0)
     because = "only so the poses agree with " + (
         "pressure and pump" if turned.position == turned.yaw == SAME else "the other streams and the commands"
     )
+    return [replace(pose_correction(turned, because, upside_down=upside_down), nats=nats)]
+
+
+def pose_correction(turned: Orientation, because: str, *, upside_down: bool = False) -> FrameCorrection:
+    """Make the correction of poses whose positions and yaw are turned, and whose z may point down; of no nats yet."""
+    matrix, offset = np.eye(4), np.zeros(4)
+    matrix[PLANE, PLANE] = matrix_of(turned.position)
+    matrix[Z, Z] = -1.0 if upside_down else 1.0
+    matrix[YAW, YAW], offset[YAW] = on_angle(turned.yaw)
     fault = Fault(_pose_words(turned.position, turned.yaw, upside_down), because)
-    return [affine("pose", fault, nats, matrix, offset)]
+    return affine("pose", fault, 0.0, matrix, offset)
 
 
 def _pose_words(position: Turned, yaw: Turned, upside_down: bool) -> str:
