@@ -39,7 +39,7 @@ def number_entries(tracks: Sequence[Track], rows: Floats, thrusters: Sequence[st
     ]
     if thrusters:
         found.append(_factor(THRUST, ALL_THRUSTERS, "surge", DRAG))
-    found.append(_delay())
+    found.append(delay_entry())
     return [*found, *thruster_entries(tracks, thrusters)]
 
 
@@ -63,7 +63,7 @@ def _factor(identifier: str, column: str, channel: str, group: str, name: str = 
     return Entry(identifier, f"{words} that differs", f"{words} = factor * before", channel, (amplitude,), group=group)
 
 
-def _delay() -> Entry:
+def delay_entry() -> Entry:
     """Make the entry of commands that act late: an error of stamps, which with poses alone is one of the poses' stamps.
 
     So its channel is the clock, and it is told by the readings alone as theirs is, not by free runs.

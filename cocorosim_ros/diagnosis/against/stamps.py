@@ -1,4 +1,4 @@
-"""Streams whose stamps are of another clock than those of the same streams when the vehicle was well.
+"""Streams and commands whose stamps are of another clock than those of the same ones when the vehicle was well.
 
 The log times show it, so that the stamps were put right before anything was fitted: no fit finds it any more.
 """
@@ -9,24 +9,28 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.against.numbers import delay_entry
 from cocorosim_ros.diagnosis.against.twins import LATE_READINGS
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.criteria.evidence import CLOCKS
 from cocorosim_ros.diagnosis.criteria.showing import FRAMING
+from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
 
 
 def other_clocks(bad: Evidence, good: Evidence) -> Iterator[FoundEffect]:
-    """Make a found effect of each stream whose stamps had to be shifted in other recordings by another time [s].
+    """Make a found effect of each topic whose stamps had to be shifted in other recordings by another time [s].
 
-    A stream that is stamped late is `sensor_latency`, known as well as log times can tell it.
+    A stream that is stamped late is `sensor_latency`, and commands that are stamped early are `command_delay`: they act
+    later than they are logged. Each is known as well as log times can tell it.
     """
     before = _shifts(good)
     for (robot, topic), shift in sorted(_shifts(bad).items()):
-        latency = before.get((robot, topic), 0.0) - shift
-        if abs(latency) > CLOCKS.far:
-            yield _late(robot, topic, latency)
+        later = before.get((robot, topic), 0.0) - shift
+        if abs(later) > CLOCKS.far:
+            yield _told(robot, topic, later)
 
 
 def _shifts(evidence: Evidence) -> dict[tuple[str, str], float]:
@@ -36,17 +40,26 @@ def _shifts(evidence: Evidence) -> dict[tuple[str, str], float]:
         for log in recording.robots:
             for topic, stream in log.streams.items():
                 found.setdefault((log.name, topic), []).append(stream.shifted)
+            if len(log.command_time):
+                found.setdefault((log.name, COMMAND), []).append(log.command_shifted)
     return {key: float(np.median(values)) for key, values in found.items()}
 
 
-def _late(robot: str, topic: str, latency: float) -> FoundEffect:
-    entry = next(entry for entry in ENTRIES if entry.id == LATE_READINGS and entry.topic == topic)
-    told = Estimate(latency, latency - CLOCKS.far, latency + CLOCKS.far, "s")
+def _told(robot: str, topic: str, later: float) -> FoundEffect:
+    """Make the effect of a topic that is stamped so much later [s] than in the other recordings."""
     words = (
-        f"by the log times its stamps are {abs(latency):.3g} s {'later' if latency > 0.0 else 'earlier'} than in the "
+        f"by the log times its stamps are {abs(later):.3g} s {'later' if later > 0.0 else 'earlier'} than in the "
         "other recordings"
     )
+    is_command = topic == COMMAND
+    entry = delay_entry() if is_command else _of_stream(topic)
+    late = -later if is_command else later
+    told = {entry.amplitudes[0].name: Estimate(late, late - CLOCKS.far, late + CLOCKS.far, "s")}
     return FoundEffect(
-        entry.id, entry.name, entry.equation, (robot,), "confirmed", {"latency": told}, FRAMING.certain, topic=topic,
+        entry.id, entry.name, entry.equation, (robot,), "confirmed", told, FRAMING.certain, topic=entry.topic,
         correction=words,
     )  # fmt: skip
+
+
+def _of_stream(topic: str) -> Entry:
+    return next(entry for entry in ENTRIES if entry.id == LATE_READINGS and entry.topic == topic)

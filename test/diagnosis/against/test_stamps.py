@@ -35,3 +35,20 @@ def test_a_stream_on_another_clock_is_late(swim: Any, bad: float, good: float) -
 def test_the_same_clock_is_no_difference(swim: Any, bad: float, good: float) -> None:
     """Nor is what a transport may take."""
     assert list(other_clocks(dive(swim, bad), dive(swim, good))) == []
+
+
+@pytest.mark.parametrize(("bad", "good"), [(1.8, 0.0), (0.0, -1.8), (3.0, 1.2)])
+def test_commands_on_another_clock_act_late(swim: Any, bad: float, good: float) -> None:
+    """Stamps that were set 1.8 s later had been 1.8 s before the moment at which the commands act."""
+
+    def commanded(shifted: float) -> Any:
+        evidence = dive(swim, 0.0)
+        (recording,) = evidence.recordings
+        (log,) = recording.robots
+        return replace(evidence, recordings=(replace(recording, robots=(replace(log, command_shifted=shifted),)),))
+
+    (found,) = other_clocks(commanded(bad), commanded(good))
+    assert (found.id, found.topic, found.tier) == ("command_delay", None, "confirmed")
+    delay = found.parameters["delay"]
+    assert (delay.value, delay.unit) == (pytest.approx(1.8), "s") and delay.low < 1.8 < delay.high
+    assert found.correction is not None and "1.8 s earlier" in found.correction

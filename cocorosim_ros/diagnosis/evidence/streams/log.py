@@ -46,7 +46,8 @@ class RobotLog:
     """One robot of one recording.
 
     command_time (m,) [s], ascending: start of each row of `command` (m, actuators), fractions of the maximum in the
-    order of the platform's actuators.
+    order of the platform's actuators. command_shifted: by how much most of their stamps were set later [s], as those
+    of a stream.
     """
 
     name: str
@@ -57,6 +58,7 @@ class RobotLog:
     attitude: Attitude | None = None  # roll and pitch, where they were recorded; None for a robot that stays level
     afloat: tuple[tuple[float, float], ...] = ()  # s: begin and end of each time that it lies at the surface
     clock: Clock = NO_CLOCK
+    command_shifted: float = 0.0
 
 
 @dataclass(frozen=True)
