@@ -63,6 +63,8 @@ def _noise_step(fit: Fit, chosen: Sequence[int]) -> Fit | None:
     the water does not push at all, the curvature says little.
     """
     score, matrix = noise_information(fit, chosen)
+    if not (np.isfinite(score).all() and np.isfinite(matrix).all()):
+        return None  # a model that runs away tells nothing of its noise
     unknowns = [fit.noise[index] for index in chosen]
 
     def damped(damping: float) -> Fit:
