@@ -155,6 +155,7 @@ def _told(
     courses = smoothed_tracks(base), smoothed_tracks(final)
     stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
+    traces = _traces(naming)
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
     unseen = tuple(name for name in not_shown(naming.screened) if name not in seen)
     tried = {each.candidate.entry.id for each in naming.screened}
@@ -185,8 +186,8 @@ def _told(
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
-        untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted)),
-        against=replace(against, in_doubt=(*against.in_doubt, *doubted)),
+        untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted), *_of_traces(traces)),
+        against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces)),
     )
 
 
@@ -229,6 +230,22 @@ def _of_vague(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(
         f"'{name}' most likely differs, but its size differs from part to part of the recordings, or is badly known, "
         "and may as well be nothing. These recordings cannot tell."
+        for name in names
+    )
+
+
+def _traces(naming: Naming) -> tuple[str, ...]:
+    """Names of errors of readings that were passed over as traces of motion, and are not named after all."""
+    named = {each.candidate.entry.id for each in naming.named}
+    found = (each.entry for each in naming.traces if each.entry.law is None and each.entry.id not in named)
+    return tuple(dict.fromkeys(name_of(entry.id, entry.topic) for entry in found))
+
+
+def _of_traces(names: Sequence[str]) -> tuple[str, ...]:
+    """Sentences on errors of readings that may be what a motion leaves there that free runs refused."""
+    return tuple(
+        f"'{name}' may differ, but free runs speak against a motion for which the readings speak as loudly, and this "
+        "may be its trace. These recordings cannot tell."
         for name in names
     )
 

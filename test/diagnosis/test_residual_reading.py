@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.timeline import timing_of
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
 
@@ -41,6 +42,7 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
     for name, value in numbers.items():
         row[COLUMN[name.replace("__", ".")]] = value
     timeline = SimpleNamespace(
+        timing_under=timing_of,
         kind=np.full(len(TIME), kind),
         stamp=TIME,
         value=values,

@@ -76,6 +76,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     first_laws: tuple[Screened, ...] = ()
     nameless = ""
     refused: tuple[Refused, ...] = ()
+    traces: tuple[Candidate, ...] = ()
     for number in range(SEARCH.most_rounds):
         progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
@@ -87,7 +88,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
             laws = _tested(screen, judged, _laws(scene, joint, judged, named, water=water), named)
-            refused = tuple(choice.refused)
+            refused, traces = tuple(choice.refused), tuple(choice.traces)
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
@@ -100,7 +101,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
     named = tuple(with_twin(_foretold(effect, judged), candidates, joint.tracks) for effect in named)
-    return Naming(joint, fit, named, first, first_laws, nameless, refused=refused)
+    return Naming(joint, fit, named, first, first_laws, nameless, refused=refused, traces=traces)
 
 
 def _best(

@@ -63,7 +63,7 @@ class Naming:
 
     base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
     known: effects that the base has already, with their evidence. refused: candidates with evidence enough that free
-    runs were against when nothing more could be named.
+    runs were against when nothing more could be named; traces: errors of readings that may be what these leave there.
     """
 
     base: Fit
@@ -74,6 +74,7 @@ class Naming:
     nameless: str = ""  # law that explains what is left over, where laws are not named
     known: tuple[NamedEffect, ...] = ()
     refused: tuple[Refused, ...] = ()
+    traces: tuple[Candidate, ...] = ()
 
     def may_be_rest(self, effect: NamedEffect) -> bool:
         """Tell whether the base has an effect that a diagnosis found, of whose form another one may be a rest.

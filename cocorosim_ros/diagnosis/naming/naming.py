@@ -262,6 +262,7 @@ def _held_out_if_nameable(
     if any(is_like(refined.candidate, other) for other in (*passed_over.negligible, *passed_over.harmful)):
         return None
     if choice is not None and choice.may_be_trace(refined.candidate, standing(refined)):
+        choice.traces.append(refined.candidate)
         return None
     held_out = held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns)
     return held_out if held_out.total > 0.0 else None

@@ -36,3 +36,18 @@ def test_what_may_be_nothing_is_kept_apart(doubted: tuple[str, ...], kept: tuple
     assert len(sentences) == len(doubted)
     assert all(f"'{name}'" in told and "cannot tell" in told for name, told in zip(doubted, sentences, strict=True))
     assert diagnose_against._verdict((*left, *names), (), (), "") == "mismatch"
+
+
+def test_an_error_of_readings_that_was_passed_over_as_a_trace_is_in_doubt() -> None:
+    """By effect and stream, once each; laws outside the catalogue, and what is named after all, are left out."""
+
+    def entry(name: str, topic: str | None, law: Any = None) -> Any:
+        return SimpleNamespace(entry=SimpleNamespace(id=name, topic=topic, law=law))
+
+    late = entry("sensor_latency", "pressure")
+    found = [late, late, entry("unknown:pressure~w", "pressure", "w"), entry("gyro_scale", "imu")]
+    naming: Any = SimpleNamespace(named=[SimpleNamespace(candidate=entry("gyro_scale", "imu"))], traces=found)
+    names = diagnose_against._traces(naming)
+    assert names == ("sensor_latency:pressure",)
+    (sentence,) = diagnose_against._of_traces(names)
+    assert "'sensor_latency:pressure'" in sentence and "cannot tell" in sentence

@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
 from cocorosim_ros.diagnosis.foretelling.rulers import against, errors_of_course, errors_of_readings
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.timeline import Timing, timing_of
 from cocorosim_ros.world.laws.readings import READING_CODE
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.state.state import YAW, X, Z
@@ -35,6 +36,10 @@ class Readings:
     def sees(self, *names: str) -> bool:
         """Tell whether any of the kinds is there."""
         return bool(np.isin(self.kind, [KIND_NAMES.index(name) for name in names]).any())
+
+    def timing_under(self, row: Any) -> Timing:
+        """Errors of stamps in a row: as it holds them, since other streams are right."""
+        return timing_of(row)
 
 
 class Grid:
