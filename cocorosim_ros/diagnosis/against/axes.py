@@ -26,7 +26,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.tracks.columns import WATER
 from cocorosim_ros.foundation.arrays import Floats
 
-BECAUSE = "only so the vehicle moves as in the recordings of --against"
+ONLY_SO = "only so the vehicle moves as in the recordings of --against"
 
 
 def in_its_axes(learned: Fit, joint: Fit, intake: Intake) -> Intake:
@@ -67,7 +67,7 @@ class _Trial(NamedTuple):
 
 
 def _trial(evidence: Evidence, turned: Orientation) -> _Trial:
-    correction = pose_correction(turned, BECAUSE)
+    correction = pose_correction(turned, ONLY_SO)
     recordings = tuple(
         replace(each, robots=tuple(put_right(log, [correction]) for log in each.robots)) for each in evidence.recordings
     )
