@@ -9,7 +9,7 @@ from cocorosim_ros.diagnosis.against.axes import in_its_axes
 from cocorosim_ros.diagnosis.against.comparable import comparable, taken_in
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
-from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of
+from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of, with_streams_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
 from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.diagnose import abstained
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.drag_forms import word_of_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
@@ -74,7 +75,7 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     if runs_away(joint):
         reason = f"The vehicle of --against cannot be run through these recordings of '{bad.platform.name}'."
         return _with_files(abstained(bad, (reason,)), good)
-    alike = Alike(learned)
+    alike = Alike(with_streams_of(learned, joint))
     progress("comparing the recordings of --against with each other", 0.5)
     control = _control(learned, alike, thrusters)
     judged = _judged(joint, tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
@@ -145,17 +146,18 @@ def _told(
 ) -> Diagnosis:
     """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
     numbers = fitted(naming.fit)
-    moved = differing_numbers(naming, numbers)
+    moved, vague = _clearly_moved(differing_numbers(naming, numbers))
     effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *clocks, *differing_effects(naming, numbers))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     effects, doubted = _beyond_doubt(naming, effects)
+    doubted = (*doubted, *vague)
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(unseen_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
     stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
-    traces = _traces(naming)
+    traces, unsettled = (_names(naming, each) for each in (naming.traces, naming.unsettled))
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
     unseen = tuple(name for name in not_shown(naming.screened) if name not in seen)
     tried = {each.candidate.entry.id for each in naming.screened}
@@ -186,8 +188,8 @@ def _told(
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
-        untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted), *_of_traces(traces)),
-        against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces)),
+        untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted), *_of_traces(traces), *_of_unsettled(unsettled)),
+        against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
     )
 
 
@@ -204,6 +206,12 @@ def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tup
 
     doubted = dict.fromkeys(name_of(effect.id, effect.topic) for effect in effects if is_doubted(effect))
     return tuple(effect for effect in effects if not is_doubted(effect)), tuple(doubted)
+
+
+def _clearly_moved(numbers: Sequence[Recalibrated]) -> tuple[tuple[Recalibrated, ...], tuple[str, ...]]:
+    """Numbers that are not what they were before, and the names of those whose interval holds that value."""
+    vague = [each for each in numbers if each.estimate.low <= each.nominal <= each.estimate.high]
+    return tuple(each for each in numbers if each not in vague), tuple(each.parameter for each in vague)
 
 
 def _of_nameless(law: str) -> tuple[str, ...]:
@@ -234,10 +242,10 @@ def _of_vague(names: Sequence[str]) -> tuple[str, ...]:
     )
 
 
-def _traces(naming: Naming) -> tuple[str, ...]:
-    """Names of errors of readings that were passed over as traces of motion, and are not named after all."""
+def _names(naming: Naming, candidates: Sequence[Candidate]) -> tuple[str, ...]:
+    """Names of candidates that were passed over, and are not named after all."""
     named = {each.candidate.entry.id for each in naming.named}
-    found = (each.entry for each in naming.traces if each.entry.law is None and each.entry.id not in named)
+    found = (each.entry for each in candidates if each.entry.law is None and each.entry.id not in named)
     return tuple(dict.fromkeys(name_of(entry.id, entry.topic) for entry in found))
 
 
@@ -247,6 +255,17 @@ def _of_traces(names: Sequence[str]) -> tuple[str, ...]:
         f"'{name}' may differ, but free runs speak against a motion for which the readings speak as loudly, and this "
         "may be its trace. These recordings cannot tell."
         for name in names
+    )
+
+
+def _of_unsettled(names: Sequence[str]) -> tuple[str, ...]:
+    """Sentence on what could be named, the first of some names, and on what it may stand in for."""
+    if not names:
+        return ()
+    first, *others = names
+    return (
+        f"'{first}' may differ, or stand in for {' or '.join(repr(each) for each in others)}: the readings speak "
+        "louder for that, but the recordings of --against differ in it among themselves. These recordings cannot tell.",
     )
 
 

@@ -24,7 +24,7 @@ from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.fitting import HELD_OUT
-from cocorosim_ros.diagnosis.criteria.naming import SEARCH
+from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
@@ -77,6 +77,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     nameless = ""
     refused: tuple[Refused, ...] = ()
     traces: tuple[Candidate, ...] = ()
+    unsettled: tuple[Candidate, ...] = ()
     for number in range(SEARCH.most_rounds):
         progress("looking for what differs", number / (number + SEARCH.pruned_from))
         scene = _scene(fit, judged)
@@ -84,6 +85,10 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         tested = _tested(screen, judged, _entries(joint, judged), named)
         choice = Choice(judged.unseen, fit, onsets_of(named), must_gain=True)
         found = _simplest(Stage(fit, named), screen, tested, choice)
+        louder = _louder(found.effect, tested) if found is not None else []
+        if found is not None and louder:
+            unsettled = (found.effect.candidate, *louder)
+            found = None
         laws: tuple[Screened, ...] = ()
         if found is None:
             water = any(each.candidate.entry.water and each.nats > SEARCH.worth_refining for each in tested)
@@ -101,7 +106,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
     fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
     named = tuple(with_twin(_foretold(effect, judged), candidates, joint.tracks) for effect in named)
-    return Naming(joint, fit, named, first, first_laws, nameless, refused=refused, traces=traces)
+    return Naming(joint, fit, named, first, first_laws, nameless, refused=refused, traces=traces, unsettled=unsettled)
 
 
 def _best(
@@ -127,6 +132,21 @@ def _simplest(stage: Stage, screen: Screen, tested: Sequence[Screened], choice: 
         return found
     others = tuple(rival for rival in found.effect.rivals if rival.candidate.key != simple.effect.candidate.key)
     return Addition(simple.fit, replace(simple.effect, rivals=others))
+
+
+def _louder(found: NamedEffect, tested: Sequence[Screened]) -> list[Candidate]:
+    """List the candidates for which the readings speak much louder than for an effect that could be named.
+
+    Alike recordings differ in them too, so that none of them may be named; but then that effect may stand in for one.
+    """
+    own = found.nats * found.candidate.spread
+    return [
+        each.candidate
+        for each in tested
+        if each.candidate.key != found.candidate.key
+        and each.nats > COMPARISON.heard * NAMING.threshold
+        and each.nats * each.candidate.spread > COMPARISON.louder * own
+    ]
 
 
 def _holds_neutral(found: Addition) -> bool:

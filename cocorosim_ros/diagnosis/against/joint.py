@@ -91,6 +91,26 @@ def part_of(fit: Fit, numbers: Sequence[int], kept: Sequence[Unknown]) -> Fit:
     )
 
 
+def with_streams_of(learned: Fit, joint: Fit) -> Fit:
+    """Leave out the streams of a learned vehicle that the judged tracks of a joint fit do not have.
+
+    What recordings tell of the time or place of poses beside a speed log says nothing of how far poses alone differ.
+    """
+    count = len(learned.tracks)
+    kept = {stream for track in joint.tracks[count:] for stream in track.timeline.stream_names}
+    tracks = tuple(_with_streams(track, kept) for track in learned.tracks)
+    if all(mine is its for mine, its in zip(tracks, learned.tracks, strict=True)):
+        return learned
+    return evaluated(replace(learned, tracks=tracks))
+
+
+def _with_streams(track: Track, kept: set[str]) -> Track:
+    for name in track.timeline.stream_names:
+        if name not in kept:
+            track = track.without_stream(name)
+    return track
+
+
 def _as_learned(noise: Unknown, known: Floats) -> float:
     """Start q of a noise: that of the learned vehicle's water, and for readings what these recordings' own show."""
     if noise.column not in WATER_NOISE:

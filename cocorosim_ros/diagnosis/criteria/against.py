@@ -64,6 +64,12 @@ class ComparisonCriteria:
     missed: float = 0.05
     """[probability] of a difference of the size that is told as the least to be named, and is not named all the same.
     Known of Currie, Analytical Chemistry 40 (1968) 586: the detection limit of chemists."""
+    louder: float = 2.0
+    """[1] quotient of the nats of two candidates, not divided by their spreads, from which the readings speak louder
+    for one of them. Chosen, not measured."""
+    heard: float = 0.5
+    """[of the threshold of a name] of nats, divided by its spread, from which such a candidate is a rival all the same:
+    recordings that are alike differ in it too, but hardly by as much. Chosen, not measured."""
     least_shown: int = 3
     """[effects of the catalogue] that would have shown at medium size; with fewer, silence tells nothing. A recording
     need not show as much as for a diagnosis of a platform's file, since only changes are asked for. Chosen, not

@@ -63,7 +63,8 @@ class Naming:
 
     base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
     known: effects that the base has already, with their evidence. refused: candidates with evidence enough that free
-    runs were against when nothing more could be named; traces: errors of readings that may be what these leave there.
+    runs were against when nothing more could be named; traces: errors of readings that may be what these leave there;
+    unsettled: one that could be named, and those for which the readings speak louder, though alike recordings differ.
     """
 
     base: Fit
@@ -75,6 +76,7 @@ class Naming:
     known: tuple[NamedEffect, ...] = ()
     refused: tuple[Refused, ...] = ()
     traces: tuple[Candidate, ...] = ()
+    unsettled: tuple[Candidate, ...] = ()
 
     def may_be_rest(self, effect: NamedEffect) -> bool:
         """Tell whether the base has an effect that a diagnosis found, of whose form another one may be a rest.

@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from cocorosim_ros.diagnosis import diagnose_against
-from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
+from cocorosim_ros.diagnosis.against.differences import _louder
+from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 
 WEAK, LAG = "thruster_gain:right", "thruster_lag"
 
@@ -47,7 +48,38 @@ def test_an_error_of_readings_that_was_passed_over_as_a_trace_is_in_doubt() -> N
     late = entry("sensor_latency", "pressure")
     found = [late, late, entry("unknown:pressure~w", "pressure", "w"), entry("gyro_scale", "imu")]
     naming: Any = SimpleNamespace(named=[SimpleNamespace(candidate=entry("gyro_scale", "imu"))], traces=found)
-    names = diagnose_against._traces(naming)
+    names = diagnose_against._names(naming, naming.traces)
     assert names == ("sensor_latency:pressure",)
     (sentence,) = diagnose_against._of_traces(names)
     assert "'sensor_latency:pressure'" in sentence and "cannot tell" in sentence
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "is_clear"), [(0.7, 0.9, True), (1.1, 1.4, True), (0.4, 6.0, False), (0.5, 1.0, False)]
+)
+def test_a_number_whose_interval_holds_what_it_was_has_not_clearly_moved(
+    low: float, high: float, is_clear: bool
+) -> None:
+    """It is kept apart by its name."""
+    number = Recalibrated("drag", 1.0, Estimate(0.8, low, high, "kg/m"), ("boat",))
+    clear, vague = diagnose_against._clearly_moved([number])
+    assert (clear, vague) == (((number,), ()) if is_clear else ((), ("drag",)))
+
+
+@pytest.mark.parametrize(
+    ("nats", "spread", "is_rival"), [(8.0, 6.0, True), (8.0, 3.0, False), (2.0, 60.0, False), (4.5, 7.0, True)]
+)
+def test_what_the_readings_speak_louder_for_is_a_rival(nats: float, spread: float, is_rival: bool) -> None:
+    """Beside 10 nats with a spread of 1.5: twice as many before they are divided, and half the threshold after it."""
+    found: Any = SimpleNamespace(nats=10.0, candidate=SimpleNamespace(key="yaw_drag", spread=1.5))
+    other: Any = SimpleNamespace(nats=nats, candidate=SimpleNamespace(key="thruster_gain", spread=spread))
+    same: Any = SimpleNamespace(nats=90.0, candidate=found.candidate)
+    assert _louder(found, [same, other]) == ([other.candidate] if is_rival else [])
+
+
+def test_what_may_stand_in_for_a_rival_is_told_with_it() -> None:
+    """In one sentence; without rivals there is none."""
+    (sentence,) = diagnose_against._of_unsettled(("yaw_drag", "thruster_gain:left", "added_mass"))
+    assert "'yaw_drag' may differ, or stand in for 'thruster_gain:left' or 'added_mass'" in sentence
+    assert "cannot tell" in sentence
+    assert diagnose_against._of_unsettled(()) == ()
