@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.stats import wilcoxon
 
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.delays import with_delays
@@ -23,13 +22,11 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
-from cocorosim_ros.diagnosis.criteria.fitting import HELD_OUT
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
-from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import Choice
@@ -83,7 +80,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         scene = _scene(fit, judged)
         screen = Screen(fit, scene)
         tested = _tested(screen, judged, _entries(joint, judged), named)
-        choice = Choice(judged.unseen, fit, onsets_of(named), must_gain=True)
+        choice = Choice(judged.unseen, fit, onsets_of(named), must_gain=True, judged=judged.numbers)
         found = _simplest(Stage(fit, named), screen, tested, choice)
         louder = _louder(found.effect, tested) if found is not None else []
         if found is not None and louder:
@@ -105,7 +102,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
-    named = tuple(with_twin(_foretold(effect, judged), candidates, joint.tracks) for effect in named)
+    named = tuple(with_twin(effect, candidates, joint.tracks) for effect in named)
     return Naming(joint, fit, named, first, first_laws, nameless, refused=refused, traces=traces, unsettled=unsettled)
 
 
@@ -202,10 +199,3 @@ def _placed(candidate: Candidate, numbers: Sequence[int], shared: set[str]) -> C
     places = tuple(tuple(numbers[number] for number in own) for own in candidate.tracks)
     over = frozenset(each.column for each in candidate.entry.amplitudes if each.column in shared)
     return replace(candidate, tracks=places, over=over)
-
-
-def _foretold(effect: NamedEffect, judged: Judged) -> NamedEffect:
-    """Take the held-out gain of an effect on the judged tracks alone; the others have no part in it."""
-    nats = effect.held_out.nats.reshape(-1, HELD_OUT.blocks)[list(judged.numbers)].ravel()
-    p = 1.0 if np.allclose(nats, 0.0) else float(wilcoxon(nats, alternative="greater").pvalue)
-    return replace(effect, held_out=HeldOutGain(nats, p))

@@ -10,7 +10,7 @@ leave-out after Pregibon, Annals of Statistics 9 (1981) 705.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,24 +35,32 @@ class HeldOutGain:
         return float(self.nats.sum())
 
 
-def held_out_gain(base: Fit, more: Fit, kept: Collection[str] = ()) -> HeldOutGain:
+def held_out_gain(
+    base: Fit, more: Fit, kept: Collection[str] = (), among: Collection[int] | None = None
+) -> HeldOutGain:
     """Measure how much better `more` foretells held-out blocks than `base`, both fitted to the same tracks.
 
-    kept: columns of unknowns that stay at their values from the whole fit.
+    kept: columns of unknowns that stay at their values from the whole fit. among: numbers of the tracks of which blocks
+    are held out; None: all.
     """
-    nats = _foretold(more, kept) - _foretold(base, kept)
+    tracks = range(len(base.tracks)) if among is None else sorted(among)
+    nats = _foretold(more, kept, tracks) - _foretold(base, kept, tracks)
     p = 1.0 if np.allclose(nats, 0.0) else float(wilcoxon(nats, alternative="greater").pvalue)
     return HeldOutGain(nats, p)
 
 
-def _foretold(fit: Fit, kept: Collection[str]) -> Floats:
-    """Log-likelihood of each block under the fit to all others [nats], up to a constant: (tracks * blocks,)."""
+def _foretold(fit: Fit, kept: Collection[str], tracks: Iterable[int]) -> Floats:
+    """Log-likelihood of each block under the fit to all others [nats], up to a constant: (tracks * blocks,).
+
+    tracks: numbers of those whose blocks are meant.
+    """
     known = information(fit)
     loose = np.array([unknown.column not in kept for unknown in fit.unknowns], dtype=bool)
     matrix, known_score = known.matrix[np.ix_(loose, loose)], known.score[loose]
     found = []
-    for track, passed, slope in zip(fit.tracks, fit.passes, known.slopes, strict=True):
-        block = track.timeline.parts(HELD_OUT.blocks)
+    for place in tracks:
+        passed, slope = fit.passes[place], known.slopes[place]
+        block = fit.tracks[place].timeline.parts(HELD_OUT.blocks)
         for number in range(HELD_OUT.blocks):
             chosen = block == number
             innovation, variance = passed.innovation[chosen], passed.variance[chosen]

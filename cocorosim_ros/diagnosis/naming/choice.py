@@ -51,12 +51,14 @@ class Choice:
     onsets: columns of moments of events that the fit has, of which what is held out may tell alone. must_gain: no
     candidate that moves is named without a gain, however likely a small loss is by chance. refused: candidates with
     evidence enough, which free runs were against. traces: errors of readings that may be what these leave there.
+    judged: numbers of the tracks whose held-out blocks count; None: all.
     """
 
     unseen: Unseen
     fit: Fit
     onsets: frozenset[str] = frozenset()
     must_gain: bool = False
+    judged: Collection[int] | None = None
     refused: list[Refused] = field(default_factory=list)
     traces: list[Candidate] = field(default_factory=list)
     _known: list[tuple[Refined, Floats]] = field(default_factory=list)

@@ -264,7 +264,8 @@ def _held_out_if_nameable(
     if choice is not None and choice.may_be_trace(refined.candidate, standing(refined)):
         choice.traces.append(refined.candidate)
         return None
-    held_out = held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns)
+    among = choice.judged if choice is not None else None
+    held_out = held_out_gain(stage.fit, refined.fit, refined.candidate.onset_columns, among)
     return held_out if held_out.total > 0.0 else None
 
 
