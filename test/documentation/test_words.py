@@ -86,6 +86,7 @@ def test_no_courtroom_in_the_proof() -> None:
         "tampered.md",
         "real.md",
         "against.md",
+        "against_before.md",
         "against_eight.md",
         "against_five.md",
     )
