@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.criteria.against import ALIKE, SAME_VEHICLE
 from cocorosim_ros.diagnosis.evidence.frames.correction import put_right
 from cocorosim_ros.diagnosis.evidence.intake import Intake, take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
+from cocorosim_ros.diagnosis.tracks.lateness import clocks_of
 from cocorosim_ros.foundation.arrays import Flags
 from cocorosim_ros.foundation.errors import CocorosimError
 
@@ -108,7 +109,7 @@ def _renamed(bad: Evidence, good: Evidence) -> Evidence:
 def _streams(evidence: Evidence, name: str) -> set[str]:
     """Topics of a robot that have readings in any of the recordings."""
     logs = [log for recording in evidence.recordings for log in recording.robots if log.name == name]
-    return {topic for log in logs for topic, stream in log.streams.items() if len(stream.time)}
+    return {topic for log in logs for topic in clocks_of(log)}
 
 
 def _with_streams(recording: RecordingLog, streams: dict[str, set[str]]) -> RecordingLog:

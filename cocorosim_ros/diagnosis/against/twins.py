@@ -13,6 +13,7 @@ from dataclasses import replace
 from cocorosim_ros.diagnosis.against.numbers import DELAY
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, NearRival
+from cocorosim_ros.diagnosis.tracks.lateness import clocks_of
 from cocorosim_ros.diagnosis.tracks.track import Track
 
 LATE_READINGS = "sensor_latency"
@@ -32,4 +33,4 @@ def with_twin(effect: NamedEffect, candidates: Sequence[Candidate], tracks: Sequ
 
 def streams_of(tracks: Sequence[Track]) -> set[str]:
     """Topics of which some of the tracks have readings."""
-    return {topic for track in tracks for topic, stream in track.log.streams.items() if len(stream.time)}
+    return {topic for track in tracks for topic in clocks_of(track.log)}
