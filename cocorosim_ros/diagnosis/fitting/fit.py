@@ -1,7 +1,8 @@
 """A model fitted to tracks: unknowns, noise, the filter's passes under them, and the information on the unknowns.
 
-With the filter's gains held, the innovations are a smooth function of the unknowns and cost a tenth of a full pass.
-Terms of the score that come from the change of the gains have expectation zero.
+With the filter's gains held, the innovations are a smooth function of the unknowns and cost a third of a full pass.
+Terms of the score that come from the change of the gains have expectation zero. Gains follow where a number changes how
+a reading depends on the state, as the scale of a camera does.
 Source: Ljung, System Identification (1999), chapter 7; Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225.
 """
 
@@ -31,6 +32,7 @@ from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.sensors.errors import SEEN_OTHERWISE
 
 
 @dataclass(frozen=True)
@@ -81,10 +83,11 @@ def evaluated(fit: Fit) -> Fit:
 
 
 def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
-    """Derivatives of the innovations by each unknown at q, gains held: (m, unknowns) for each track.
+    """Derivatives of the innovations by each unknown at q: (m, unknowns) for each track.
 
-    They are 0 for readings beyond the gate. At q the unknowns must leave the model as the fit has it: they are those of
-    the fit, or new ones that are still neutral.
+    Gains are held, but for numbers by which a reading depends otherwise on the state. The derivatives are 0 for
+    readings beyond the gate. At q the unknowns must leave the model as the fit has it: they are those of the fit, or
+    new ones that are still neutral.
     """
     filled = fit.filled if unknowns is fit.unknowns else write_values(fit.filled, unknowns, q)
 
@@ -94,7 +97,9 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
         for unknown, place, slope in zip(unknowns, q.tolist(), found, strict=True):
             if number in unknown.tracks:
                 step = _step_of(unknown, place, fit.tracks[number])
-                passing.slope(nudged(filled[number], unknown, place, step), passed, step, slope)
+                held = unknown.column not in SEEN_OTHERWISE
+                slope_of = passing.slope if held else passing.slope_with_gains
+                slope_of(nudged(filled[number], unknown, place, step), passed, step, slope)
         return found.T
 
     return tuple(of_each_track(of_track, len(fit.tracks)))

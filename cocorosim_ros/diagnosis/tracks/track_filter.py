@@ -140,6 +140,17 @@ class TrackFilter:
         start = self.start(row)
         slope_pass(self.readings(row), self.actuation.drive(row), start.mean, body, numbers, kept, slope)
 
+    def slope_with_gains(self, row: Floats, past: Pass, step: float, slope: Floats) -> None:
+        """Write into `slope` (m,) what `slope` does, but gains not held: they are those under the row.
+
+        For numbers by which a reading depends otherwise on the state, as a scale: the gains then change as much as the
+        reading does. Held, they pass on a share of each innovation to the next one: a slope of mere noise, and an
+        information that is up to thirty times too great.
+        """
+        other = self.full(row, with_gains=False)
+        both = past.believed & other.believed
+        slope[:] = np.where(both, other.innovation - past.innovation, 0.0) / step
+
     def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""
         count = len(self.timeline.kind)

@@ -50,6 +50,15 @@ ERROR_COLUMNS: dict[str, int] = {
 NEUTRAL = tuple(part.neutral for error in ERRORS.values() if error.changes for part in error.parameters)
 """What those numbers are where nothing is wrong."""
 
+SEEN_OTHERWISE = frozenset(
+    f"{name}.{number}"
+    for name, error in ERRORS.items()
+    for change in error.changes
+    if change.slope is not None or change.aside is not None
+    for number in change.numbers
+)
+"""Names of the numbers by which a reading depends otherwise on the state, not by an amount on top alone."""
+
 
 def changes_of(kind: str) -> list[tuple[Change, list[int]]]:
     """How errors change the numbers of this kind, in their order, each with the columns of its numbers."""
