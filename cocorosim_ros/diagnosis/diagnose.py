@@ -29,6 +29,7 @@ from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_r
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
+from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
 from cocorosim_ros.diagnosis.showing.case import Case
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
@@ -167,7 +168,8 @@ def _named(base: Fit, progress: Progress, done: Shares) -> tuple[Unseen, Naming]
     naming = name_effects(base, _between(progress, done.begin, done.once), unseen)
     if naming.named and (seconds := seconds_of_free_runs(naming.fit)) != unseen.seconds:
         unseen = unseen_parts(base, seconds)
-        naming = name_effects(base, _between(progress, done.once, done.end), unseen)
+        again = name_effects(base, _between(progress, done.once, done.end), unseen)
+        naming = better_foretelling(naming, again, unseen)
     return unseen, naming
 
 
