@@ -11,7 +11,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
-from cocorosim_ros.diagnosis.catalogue.shown_by import SHOWN_BY, can_be_told, is_shown, own_state
+from cocorosim_ros.diagnosis.catalogue.shown_by import LENGTHS, SHOWN_BY, can_be_told, is_shown, own_state
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
@@ -91,6 +91,13 @@ def test_an_error_of_the_catalogue_needs_another_reading(identifier: str, presen
     """Gains and distortions do; offsets, drifts and physics do not."""
     (entry, *_) = [each for each in ENTRIES if each.id == identifier]
     assert can_be_told(entry, [present]) is told
+
+
+def test_a_vehicle_of_known_numbers_shows_lengths() -> None:
+    """Poses alone then tell a camera's scale, but no law of poses by place, and no heading."""
+    known = {each.id: can_be_told(each, [POSE], LENGTHS) for each in ENTRIES}
+    assert known["camera_scale"] and not known["pose_heading"]
+    assert not can_be_told(law("pose_x", "x"), [POSE], LENGTHS)
 
 
 def test_every_regressor_of_a_reading_is_known_or_shown() -> None:

@@ -21,6 +21,7 @@ from cocorosim_ros.diagnosis.against.twins import with_twin
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.open_set import open_set
+from cocorosim_ros.diagnosis.catalogue.shown_by import LENGTHS
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
@@ -187,11 +188,14 @@ def _tested(
 
 
 def _candidates(fit: Fit, judged: Judged, entries: Sequence[Entry]) -> list[Candidate]:
-    """Make candidates that act on the judged tracks alone, on top of the numbers that these share with others."""
+    """Make candidates that act on the judged tracks alone, on top of the numbers that these share with others.
+
+    A scale of lengths may be told where nothing else measures them: the learned vehicle does, by how far it comes.
+    """
     tracks = [fit.tracks[number] for number in judged.numbers]
     rows = fit.rows[list(judged.numbers)]
     shared = {unknown.column for unknown in fit.unknowns if set(unknown.tracks) - set(judged.numbers)}
-    return [_placed(each, judged.numbers, shared) for each in expand(entries, tracks, rows)]
+    return [_placed(each, judged.numbers, shared) for each in expand(entries, tracks, rows, LENGTHS)]
 
 
 def _placed(candidate: Candidate, numbers: Sequence[int], shared: set[str]) -> Candidate:

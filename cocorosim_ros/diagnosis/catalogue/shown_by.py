@@ -43,9 +43,16 @@ class Told(NamedTuple):
     states: tuple[str, ...]
 
 
-def is_shown(state: str, wrong: Kinds, present: Kinds) -> bool:
-    """Tell whether readings of the kinds `present` show a state, those of the kinds `wrong` left out."""
-    if state not in SHOWN_BY:
+LENGTHS = frozenset(("x", "y"))
+"""States that a vehicle of known numbers shows by its motion: how far its own thrust takes it."""
+
+
+def is_shown(state: str, wrong: Kinds, present: Kinds, known: Collection[str] = ()) -> bool:
+    """Tell whether readings of the kinds `present` show a state, those of the kinds `wrong` left out.
+
+    known: states that are shown by something else than readings.
+    """
+    if state not in SHOWN_BY or state in known:
         return True
     return any(all(kind in present and kind not in wrong for kind in each) for each in SHOWN_BY[state])
 
@@ -73,16 +80,18 @@ def told_by(entry: Entry) -> tuple[Told, ...]:
     return tuple(Told(wrong, own_state(change.kind)) for change in changes if change.slope)
 
 
-def can_be_told(entry: Entry, recordings: Sequence[Kinds]) -> bool:
+def can_be_told(entry: Entry, recordings: Sequence[Kinds], known: Collection[str] = ()) -> bool:
     """Tell whether any recording of a robot shows what an entry is told in terms of, without the readings in error.
 
     recordings: kinds of readings of each recording, by name. An error of several readings is told by any of them.
+    known: states that are shown by something else. A law outside the catalogue needs readings for all: of these laws
+    there are many, and some follow whatever is left.
     """
-    told = told_by(entry)
-    return not told or any(_is_told(each, present) for each in told for present in recordings)
+    told, elsewhere = told_by(entry), () if entry.form is not None else known
+    return not told or any(_is_told(each, present, elsewhere) for each in told for present in recordings)
 
 
-def _is_told(told: Told, present: Kinds) -> bool:
+def _is_told(told: Told, present: Kinds, known: Collection[str]) -> bool:
     return any(kind in present for kind in told.kinds) and all(
-        is_shown(state, told.kinds, present) for state in told.states
+        is_shown(state, told.kinds, present, known) for state in told.states
     )

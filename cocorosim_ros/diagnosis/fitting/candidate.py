@@ -185,12 +185,15 @@ def _shape(shape: Shape, owner: Owner, tracks: tuple[int, ...], value: float, gr
     return Unknown(owner, shape.column, tracks, value, spacing, prior=3.0, step=0.1, bounds=bounds)
 
 
-def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> list[Candidate]:
+def expand(
+    entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats, known: Collection[str] = ()
+) -> list[Candidate]:
     """Make entries into candidates: for all robots together, and for each alone where there are several.
 
     Effects of the water act on all robots together only. Entries that need neighbours, or a stream, are left out where
     the recordings have none; errors of readings where no other reading shows what they depend on (`shown_by`).
-    rows (tracks, columns): the base model, in which some of the effects may act already.
+    rows (tracks, columns): the base model, in which some of the effects may act already. known: states that are shown
+    by something else than readings.
     """
     numbers = tracks_by_robot(tracks)
     scaling = sizes(tracks[0].vehicle)
@@ -201,7 +204,7 @@ def expand(entries: Sequence[Entry], tracks: Sequence[Track], rows: Floats) -> l
             continue
         if not all(HAS[need](tracks[0].vehicle) for need in entry.needs):
             continue
-        concerned = tuple(name for name in numbers if _shows(entry, [tracks[index] for index in numbers[name]]))
+        concerned = tuple(name for name in numbers if _shows(entry, [tracks[each] for each in numbers[name]], known))
         if not concerned:
             continue
         alone = [(name,) for name in concerned] if len(concerned) > 1 and not entry.water else []
@@ -219,10 +222,11 @@ def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(own) for own in values.tolist()) if there else ()
 
 
-def _shows(entry: Entry, tracks: Sequence[Track]) -> bool:
+def _shows(entry: Entry, tracks: Sequence[Track], known: Collection[str]) -> bool:
     """Tell whether any of these tracks has readings of the entry's stream, and others by which its error is told.
 
-    A skew of the stream's clock is told by commands that have another clock.
+    known: states that are shown by something else. A skew of the stream's clock is told by commands that have another
+    clock.
     """
     topic = entry.topic
     if topic is None:
@@ -230,4 +234,4 @@ def _shows(entry: Entry, tracks: Sequence[Track]) -> bool:
     having = [track for track in tracks if topic in track.log.streams and len(track.log.streams[topic].time)]
     if entry.id == _SKEW:
         having = [track for track in having if not has_clock_of_commands(track.log, topic)]
-    return bool(having) and can_be_told(entry, [track.timeline.kinds for track in having])
+    return bool(having) and can_be_told(entry, [track.timeline.kinds for track in having], known)
