@@ -9,6 +9,7 @@ from cocorosim_ros.diagnosis.against.axes import in_its_axes
 from cocorosim_ros.diagnosis.against.comparable import comparable, taken_in
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
+from cocorosim_ros.diagnosis.against.doubt_sentences import names_of, of_refused, of_traces, of_unsettled, of_vague
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of, with_streams_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
@@ -23,7 +24,6 @@ from cocorosim_ros.diagnosis.diagnose import abstained
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
-from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.drag_forms import word_of_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
@@ -157,7 +157,7 @@ def _told(
     courses = smoothed_tracks(base), smoothed_tracks(final)
     stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
-    traces, unsettled = (_names(naming, each) for each in (naming.traces, naming.unsettled))
+    traces, unsettled = (names_of(naming, each) for each in (naming.traces, naming.unsettled))
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
     unseen = tuple(name for name in not_shown(naming.screened) if name not in seen)
     tried = {each.candidate.entry.id for each in naming.screened}
@@ -188,7 +188,7 @@ def _told(
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
-        untold=(*_of_doubts(against.in_doubt), *_of_vague(doubted), *_of_traces(traces), *_of_unsettled(unsettled)),
+        untold=(*of_refused(against.in_doubt), *of_vague(doubted), *of_traces(traces), *of_unsettled(unsettled)),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
     )
 
@@ -221,51 +221,6 @@ def _of_nameless(law: str) -> tuple[str, ...]:
     return (
         f"Something differs that no entry of the catalogue clearly explains. It looks like '{law}', but this often "
         "stands in for something else; look at the residuals.",
-    )
-
-
-def _of_doubts(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentences on differences that the readings speak for and free runs do not."""
-    return tuple(
-        f"'{name}' may differ: the readings speak for it, but free runs through data that no fit saw gain nothing by "
-        "it. These recordings cannot tell."
-        for name in names
-    )
-
-
-def _of_vague(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentences on differences that readings and free runs speak for, but whose size may as well be nothing."""
-    return tuple(
-        f"'{name}' most likely differs, but its size differs from part to part of the recordings, or is badly known, "
-        "and may as well be nothing. These recordings cannot tell."
-        for name in names
-    )
-
-
-def _names(naming: Naming, candidates: Sequence[Candidate]) -> tuple[str, ...]:
-    """Names of candidates that were passed over, and are not named after all."""
-    named = {each.candidate.entry.id for each in naming.named}
-    found = (each.entry for each in candidates if each.entry.law is None and each.entry.id not in named)
-    return tuple(dict.fromkeys(name_of(entry.id, entry.topic) for entry in found))
-
-
-def _of_traces(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentences on errors of readings that may be what a motion leaves there that free runs refused."""
-    return tuple(
-        f"'{name}' may differ, but free runs speak against a motion for which the readings speak as loudly, and this "
-        "may be its trace. These recordings cannot tell."
-        for name in names
-    )
-
-
-def _of_unsettled(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentence on what could be named, the first of some names, and on what it may stand in for."""
-    if not names:
-        return ()
-    first, *others = names
-    return (
-        f"'{first}' may differ, or stand in for {' or '.join(repr(each) for each in others)}: the readings speak "
-        "louder for that, but the recordings of --against differ in it among themselves. These recordings cannot tell.",
     )
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from cocorosim_ros.diagnosis import diagnose_against
+from cocorosim_ros.diagnosis.against import doubt_sentences
 from cocorosim_ros.diagnosis.against.differences import _louder
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 
@@ -33,7 +34,7 @@ def test_what_may_be_nothing_is_kept_apart(doubted: tuple[str, ...], kept: tuple
     naming: Any = SimpleNamespace(named=named)
     left, names = diagnose_against._beyond_doubt(naming, (effect(WEAK), effect(LAG)))
     assert (tuple(each.id for each in left), names) == (kept, doubted)
-    sentences = diagnose_against._of_vague(names)
+    sentences = doubt_sentences.of_vague(names)
     assert len(sentences) == len(doubted)
     assert all(f"'{name}'" in told and "cannot tell" in told for name, told in zip(doubted, sentences, strict=True))
     assert diagnose_against._verdict((*left, *names), (), (), "") == "mismatch"
@@ -48,9 +49,9 @@ def test_an_error_of_readings_that_was_passed_over_as_a_trace_is_in_doubt() -> N
     late = entry("sensor_latency", "pressure")
     found = [late, late, entry("unknown:pressure~w", "pressure", "w"), entry("gyro_scale", "imu")]
     naming: Any = SimpleNamespace(named=[SimpleNamespace(candidate=entry("gyro_scale", "imu"))], traces=found)
-    names = diagnose_against._names(naming, naming.traces)
+    names = doubt_sentences.names_of(naming, naming.traces)
     assert names == ("sensor_latency:pressure",)
-    (sentence,) = diagnose_against._of_traces(names)
+    (sentence,) = doubt_sentences.of_traces(names)
     assert "'sensor_latency:pressure'" in sentence and "cannot tell" in sentence
 
 
@@ -79,7 +80,7 @@ def test_what_the_readings_speak_louder_for_is_a_rival(nats: float, spread: floa
 
 def test_what_may_stand_in_for_a_rival_is_told_with_it() -> None:
     """In one sentence; without rivals there is none."""
-    (sentence,) = diagnose_against._of_unsettled(("yaw_drag", "thruster_gain:left", "added_mass"))
+    (sentence,) = doubt_sentences.of_unsettled(("yaw_drag", "thruster_gain:left", "added_mass"))
     assert "'yaw_drag' may differ, or stand in for 'thruster_gain:left' or 'added_mass'" in sentence
     assert "cannot tell" in sentence
-    assert diagnose_against._of_unsettled(()) == ()
+    assert doubt_sentences.of_unsettled(()) == ()
