@@ -10,6 +10,7 @@ from cocorosim_ros.diagnosis.against.comparable import comparable, taken_in
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.doubt_sentences import names_of, of_refused, of_traces, of_unsettled, of_vague
+from cocorosim_ros.diagnosis.against.either_instrument import apart, of_either
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of, with_streams_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
@@ -150,8 +151,10 @@ def _told(
     effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *clocks, *differing_effects(naming, numbers))
     if against.control:
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
-    effects, doubted = _beyond_doubt(naming, effects)
-    doubted = (*doubted, *vague)
+    effects, vaguely = _beyond_doubt(naming, effects)
+    vague = (*vaguely, *vague)
+    effects, either = apart(naming.named, effects)
+    doubted = (*vague, *(name for names in either for name in names))
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(unseen_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
@@ -170,7 +173,7 @@ def _told(
     )
     return Diagnosis(
         verdict,
-        difference_sentence(verdict, effects, moved, naming.nameless, doubted),
+        difference_sentence(verdict, effects, moved, naming.nameless, vague, either),
         moved,
         (),
         effects,
@@ -188,7 +191,13 @@ def _told(
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
-        untold=(*of_refused(against.in_doubt), *of_vague(doubted), *of_traces(traces), *of_unsettled(unsettled)),
+        untold=(
+            *of_refused(against.in_doubt),
+            *of_vague(vague),
+            *map(of_either, either),
+            *of_traces(traces),
+            *of_unsettled(unsettled),
+        ),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
     )
 

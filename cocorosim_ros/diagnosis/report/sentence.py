@@ -56,11 +56,12 @@ def difference_sentence(
     moved: Sequence[Recalibrated],
     nameless: str = "",
     vague: Sequence[str] = (),
+    either: Sequence[Sequence[str]] = (),
 ) -> str:
     """The headline of a comparison with recordings of the same vehicle when it was well: one sentence.
 
     nameless: the law that explains what no entry of the catalogue does, "" for none. vague: names of what differs by an
-    amount that may as well be nothing.
+    amount that may as well be nothing. either: names of instruments' errors of which one or the other differs.
     """
     begin = "Compared with when it was well"
     if verdict == "insufficient":
@@ -68,8 +69,14 @@ def difference_sentence(
     if verdict == "consistent":
         return f"{begin}, nothing differs that these recordings could show."
     names = [*_numbers(moved), *(each.name for each in effects), *([_NAMELESS] if nameless else [])]
-    names += [f"most likely {_plain(each.replace(':', ', '))}, by how much cannot be told" for each in vague]
+    names += [f"most likely {_in_words(each)}, by how much cannot be told" for each in vague]
+    names += [f"{' or '.join(map(_in_words, each))}, which of them cannot be told" for each in either]
     return _as_many_as_fit(list(dict.fromkeys(names)), lambda told: f"{begin}, these differ: {told}.")
+
+
+def _in_words(name: str) -> str:
+    """Name of a difference, of a stream or a part after a colon, without the signs of identifiers."""
+    return _plain(name.replace(":", ", "))
 
 
 def detail_lines(diagnosis: Diagnosis) -> tuple[str, ...]:
