@@ -222,7 +222,7 @@ def _known(entry: Entry, rows: Floats) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(own) for own in values.tolist()) if there else ()
 
 
-def _shows(entry: Entry, tracks: Sequence[Track], known: Collection[str]) -> bool:
+def _shows(entry: Entry, tracks: Sequence[Track], known: Collection[str] = ()) -> bool:
     """Tell whether any of these tracks has readings of the entry's stream, and others by which its error is told.
 
     known: states that are shown by something else. A skew of the stream's clock is told by commands that have another
