@@ -36,7 +36,8 @@ def _is_nothing(values: Floats) -> bool:
 
 
 @allocating_kernel
-def _products(left: Floats, right: Floats, variance: Floats) -> Floats:
+def _products(left: Floats, right: Floats, variance: Floats, same: bool) -> Floats:
+    """Products of rows (a, m) and (b, m); same: both are one array, so that half of the products are enough."""
     result, weighted = np.zeros((left.shape[0], right.shape[0])), np.empty(CHUNK)
     nothing = np.zeros(right.shape[0], dtype=np.bool_)
     for begin in range(0, variance.shape[0], CHUNK):
@@ -48,14 +49,20 @@ def _products(left: Floats, right: Floats, variance: Floats) -> Floats:
                 continue
             for index in range(begin, end):
                 weighted[index - begin] = left[i, index] / variance[index]
-            for j in range(right.shape[0]):
+            for j in range(i if same else 0, right.shape[0]):
                 if not nothing[j]:
                     result[i, j] += _dot(weighted[: end - begin], right[j, begin:end])
+    if same:
+        for i in range(result.shape[0]):
+            for j in range(i):
+                result[i, j] = result[j, i]
     return result
 
 
 def weighted_products(left: Floats, right: Floats, variance: Floats) -> Floats:
     """Product (a, b) left^T diag(1 / variance) right of left (m, a), right (m, b), variance (m,)."""
     few, many = (left, right) if left.shape[1] <= right.shape[1] else (right, left)
-    found: Floats = _products(np.ascontiguousarray(few.T), np.ascontiguousarray(many.T), variance)
+    rows = np.ascontiguousarray(few.T)
+    same = left is right
+    found: Floats = _products(rows, rows if same else np.ascontiguousarray(many.T), variance, same)
     return found if few is left else found.T

@@ -54,25 +54,18 @@ def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tupl
         if row is None:
             continue
         other = track.filter.full(row, with_gains=False)
-        change, growth = mean[column], relative[column]  # written in place: these arrays are large
-        np.subtract(other.innovation, passed.innovation, out=change)
-        change[angles] = _shorter(change[angles])
-        change /= STEPS.noise_difference
-        change[~(passed.believed & other.believed)] = 0.0
+        growth = relative[column]  # written in place: these arrays are large
+        np.divide(passed.change_to(other, angles), STEPS.noise_difference, out=mean[column])
         np.subtract(other.variance, passed.variance, out=growth)
         growth /= STEPS.noise_difference
         growth /= passed.variance
     excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
     one = np.ones_like(passed.variance)
-    score = -weighted_products(mean.T, passed.innovation[:, None], passed.variance)[:, 0]
-    score += 0.5 * weighted_products(relative.T, excess[:, None], one)[:, 0]
-    matrix = weighted_products(mean.T, mean.T, passed.variance)
-    return score, matrix + 0.5 * weighted_products(relative.T, relative.T, one)
-
-
-def _shorter(change: Floats) -> Floats:
-    """Changes (n,) of angles by the shorter way round."""
-    return np.asarray(change - 2.0 * np.pi * np.round(change / (2.0 * np.pi)))
+    moved, swollen = mean.T, relative.T
+    score = -weighted_products(moved, passed.innovation[:, None], passed.variance)[:, 0]
+    score += 0.5 * weighted_products(swollen, excess[:, None], one)[:, 0]
+    matrix = weighted_products(moved, moved, passed.variance)
+    return score, matrix + 0.5 * weighted_products(swollen, swollen, one)
 
 
 def noise_covariance(fit: Fit) -> Floats:

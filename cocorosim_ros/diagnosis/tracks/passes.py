@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from cocorosim_ros.foundation.arrays import Flags, Floats
+import numpy as np
+
+from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 
 # Columns of a smoothed course behind those of world.state.state: the random force of the water [N, N, N, N m; world].
 FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT = range(8, 12)
@@ -25,6 +27,16 @@ class Pass:
     gain: Floats
     believed: Flags  # innovations within the gate
     log_likelihood: float
+
+    def change_to(self, other: Pass, angles: Integers) -> Floats:
+        """Change (m,) of the innovations to another pass, angles by the shorter way; 0 where not both are believed.
+
+        angles: numbers of the readings that are angles.
+        """
+        change: Floats = other.innovation - self.innovation
+        change[angles] -= 2.0 * np.pi * np.round(change[angles] / (2.0 * np.pi))
+        change[~(self.believed & other.believed)] = 0.0
+        return change
 
 
 @dataclass(frozen=True)

@@ -147,9 +147,8 @@ class TrackFilter:
         reading does. Held, they pass on a share of each innovation to the next one: a slope of mere noise, and an
         information that is up to thirty times too great.
         """
-        other = self.full(row, with_gains=False)
-        both = past.believed & other.believed
-        slope[:] = np.where(both, other.innovation - past.innovation, 0.0) / step
+        angles = np.flatnonzero(self.timeline.is_angle)
+        slope[:] = past.change_to(self.full(row, with_gains=False), angles) / step
 
     def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""

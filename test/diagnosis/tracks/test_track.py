@@ -10,6 +10,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
+from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 
@@ -60,3 +61,12 @@ def test_a_stream_that_is_left_out_leaves_the_others_their_time(swim: Callable[.
     held_out = track.without_stream(track.timeline.stream_names[-1])
     assert held_out.timeline.timing_under(row).latency["pose"] == 0.35
     assert held_out.piece(0, 50).timeline.timing_under(row).latency["pose"] == 0.35
+
+
+def test_angles_change_by_the_shorter_way() -> None:
+    """From just below half a turn to just below minus half a turn is a little more; what is not believed is 0."""
+    own, other = (
+        Pass(np.array(values), np.ones(3), np.zeros((3, 0)), np.array(believed), 0.0)
+        for values, believed in (([3.1, 3.1, 0.5], [True, True, True]), ([-3.1, -3.1, 0.7], [True, True, False]))
+    )
+    np.testing.assert_allclose(own.change_to(other, np.array([0])), [2.0 * np.pi - 6.2, -6.2, 0.0], atol=1e-12)
