@@ -16,9 +16,9 @@ ONE_COLUMN = {
     ("evidence/streams/noise.py", "times[:, -1]"): "the ends of a window of time",
     ("evidence/streams/noise.py", "times[:, 0]"): "the ends of a window of time",
     ("fitting/fit.py", "weighted_products(felt.slopes, passed.innovation[:, None], passed.variance)[:, 0]"): "the only",
-    ("fitting/noise_information.py", "weighted_products(mean.T, passed.innovation[:, None], passed.variance)[:, 0]"):
+    ("fitting/noise_information.py", "weighted_products(moved, passed.innovation[:, None], passed.variance)[:, 0]"):
         "the only one",
-    ("fitting/noise_information.py", "weighted_products(relative.T, excess[:, None], one)[:, 0]"): "the only one",
+    ("fitting/noise_information.py", "weighted_products(swollen, excess[:, None], one)[:, 0]"): "the only one",
     ("fitting/screening.py", "self._sum(self._directions[number], innovations)[:, 0]"): "the only one",
     ("report/residual_figures.py", "drawing.axes[:, 0]"): "the only column of a figure's panels",
     ("report/residual_figures.py", "drawing.axes[:-1, 0]"): "the only column of a figure's panels",

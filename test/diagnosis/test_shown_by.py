@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
 from cocorosim_ros.diagnosis.catalogue.shown_by import LENGTHS, SHOWN_BY, can_be_told, is_shown, own_state
 from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
 POSE = frozenset({"pose_x", "pose_y", "pose_z", "pose_yaw"})
@@ -162,3 +163,5 @@ def test_an_error_beyond_the_instrument_is_no_hypothesis(swim: Any) -> None:
     assert not beyond("torque_bias", {"torque": 1.0})
     assert most_error("pressure", np.array([0.0, 80000.0])) == pytest.approx(4000.0)  # a tenth of a spread of 40 kPa
     assert most_error("compass", np.array([0.0, 100.0])) == 0.5
+    assert most_error("pose_x", np.array([0.0, 8.0])) == pytest.approx(0.4)  # a tenth of a spread of 4 m
+    assert most_error("pose_x", np.array([0.0, 8.0]), ERRORS["camera_scale"].most_error) == pytest.approx(1.4)

@@ -81,7 +81,10 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         scene = _scene(fit, judged)
         screen = Screen(fit, scene)
         tested = _tested(screen, judged, _entries(joint, judged), named)
-        choice = Choice(judged.unseen, fit, onsets_of(named), must_gain=True, judged=judged.numbers)
+        choice = Choice(
+            judged.unseen, fit, onsets_of(named), must_gain=True, judged=judged.numbers,
+            instruments_apart=COMPARISON.instruments_apart,
+        )  # fmt: skip
         found = _simplest(Stage(fit, named), screen, tested, choice)
         louder = _louder(found.effect, tested) if found is not None else []
         if found is not None and louder:

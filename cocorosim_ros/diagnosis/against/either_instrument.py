@@ -1,7 +1,7 @@
 """Errors of one instrument for which readings speak as loudly as for that of another: neither has a name then.
 
 Where a camera and a speed log disagree on lengths, only how far the vehicle comes tells which of them is wrong. If that
-tells too little, one of two names would be right by chance.
+tells too little (`COMPARISON.instruments_apart`), one of two names would be right by chance.
 """
 
 from __future__ import annotations

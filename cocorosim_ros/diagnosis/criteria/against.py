@@ -70,6 +70,10 @@ class ComparisonCriteria:
     heard: float = 0.5
     """[of the threshold of a name] of nats, divided by its spread, from which such a candidate is a rival all the same:
     recordings that are alike differ in it too, but hardly by as much. Chosen, not measured."""
+    instruments_apart: float = 8.0
+    """[nats] by which an error of one instrument has to be ahead of that of another to have a name. Which of a camera
+    and a speed log is right is told by the learned vehicle alone, whose forms are not quite its own: in a pool, the log
+    was ahead by 3.02 where the camera was wrong. Chosen, not measured."""
     least_shown: int = 3
     """[effects of the catalogue] that would have shown at medium size; with fewer, silence tells nothing. A recording
     need not show as much as for a diagnosis of a platform's file, since only changes are asked for. Chosen, not

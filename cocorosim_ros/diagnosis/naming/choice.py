@@ -51,7 +51,8 @@ class Choice:
     onsets: columns of moments of events that the fit has, of which what is held out may tell alone. must_gain: no
     candidate that moves is named without a gain, however likely a small loss is by chance. refused: candidates with
     evidence enough, which free runs were against. traces: errors of readings that may be what these leave there.
-    judged: numbers of the tracks whose held-out blocks count; None: all.
+    judged: numbers of the tracks whose held-out blocks count; None: all. instruments_apart: nats by which an error of
+    one stream's readings has to be ahead of that of another's, which is a rival otherwise.
     """
 
     unseen: Unseen
@@ -59,6 +60,7 @@ class Choice:
     onsets: frozenset[str] = frozenset()
     must_gain: bool = False
     judged: Collection[int] | None = None
+    instruments_apart: float = NAMING.ambiguity
     refused: list[Refused] = field(default_factory=list)
     traces: list[Candidate] = field(default_factory=list)
     _known: list[tuple[Refined, Floats]] = field(default_factory=list)
@@ -104,6 +106,11 @@ class Choice:
         if not (moves(best.candidate) and moves(other.candidate)):
             return False
         return self._runs.gain(self._of(other), self._of(best)).is_clear
+
+    def reach(self, best: Candidate, other: Candidate) -> float:
+        """Nats within which another candidate is a rival of the best one."""
+        topics = {best.entry.topic, other.entry.topic} - {None}
+        return self.instruments_apart if len(topics) > 1 else NAMING.ambiguity
 
     def promising(self, leader: Begun, others: Sequence[Begun]) -> list[Begun]:
         """List those of some candidates whose free runs, as far as they are fitted, are clearly better than a leader's.

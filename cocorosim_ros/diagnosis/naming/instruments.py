@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.sensors.sensor import MostError
 
 
 def is_beyond_instrument(candidate: Candidate, fit: Fit) -> bool:
@@ -29,9 +30,12 @@ def is_beyond_instrument(candidate: Candidate, fit: Fit) -> bool:
     return any(error > bound for error, bound in errors)
 
 
-def most_error(kind: str, values: Floats) -> float:
-    """The most [unit of the kind] that an instrument may err by where its readings are `values` (n,)."""
-    most = KINDS[kind].most_error
+def most_error(kind: str, values: Floats, own: MostError | None = None) -> float:
+    """The most [unit of the kind] that an instrument may err by where its readings are `values` (n,).
+
+    own: of one error, where it is another than that of the kind.
+    """
+    most = own or KINDS[kind].most_error
     spread = 0.0 if KINDS[kind].angle else float(np.std(values))  # a heading has no zero to be in proportion to
     return max(most.amount, most.share * spread)
 
@@ -74,8 +78,8 @@ def _error_and_bound(unknown: Unknown, kind: str, off: float, track: Track) -> t
     values = track.timeline.value[track.timeline.kind == KIND_NAMES.index(kind)]
     if len(values) == 0:
         return 0.0, 0.0
-    unit = KINDS[kind].unit
+    unit, most = KINDS[kind].unit, most_error(kind, values, ERRORS[unknown.owner.effect].most_error)
     if unknown.owner.unit in ("1", "rad") and unknown.owner.unit != unit:  # a gain, or a vector that is turned
-        return off * float(np.std(values)), most_error(kind, values)
+        return off * float(np.std(values)), most
     times = track.timeline.grid.duration if unknown.owner.unit == f"{unit}/s" else 1.0
-    return off * times, most_error(kind, values)
+    return off * times, most

@@ -8,6 +8,7 @@ from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.sensor import MostError
 from cocorosim_ros.world.terms.effect import Description
 from cocorosim_ros.world.terms.search import Search
 
@@ -58,7 +59,8 @@ class SensorError(Description):
     it, because the one does not come without the other. against: the regressor, or |its amount|, along which the report
     draws it.
     told_by: states that other readings have to show for the error to be told (diagnosis.catalogue.shown_by), where its
-    slopes do not say it.
+    slopes do not say it. most_error: of this very error, where that is more than whatever law such an instrument may
+    follow.
     """
 
     sensor: str = ""
@@ -67,6 +69,7 @@ class SensorError(Description):
     beside: tuple[str, ...] = ()
     against: str = "t"
     told_by: tuple[str, ...] = ()
+    most_error: MostError | None = None
 
 
 @kernel

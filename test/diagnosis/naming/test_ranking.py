@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from cocorosim_ros.diagnosis.naming.choice import Choice
 from cocorosim_ros.diagnosis.naming.contest import Refined
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 
@@ -58,3 +59,20 @@ def test_a_rival_is_one_that_explains_nearly_as_much(monkeypatch: pytest.MonkeyP
     assert rival.behind == pytest.approx(2.0)
     best = refined("delay", 1000.0)
     assert near_rivals(best, [best, refined("latency", 980.0)], None) == []
+
+
+@pytest.mark.parametrize(
+    ("topic", "behind", "is_rival"), [("pose", 7.0, True), ("pose", 9.0, False), ("velocity", 7.0, False)]
+)
+def test_another_instrument_is_a_rival_from_further_behind(
+    monkeypatch: pytest.MonkeyPatch, topic: str, behind: float, is_rival: bool
+) -> None:
+    """Where a comparison asks for eight nats between two instruments; errors of one instrument need three."""
+    for check in ("is_beyond_instrument", "is_at_its_limit"):
+        monkeypatch.setattr(f"cocorosim_ros.diagnosis.naming.ranking.{check}", lambda candidate, fit: False)
+    nothing: Any = None
+    choice = Choice(nothing, nothing, instruments_apart=8.0)
+    monkeypatch.setattr(Choice, "excludes", lambda self, best, other: False)
+    best, other = refined("speed_log_scale", 100.0), refined("other", 100.0 - behind)
+    best.candidate.entry.topic, other.candidate.entry.topic = "velocity", topic
+    assert len(near_rivals(best, [best, other], choice)) == is_rival
