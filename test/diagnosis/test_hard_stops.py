@@ -215,6 +215,12 @@ def test_readings_of_the_only_stream_that_come_late(sound: Case) -> None:
     assert sentences(hard_stops.only_clock, alone(replace(late, named=(elsewhere,)))) == [said]
     assert sentences(hard_stops.only_clock, late) == []
     assert sentences(hard_stops.only_clock, alone(named(sound, "torque_bias", torque=1.5))) == []
+    for beside, count in (("thruster_lag", 2), ("torque_bias", 1)):
+        other = named(sound, beside, **{"time_constant" if count == 2 else "torque": 1.5})
+        both = replace(late, found=(*late.found, *other.found), named=(*late.named, *other.named))
+        told = sentences(hard_stops.only_clock, alone(both))
+        assert len(told) == count and ("hardly tell" in told[-1]) == (count == 2)
+        assert sentences(hard_stops.only_clock, alone(other)) == []
 
 
 def test_noise_that_is_a_guess(sound: Case) -> None:

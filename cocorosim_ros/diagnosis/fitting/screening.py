@@ -1,6 +1,6 @@
 """Rao's score test of every candidate, orthogonal to recalibration, without a fit of any.
 
-The derivative of the innovations by an amplitude (its slope, gains held) is projected off the slopes of the unknowns of
+The derivative of the innovations by an amplitude (its slope) is projected off the slopes of the unknowns of
 the model. The sum of squares of the rest, weighted by the variance of the innovations, is the information I on the
 amplitude; its weighted product with the innovations is the score s. The amplitude q, in units of `large`, has a normal
 prior with mean 0 and standard deviation 1. So its estimate is q = (I + 1)^-1 s, and its evidence in nats, the

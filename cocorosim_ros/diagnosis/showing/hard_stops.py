@@ -36,6 +36,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 
+_LAGS = ("thruster_lag", "pump_lag")
 _OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
@@ -189,15 +190,29 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
 
 
 def only_clock(case: Case) -> Iterator[Objection]:
-    """Object to late readings of the only stream of a robot: nothing else there tells what time it is."""
-    for found, _ in effects_of(case):
-        own = [track for track in case.final.tracks if track.name in found.robots]
-        if found.id == LATE_READINGS and len(streams_of(own)) == 1:
+    """Object to late readings of the only stream of a robot, and to lags beside them.
+
+    Nothing else there tells what time it is, and the sum of a delay and a lag is told far better than each of them.
+    """
+    effects = [found for found, _ in effects_of(case)]
+    late = [each for each in effects if each.id == LATE_READINGS and _has_one_stream(case, each)]
+    for found in late:
+        yield Objection(
+            f"All readings come from one stream, {found.topic}: whether it comes late or the commands act late by "
+            "as much, as after a dead time of the actuators, these recordings cannot tell.",
+            effect=found,
+        )
+    for found in effects:
+        if found.id in _LAGS and any(not set(each.robots).isdisjoint(found.robots) for each in late):
             yield Objection(
-                f"All readings come from one stream, {found.topic}: whether it comes late or the commands act late by "
-                "as much, as after a dead time of the actuators, these recordings cannot tell.",
+                "Beside it all readings, which come from one stream, are told to be late: how much of both together is "
+                "the lag these recordings hardly tell.",
                 effect=found,
             )
+
+
+def _has_one_stream(case: Case, found: FoundEffect) -> bool:
+    return len(streams_of([track for track in case.final.tracks if track.name in found.robots])) == 1
 
 
 def _is_below_a_step(case: Case, found: FoundEffect) -> bool:
