@@ -9,7 +9,7 @@ from cocorosim_ros.diagnosis.against.axes import in_its_axes
 from cocorosim_ros.diagnosis.against.comparable import comparable, taken_in
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
-from cocorosim_ros.diagnosis.against.doubt_sentences import names_of, of_refused, of_traces, of_unsettled, of_vague
+from cocorosim_ros.diagnosis.against.doubt_sentences import REFUSED, TRACE, VAGUE, doubts, names_of, of_unsettled
 from cocorosim_ros.diagnosis.against.either_instrument import apart, of_either
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of, with_streams_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
@@ -192,10 +192,10 @@ def _told(
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
         untold=(
-            *of_refused(against.in_doubt),
-            *of_vague(vague),
+            *doubts(REFUSED, against.in_doubt),
+            *doubts(VAGUE, vague),
             *map(of_either, either),
-            *of_traces(traces),
+            *doubts(TRACE, traces),
             *of_unsettled(unsettled),
         ),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),

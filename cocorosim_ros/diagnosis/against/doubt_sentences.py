@@ -8,6 +8,19 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.naming.detectability import name_of
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 
+REFUSED = (
+    "'{name}' may differ: the readings speak for it, but free runs through data that no fit saw gain nothing by it. "
+    "These recordings cannot tell."
+)
+VAGUE = (
+    "'{name}' most likely differs, but its size differs from part to part of the recordings, or is badly known, and "
+    "may as well be nothing. These recordings cannot tell."
+)
+TRACE = (
+    "'{name}' may differ, but free runs speak against a motion for which the readings speak as loudly, and this may be "
+    "its trace. These recordings cannot tell."
+)
+
 
 def names_of(naming: Naming, candidates: Sequence[Candidate]) -> tuple[str, ...]:
     """Names of candidates that were passed over, and are not named after all."""
@@ -16,31 +29,9 @@ def names_of(naming: Naming, candidates: Sequence[Candidate]) -> tuple[str, ...]
     return tuple(dict.fromkeys(name_of(entry.id, entry.topic) for entry in found))
 
 
-def of_refused(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentences on differences that the readings speak for and free runs do not."""
-    return tuple(
-        f"'{name}' may differ: the readings speak for it, but free runs through data that no fit saw gain nothing by "
-        "it. These recordings cannot tell."
-        for name in names
-    )
-
-
-def of_vague(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentences on differences that readings and free runs speak for, but whose size may as well be nothing."""
-    return tuple(
-        f"'{name}' most likely differs, but its size differs from part to part of the recordings, or is badly known, "
-        "and may as well be nothing. These recordings cannot tell."
-        for name in names
-    )
-
-
-def of_traces(names: Sequence[str]) -> tuple[str, ...]:
-    """Sentences on errors of readings that may be what a motion leaves there that free runs refused."""
-    return tuple(
-        f"'{name}' may differ, but free runs speak against a motion for which the readings speak as loudly, and this "
-        "may be its trace. These recordings cannot tell."
-        for name in names
-    )
+def doubts(sentence: str, names: Sequence[str]) -> tuple[str, ...]:
+    """One of the sentences of this module for each of some differences."""
+    return tuple(sentence.format(name=name) for name in names)
 
 
 def of_unsettled(names: Sequence[str]) -> tuple[str, ...]:

@@ -34,7 +34,7 @@ def test_what_may_be_nothing_is_kept_apart(doubted: tuple[str, ...], kept: tuple
     naming: Any = SimpleNamespace(named=named)
     left, names = diagnose_against._beyond_doubt(naming, (effect(WEAK), effect(LAG)))
     assert (tuple(each.id for each in left), names) == (kept, doubted)
-    sentences = doubt_sentences.of_vague(names)
+    sentences = doubt_sentences.doubts(doubt_sentences.VAGUE, names)
     assert len(sentences) == len(doubted)
     assert all(f"'{name}'" in told and "cannot tell" in told for name, told in zip(doubted, sentences, strict=True))
     assert diagnose_against._verdict((*left, *names), (), (), "") == "mismatch"
@@ -51,7 +51,7 @@ def test_an_error_of_readings_that_was_passed_over_as_a_trace_is_in_doubt() -> N
     naming: Any = SimpleNamespace(named=[SimpleNamespace(candidate=entry("gyro_scale", "imu"))], traces=found)
     names = doubt_sentences.names_of(naming, naming.traces)
     assert names == ("sensor_latency:pressure",)
-    (sentence,) = doubt_sentences.of_traces(names)
+    (sentence,) = doubt_sentences.doubts(doubt_sentences.TRACE, names)
     assert "'sensor_latency:pressure'" in sentence and "cannot tell" in sentence
 
 
