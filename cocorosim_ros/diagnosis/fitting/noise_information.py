@@ -49,13 +49,12 @@ def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tupl
     rows: for each noise the track's row with that noise a step off; None for noise that is not of this track.
     """
     mean, relative = np.zeros((2, len(rows), len(passed.innovation)))
-    angles = np.flatnonzero(track.timeline.is_angle)
     for column, row in enumerate(rows):
         if row is None:
             continue
         other = track.filter.full(row, with_gains=False)
         growth = relative[column]  # written in place: these arrays are large
-        np.divide(passed.change_to(other, angles), STEPS.noise_difference, out=mean[column])
+        np.divide(passed.change_to(other, track.timeline.is_angle), STEPS.noise_difference, out=mean[column])
         np.subtract(other.variance, passed.variance, out=growth)
         growth /= STEPS.noise_difference
         growth /= passed.variance

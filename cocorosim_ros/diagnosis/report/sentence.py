@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.findings import (
 )
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, plain_number, quantity_words
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
+from cocorosim_ros.diagnosis.report.words import effect_words
 
 _NAMELESS = "something that no entry of the catalogue explains"
 
@@ -69,14 +70,9 @@ def difference_sentence(
     if verdict == "consistent":
         return f"{begin}, nothing differs that these recordings could show."
     names = [*_numbers(moved), *(each.name for each in effects), *([_NAMELESS] if nameless else [])]
-    names += [f"most likely {_in_words(each)}, by how much cannot be told" for each in vague]
-    names += [f"{' or '.join(map(_in_words, each))}, which of them cannot be told" for each in either]
+    names += [f"most likely {effect_words(each)}, by how much cannot be told" for each in vague]
+    names += [f"{' or '.join(map(effect_words, each))}, which of them cannot be told" for each in either]
     return _as_many_as_fit(list(dict.fromkeys(names)), lambda told: f"{begin}, these differ: {told}.")
-
-
-def _in_words(name: str) -> str:
-    """Name of a difference, of a stream or a part after a colon, without the signs of identifiers."""
-    return _plain(name.replace(":", ", "))
 
 
 def detail_lines(diagnosis: Diagnosis) -> tuple[str, ...]:

@@ -211,13 +211,17 @@ def only_clock(case: Case) -> Iterator[Objection]:
             )
 
 
+def _tracks_of(case: Case, found: FoundEffect) -> list[Track]:
+    return [track for track in case.final.tracks if track.name in found.robots]
+
+
 def _has_one_stream(case: Case, found: FoundEffect) -> bool:
-    return len(streams_of([track for track in case.final.tracks if track.name in found.robots])) == 1
+    return len(streams_of(_tracks_of(case, found))) == 1
 
 
 def _is_below_a_step(case: Case, found: FoundEffect) -> bool:
     """Tell whether a number of an effect is a time shorter than a step of the filter."""
-    step = max(track.timeline.grid.step for track in case.final.tracks if track.name in found.robots)
+    step = max(track.timeline.grid.step for track in _tracks_of(case, found))
     return any(each.unit == "s" and abs(each.value) < step for each in found.parameters.values())
 
 

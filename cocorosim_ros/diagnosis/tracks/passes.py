@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
+from cocorosim_ros.foundation.arrays import Flags, Floats
 
 # Columns of a smoothed course behind those of world.state.state: the random force of the water [N, N, N, N m; world].
 FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT = range(8, 12)
@@ -28,10 +28,10 @@ class Pass:
     believed: Flags  # innovations within the gate
     log_likelihood: float
 
-    def change_to(self, other: Pass, angles: Integers) -> Floats:
+    def change_to(self, other: Pass, angles: Flags) -> Floats:
         """Change (m,) of the innovations to another pass, angles by the shorter way; 0 where not both are believed.
 
-        angles: numbers of the readings that are angles.
+        angles (m,): flags of the readings that are angles.
         """
         change: Floats = other.innovation - self.innovation
         change[angles] -= 2.0 * np.pi * np.round(change[angles] / (2.0 * np.pi))

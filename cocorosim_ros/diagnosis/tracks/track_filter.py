@@ -147,8 +147,7 @@ class TrackFilter:
         reading does. Held, they pass on a share of each innovation to the next one: a slope of mere noise, and an
         information that is up to thirty times too great.
         """
-        angles = np.flatnonzero(self.timeline.is_angle)
-        slope[:] = past.change_to(self.full(row, with_gains=False), angles) / step
+        slope[:] = past.change_to(self.full(row, with_gains=False), self.timeline.is_angle) / step
 
     def _believe(self, row: Floats, kept: History, with_gains: bool = False) -> Belief:
         """Run the filter under a row of numbers, and keep the states in `kept` if it is not empty."""

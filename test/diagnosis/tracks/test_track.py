@@ -69,4 +69,6 @@ def test_angles_change_by_the_shorter_way() -> None:
         Pass(np.array(values), np.ones(3), np.zeros((3, 0)), np.array(believed), 0.0)
         for values, believed in (([3.1, 3.1, 0.5], [True, True, True]), ([-3.1, -3.1, 0.7], [True, True, False]))
     )
-    np.testing.assert_allclose(own.change_to(other, np.array([0])), [2.0 * np.pi - 6.2, -6.2, 0.0], atol=1e-12)
+    np.testing.assert_allclose(
+        own.change_to(other, np.array([True, False, False])), [2.0 * np.pi - 6.2, -6.2, 0.0], atol=1e-12
+    )
