@@ -87,6 +87,9 @@ class GrowingForceCriteria:
     """[quantile] of speed and thrust that is taken as the highest one. Chosen, not measured."""
     worth: float = 3.0
     """[nats] the growth of one robot's random force with one quantity has to gain. Chosen, not measured."""
+    hopeful: float = 1.5
+    """[nats] growth of one robot's random force with both quantities has to gain for growth with one to be tried.
+    Below `worth`, since a number that is not needed costs its prior. Chosen, not measured."""
     rounds: int = 4
     """[steps] of the random forces' numbers, in which a growth has to show. Chosen, not measured: a made boat needs
     three."""

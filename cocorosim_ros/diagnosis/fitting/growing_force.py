@@ -27,7 +27,8 @@ from cocorosim_ros.world.state.state import HEAVE, SURGE
 
 GROWS_WITH = {column.rpartition("_")[2]: column for column in WATER_GROWTH}
 """Columns of the growth by quantity: speed, thrust."""
-WAYS = (*((quantity,) for quantity in GROWS_WITH), tuple(GROWS_WITH))
+ALL = tuple(GROWS_WITH)
+WAYS = (*((quantity,) for quantity in GROWS_WITH), ALL)
 
 
 def speed_and_thrust(track: Track, course: Smoothed) -> Floats:
@@ -42,10 +43,14 @@ def with_growing_force(fit: Fit, fitted: Fit, courses: Sequence[Smoothed]) -> Fi
 
     fit: the model; fitted: the same or a richer model, with all effects that are named, by which growth is told, since
     what a model lacks grows with speed too; courses: its smoothed courses, in the order of the tracks. Growth with a
-    quantity has to be worth some nats, and a force that is next to nothing at its strongest is none.
+    quantity has to be worth some nats, and a force that is next to nothing at its strongest is none. Where growth with
+    both quantities gains next to nothing, growth with one of them is not tried: it is a case of the other.
     """
     tracks = _agitated(fitted.tracks, courses)
-    ways = [_begun(fitted, tracks, which) for which in WAYS]
+    richest = _begun(fitted, tracks, ALL)
+    if richest.objective - fitted.objective < GROWING_FORCE.hopeful * len(tracks_by_robot(tracks)):
+        return None
+    ways = [richest if which is ALL else _begun(fitted, tracks, which) for which in WAYS]
     gains = [way.objective - fitted.objective - GROWING_FORCE.worth * _count(way, fitted) for way in ways]
     best = max(range(len(WAYS)), key=gains.__getitem__)
     if gains[best] <= 0.0 or not _is_felt(ways[best]):

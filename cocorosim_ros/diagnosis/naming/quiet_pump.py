@@ -13,7 +13,6 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from cocorosim_ros.diagnosis.criteria.naming import PUMP
-from cocorosim_ros.diagnosis.filter.layout import UPRIGHT
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Pass
@@ -26,7 +25,7 @@ def quiet_gain(base: Fit, more: Fit) -> float:
     gain = 0.0
     rows = more.filled  # in `base` a pump's fault passes for random force, beside which movements look small
     for track, row, one, other in zip(base.tracks, rows, base.passes, more.passes, strict=True):
-        chosen = np.isin(track.timeline.kind, UPRIGHT) & ~_is_loud(track, row)
+        chosen = track.timeline.is_upright & ~_is_loud(track, row)
         gain += float(np.sum((_nats(other) - _nats(one))[chosen]))
     return max(gain, 0.0)
 

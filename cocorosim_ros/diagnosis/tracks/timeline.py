@@ -10,7 +10,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM, UPRIGHT
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.tracks.averaging import Taken, around_point, averaged_stream, joined
 from cocorosim_ros.diagnosis.tracks.columns import TIMING
@@ -72,6 +72,11 @@ class Timeline:
     def is_angle(self) -> Flags:
         """Flags (m,) of the readings that are angles."""
         return np.isin(self.kind, ANGLES)
+
+    @cached_property
+    def is_upright(self) -> Flags:
+        """Flags (m,) of the readings of the vertical block."""
+        return np.isin(self.kind, UPRIGHT)
 
     def parts(self, count: int) -> Integers:
         """Number of the part of each reading (m,), of `count` parts of equal length by stamp."""
