@@ -15,6 +15,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.delays import with_delays
+from cocorosim_ros.diagnosis.against.kept_promises import as_kept
 from cocorosim_ros.diagnosis.against.numbers import number_entries
 from cocorosim_ros.diagnosis.against.starts import beyond_starts
 from cocorosim_ros.diagnosis.against.twins import with_twin
@@ -98,7 +99,9 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             left_over = _best(Stage(fit, named), screen, (), choice, laws)
             nameless = left_over.effect.candidate.entry.id if left_over is not None else ""
         if number == 0:
-            first, first_laws = tuple(beyond_starts(screen, screen.felt(each)) for each in tested), laws
+            felt = [beyond_starts(screen, screen.felt(each)) for each in tested]
+            first = tuple(felt if found is not None else (as_kept(each, choice.begun) for each in felt))
+            first_laws = laws
         if found is None:
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)

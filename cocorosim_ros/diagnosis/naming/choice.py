@@ -52,7 +52,8 @@ class Choice:
     candidate that moves is named without a gain, however likely a small loss is by chance. refused: candidates with
     evidence enough, which free runs were against. traces: errors of readings that may be what these leave there.
     judged: numbers of the tracks whose held-out blocks count; None: all. instruments_apart: nats by which an error of
-    one stream's readings has to be ahead of that of another's, which is a rival otherwise.
+    one stream's readings has to be ahead of that of another's, which is a rival otherwise. begun: fits of candidates
+    that were begun.
     """
 
     unseen: Unseen
@@ -63,6 +64,7 @@ class Choice:
     instruments_apart: float = NAMING.ambiguity
     refused: list[Refused] = field(default_factory=list)
     traces: list[Candidate] = field(default_factory=list)
+    begun: list[Begun] = field(default_factory=list)
     _known: list[tuple[Refined, Floats]] = field(default_factory=list)
 
     @cached_property

@@ -161,6 +161,8 @@ def _best_by_slopes(
     if choice is not None:
         wanted += choice.overlooked(screen, tested, _worth_refining(tested))
     begun = _begun(screen.fit, screen.scene, tested, wanted)
+    if choice is not None:
+        choice.begun.extend(begun)
     if not begun:
         return None
     base_evidence = log_evidence(screen.fit)
