@@ -1,0 +1,69 @@
+"""The sample recording that ships, whole and damaged: nominal Lilys without noise, of which nothing is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
+from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.scenario.parts.platform import load_platform
+
+BAG = Path(__file__).parents[2] / "bags" / "five_lilys" / "bag"
+CUT = (50.0, 63.0)  # s after the begin
+STOPPED = ("pose", "imu")
+
+
+def outside(time: Floats) -> Flags:
+    """Flags (m,) of the times that are not cut out."""
+    return (time <= CUT[0]) | (time >= CUT[1])
+
+
+def without_a_chunk(robot: RobotLog) -> RobotLog:
+    """A robot without any reading or command of 13 s, as where a chunk of the file is damaged."""
+    kept = outside(robot.command_time)
+    stopped = with_restart(robot, tuple(robot.streams))
+    return replace(stopped, command_time=robot.command_time[kept], command=robot.command[kept])
+
+
+def with_restart(robot: RobotLog, streams: tuple[str, ...] = STOPPED) -> RobotLog:
+    """A robot some of whose streams stop and begin again, while its commands go on."""
+    cut = {
+        name: replace(stream, time=stream.time[outside(stream.time)], value=stream.value[outside(stream.time)])
+        for name, stream in robot.streams.items()
+        if name in streams
+    }
+    return replace(robot, streams={**robot.streams, **cut})
+
+
+def of_robots(damaged: Callable[[RobotLog], RobotLog], count: int) -> Evidence:
+    """Evidence of some of the five robots, damaged in a way."""
+    evidence = gather_evidence([BAG], load_platform("lily"))
+    (recording,) = evidence.recordings
+    robots = tuple(damaged(robot) for robot in recording.robots[:count])
+    return replace(evidence, recordings=(replace(recording, robots=robots),))
+
+
+@pytest.mark.parametrize(
+    ("damaged", "count"), [(lambda robot: robot, 5), (without_a_chunk, 3), (with_restart, 2)],
+    ids=["whole", "without_a_chunk", "with_restart"],
+)  # fmt: skip
+def test_nothing_is_missing(damaged: Callable[[RobotLog], RobotLog], count: int) -> None:
+    """No effect, and no number of the platform has moved."""
+    diagnosis = diagnose(of_robots(damaged, count), lambda words, share: None)
+    assert (diagnosis.effects, diagnosis.recalibrated) == ((), ())
+    assert diagnosis.verdict == "consistent"
+
+
+def test_the_damage_is_there() -> None:
+    """Thirteen seconds of twice a second are out, of the commands as well only where a chunk is."""
+    for damaged, commands in ((without_a_chunk, 240 - 25), (with_restart, 240)):
+        (recording,) = of_robots(damaged, 1).recordings
+        (robot,) = recording.robots
+        assert len(robot.streams["pose"].time) == 240 - 25
+        assert len(robot.command_time) == commands
