@@ -1,9 +1,9 @@
 """Starts for the fit of a candidate: the amplitudes that its slope promises, a part of them, or those of a search.
 
 The slope at zero tells where a small fault leads. The likelihood of a delay is rough, because readings pass from one
-grid point, and from one command, to the next, and so a delay of several steps is seen only from near it. For delays a
-grid of values is tried, then half, a quarter, ... of its spacing around the best (compass search: Kolda, Lewis and
-Torczon, SIAM Review 45 (2003) 385).
+grid point, and from one command, to the next, and so a delay of several steps is seen only from near it. Of a scale it
+is flat where all readings lie beyond the gate. For these a grid of values is tried, then half, a quarter, ... of its
+spacing around the best (compass search: Kolda, Lewis and Torczon, SIAM Review 45 (2003) 385).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def best_start(at: Callable[[Floats], Fit], promised: Floats, candidate: Candida
     at: makes and evaluates a fit with these amplitudes (n,), in q; promised: the amplitudes that the screening found.
     """
     best = max((at(promised), at(STEPS.cautious * promised)), key=lambda fit: fit.objective)
-    grid = candidate.searched()
+    grid = candidate.starts()
     return best if not grid else max(best, _found(at, grid), key=lambda fit: fit.objective)
 
 
