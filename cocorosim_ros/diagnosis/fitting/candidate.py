@@ -131,13 +131,6 @@ class Candidate:
         both = sorted({*amplitude.searched, *(-value for value in amplitude.searched)})
         return [np.full(sharers, value) for value in both if value > lowest]
 
-    def starts(self) -> list[Floats]:
-        """Further starts of a fit that is begun: q of the amplitudes (n,), as in `searched`, these included."""
-        (amplitude, *others), sharers = self.entry.amplitudes, len(self.sharers)
-        if others or not amplitude.starts or self.known:
-            return self.searched()
-        return [np.full(sharers, value) for value in amplitude.starts]
-
     def large(self, amplitude: Amplitude) -> float:
         """Large value of an amplitude for this vehicle, in the amplitude's unit.
 

@@ -7,9 +7,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-SCALES = (-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0)
-"""Multiples of a large error of a scale at which a fit may begin: where readings are exact, those of a wrong scale lie
-beyond the gate of the filter, and have no slope."""
 DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)
 """Multiples of a large delay at which a fit may begin: the likelihood is too rough for slopes to lead there."""
 
@@ -48,7 +45,6 @@ class Limits:
     negligible: tuple[float, float] = (0.0, 0.0)  # between these distances from neutral it is not believed, SI units
     adds_up: float = 0.0  # nor where this is all that it makes of the longest recording [SI units, s]
     searched: tuple[float, ...] = ()  # of q, ascending: where a fit may begin as well, if slopes do not lead far
-    starts: tuple[float, ...] = ()  # of q, ascending: the same, but slopes tell whether a fit is worth while
 
 
 @dataclass(frozen=True, kw_only=True)

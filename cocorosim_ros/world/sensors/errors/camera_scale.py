@@ -6,7 +6,7 @@ from cocorosim_ros.world.sensors.sensor import MostError
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError, multiplied, multiplied_slope
 from cocorosim_ros.world.terms.effect import Example, Number
 from cocorosim_ros.world.terms.groups import MEASURE
-from cocorosim_ros.world.terms.search import SCALES, Search, Strength
+from cocorosim_ros.world.terms.search import Search, Strength
 
 CAMERA_SCALE = SensorError(
     summary="camera lengths that are wrong by a factor",
@@ -20,7 +20,7 @@ CAMERA_SCALE = SensorError(
             "positive",
             multiplies="m",
             gives="m",
-            search=Strength(large=0.05, starts=SCALES),
+            search=Strength(large=0.05),
             example=Example(1.02, "ruler in the picture"),
         ),
     ),

@@ -9,7 +9,7 @@ from __future__ import annotations
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError, multiplied, multiplied_slope
 from cocorosim_ros.world.terms.effect import Example, Number
 from cocorosim_ros.world.terms.groups import MEASURE
-from cocorosim_ros.world.terms.search import SCALES, Search, Strength
+from cocorosim_ros.world.terms.search import Search, Strength
 
 SPEED_LOG_SCALE = SensorError(
     summary="speed log that is wrong by a factor",
@@ -23,7 +23,7 @@ SPEED_LOG_SCALE = SensorError(
             "positive",
             multiplies="m/s",
             gives="m/s",
-            search=Strength(large=0.05, starts=SCALES),
+            search=Strength(large=0.05),
             example=Example(0.98, "measured mile"),
         ),
     ),
