@@ -211,7 +211,7 @@ class ExchangeCriteria:
 
 @dataclass(frozen=True)
 class SpeedCriteria:
-    """Limits beyond which the velocity stream and the track contradict each other in size (`consistency`)."""
+    """Limits beyond which a velocity stream and the track contradict each other (`consistency`)."""
 
     related: float = 0.7
     """[1] correlation below which the two tell nothing of each other. Chosen, not measured."""
@@ -219,6 +219,11 @@ class SpeedCriteria:
     """[independent readings] fewer tell nothing. Chosen, not measured."""
     alike: tuple[float, float] = (0.85, 1.18)
     """[1] quotients beyond which a current, or a wrong scale, makes two speeds differ. Chosen, not measured."""
+    drift: float = 0.1
+    """[1] share of the speed by which poses have to drift against a velocity over ground. Chosen, not measured."""
+    constant: float = 0.5
+    """[1] share of the variance that a factor leaves of their difference, below which a drift explains it. Chosen, not
+    measured."""
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,10 @@ from cocorosim_ros.world.terms.effect import Description
 from cocorosim_ros.world.terms.search import Search
 
 Hook = Callable[..., Any]
-TAKEN = ("row", "heading", "water", "motors")
+TAKEN = ("row", "heading", "water", "ground", "motors")
 """What an error may depend on beside its own reading: the state at the grid point or tick next to the reading, the
-heading [rad] at the reading itself, the velocity through the water (4,) [m/s, rad/s; body], and terms.motors.Motors."""
+heading [rad] at the reading itself, the velocity through the water (4,) [m/s, rad/s; body] and that over ground (3,)
+[m/s; body], and terms.motors.Motors."""
 
 
 @dataclass(frozen=True)

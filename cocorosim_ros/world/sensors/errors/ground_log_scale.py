@@ -1,0 +1,9 @@
+"""A log of the speed over ground that is wrong by a factor along all axes, as one through the water may be."""
+
+from __future__ import annotations
+
+from cocorosim_ros.world.sensors.errors.speed_log_scale import scaled_log
+
+GROUND_LOG_SCALE = scaled_log(
+    "ground_velocity", "log of the speed over ground that is wrong by a factor", "speed over ground"
+)
