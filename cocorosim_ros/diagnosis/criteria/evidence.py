@@ -220,10 +220,11 @@ class SpeedCriteria:
     alike: tuple[float, float] = (0.85, 1.18)
     """[1] quotients beyond which a current, or a wrong scale, makes two speeds differ. Chosen, not measured."""
     drift: float = 0.1
-    """[1] share of the speed by which poses have to drift against a velocity over ground. Chosen, not measured."""
-    constant: float = 0.5
-    """[1] share of the variance that a factor leaves of their difference, below which a drift explains it. Chosen, not
-    measured."""
+    """[1] share of the speed above which a drift is told. Chosen, not measured."""
+    explained: float = 0.5
+    """[1] share of what is left without a drift, below which a drift is clear. Chosen, not measured."""
+    unseen: float = 0.25
+    """[1] share of a drift below which a velocity shows the drift itself. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Checks of velocity streams against the track: are their speeds of one size, and is the one over ground its rate?"""
+"""Checks of velocity streams against the track: are their speeds of one size, and of the water or of the ground?"""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import SPEEDS
 from cocorosim_ros.diagnosis.evidence.frames.agreement import both_given, correlation, independent
+from cocorosim_ros.diagnosis.evidence.frames.expected import Complex
 from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion, motion_of
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import GROUND, VELOCITIES, WATER
@@ -15,22 +16,21 @@ from cocorosim_ros.scenario.parts.platform import Platform
 
 _CAUSES = {
     WATER: "a current, or lengths or speeds are scaled wrongly",
-    GROUND: "lengths or speeds are scaled wrongly, or it is the velocity through the water, which is called 'velocity'",
+    GROUND: "lengths or speeds are scaled wrongly",
 }
 
 
 def speed_sentences(log: RobotLog, platform: Platform) -> Iterator[str]:
-    """Sentences on velocity streams and poses whose speeds differ in size, or that drift against one another."""
+    """Sentences on velocity streams and poses whose speeds differ in size, or that drift as the other kind would."""
     present = [topic for topic in VELOCITIES if topic in log.streams]
     if "pose" not in log.streams or not present:
         return
     motion = motion_of(log, platform)
     for topic in present:
-        size = _of_another_size(log.name, topic, motion)
-        if size:
-            yield size
-        elif topic == GROUND:
-            yield from _drifting(log.name, motion)
+        kind = _of_the_water(log.name, motion) if topic == GROUND else _of_the_ground(log.name, motion)
+        said = kind or _of_another_size(log.name, topic, motion)
+        if said:
+            yield said
 
 
 def _of_another_size(name: str, topic: str, motion: ShownMotion) -> str:
@@ -48,23 +48,47 @@ def _of_another_size(name: str, topic: str, motion: ShownMotion) -> str:
     return f"{name}/{topic}: its speeds are {ratio:.2f} times those of the poses: {_CAUSES[topic]}."
 
 
-def _drifting(name: str, motion: ShownMotion) -> Iterator[str]:
-    """A sentence if the velocity over ground differs from that of the poses by a drift, as one through the water does.
+def _of_the_water(name: str, motion: ShownMotion) -> str:
+    """A sentence if poses drift against the velocity over ground, as against one through the water; else empty."""
+    drift = _drift(motion, motion.moved[GROUND] * np.exp(1j * motion.yaw))
+    if drift == 0.0:
+        return ""
+    return (
+        f"{name}/{GROUND}: the poses move by {_in_text(drift)} against it, at every heading, as if it were the "
+        f"velocity through the water in a current; if it is, call it '{WATER}'."
+    )
 
-    In world axes their difference is then constant. Where a factor, turned or not, explains it as well, axes or a scale
-    may be in error.
+
+def _of_the_ground(name: str, motion: ShownMotion) -> str:
+    """A sentence if poses drift against the commands, but not against the velocity through the water; else empty."""
+    drift = _drift(motion, motion.by_yaw.commanded, motion.by_yaw.led)
+    against_it = motion.course - motion.moved[WATER] * np.exp(1j * motion.yaw)
+    if drift == 0.0 or not np.isfinite(against_it).any():
+        return ""
+    if abs(np.mean(against_it[np.isfinite(against_it)])) > SPEEDS.unseen * abs(drift):
+        return ""
+    return (
+        f"{name}/{WATER}: it has the drift of {_in_text(drift)} that the poses have at every heading beside what the "
+        f"commands let one expect; if that is a current, it is the velocity over ground: call it '{GROUND}'."
+    )
+
+
+def _drift(motion: ShownMotion, *courses: Complex) -> complex:
+    """Drift x + iy [m/s; world] of the poses beside courses (n,), each times a factor; 0 where it is not clear.
+
+    On a straight course a factor explains what a drift does; over several headings it cannot.
     """
-    moved = motion.moved[GROUND] * np.exp(1j * motion.yaw)
-    given = both_given(motion.course, moved)
-    if independent(motion.course, moved, motion.weight) < SPEEDS.fewest:
-        return
-    course, moved = motion.course[given], moved[given]
-    off = course - moved
-    drift, factor = complex(off.mean()), complex(np.vdot(moved, off) / np.vdot(moved, moved))
-    left, left_by_factor = (float(np.mean(np.abs(each) ** 2)) for each in (off - drift, off - factor * moved))
+    given = np.isfinite(motion.course + sum(courses))
+    if np.count_nonzero(given) * motion.weight < SPEEDS.fewest:
+        return 0.0
+    course = motion.course[given]
+    parts = np.column_stack([np.ones(len(course)), *(each[given] for each in courses)])
+    found, without = (np.linalg.lstsq(each, course, rcond=None)[0] for each in (parts, parts[:, 1:]))
+    left, left_without = (float(np.mean(np.abs(course - fit) ** 2)) for fit in (parts @ found, parts[:, 1:] @ without))
     pace = float(np.sqrt(np.mean(np.abs(course) ** 2)))
-    if abs(drift) > SPEEDS.drift * pace and left < SPEEDS.constant * left_by_factor:
-        yield (
-            f"{name}/{GROUND}: the poses move by ({drift.real:.3g}, {drift.imag:.3g}) m/s in the world against it, at "
-            "every heading, as if it were the velocity through the water in a current; if it is, call it 'velocity'."
-        )
+    clear = abs(found[0]) > SPEEDS.drift * pace and left < SPEEDS.explained * left_without
+    return complex(found[0]) if clear else 0.0
+
+
+def _in_text(drift: complex) -> str:
+    return f"({drift.real:.3g}, {drift.imag:.3g}) m/s in the world"
