@@ -12,10 +12,10 @@ from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
     FELT,
-    GROUND,
+    OVER_GROUND,
+    THROUGH_WATER,
     TURN_RATE,
     VELOCITIES,
-    WATER,
     U,
     V,
     W,
@@ -107,7 +107,7 @@ def _climbs(streams: Mapping[str, Stream], attitude: Attitude) -> tuple[Floats, 
     None where either stream is missing, or where there are too few readings of it. The velocity is that over ground
     where there is one.
     """
-    pose, velocity = streams.get("pose"), streams.get(GROUND, streams.get(WATER))
+    pose, velocity = streams.get("pose"), streams.get(OVER_GROUND, streams.get(THROUGH_WATER))
     if pose is None or velocity is None:
         return None
     seen = np.isfinite(pose.value[:, Z])

@@ -19,7 +19,7 @@ from cocorosim_ros.diagnosis.checking.motion import (
 )
 from cocorosim_ros.diagnosis.criteria.checking import CHECKING
 from cocorosim_ros.diagnosis.criteria.guessing import GUESSING
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import GROUND, VELOCITIES, WATER
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, VELOCITIES
 from cocorosim_ros.diagnosis.guessing.column_names import is_heading
 from cocorosim_ros.diagnosis.guessing.log_table import Guess
 from cocorosim_ros.foundation.arrays import Floats
@@ -28,7 +28,8 @@ from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 _DOWN = "z of the pose grows with the depth: z is down, so its axes are taken to be north-east-down."
 _OR_OVER_GROUND = (
     "Nothing says that the velocity is the one through the water, for which it is taken. From a Doppler log with "
-    f"bottom track, satellites or motion capture it is that over ground: then rename '{WATER}' to '{GROUND}'."
+    "bottom track, satellites or motion capture it is that over ground: then rename "
+    f"'{THROUGH_WATER}' to '{OVER_GROUND}'."
 )
 _POSE, _PRESSURE, _IMU = "pose", "pressure", "imu"
 
@@ -38,8 +39,8 @@ def agreed(guesses: Sequence[Guess]) -> list[Guess]:
     by_topic = {guess.topic: guess for guess in guesses}
     if _IMU in by_topic:
         by_topic[_IMU] = _by_gravity(by_topic[_IMU])
-    if WATER in by_topic:
-        by_topic[WATER] = by_topic[WATER].doubting(_OR_OVER_GROUND)
+    if THROUGH_WATER in by_topic:
+        by_topic[THROUGH_WATER] = by_topic[THROUGH_WATER].doubting(_OR_OVER_GROUND)
     pose = by_topic.get(_POSE)
     if pose is None or len(pose.table.time) < CHECKING.fewest:
         return list(by_topic.values())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import GROUND, VELOCITIES, WATER
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, VELOCITIES
 
 Fields = Mapping[str, str]
 
@@ -31,14 +31,14 @@ def _list(path: str, names: str, first: int = 0) -> dict[str, str]:
 
 _RATES, _FORCES = "rate_x rate_y rate_z", "acceleration_x acceleration_y acceleration_z"
 ROS_TYPES: Mapping[str, Mapping[str, Fields]] = {
-    "nav_msgs/msg/Odometry": {"pose": _pose("pose.pose"), GROUND: _twist("twist.twist")},  # in its own frame
+    "nav_msgs/msg/Odometry": {"pose": _pose("pose.pose"), OVER_GROUND: _twist("twist.twist")},  # in its own frame
     "geometry_msgs/msg/PoseWithCovarianceStamped": {"pose": _pose("pose.pose")},
     "geometry_msgs/msg/PoseStamped": {"pose": _pose("pose")},
     "geometry_msgs/msg/TransformStamped": {
         "pose": {**_vector("transform.translation"), **_quaternion("transform.rotation")}
     },
-    "geometry_msgs/msg/TwistStamped": {WATER: _twist("twist")},
-    "geometry_msgs/msg/TwistWithCovarianceStamped": {WATER: _twist("twist.twist")},
+    "geometry_msgs/msg/TwistStamped": {THROUGH_WATER: _twist("twist")},
+    "geometry_msgs/msg/TwistWithCovarianceStamped": {THROUGH_WATER: _twist("twist.twist")},
     "sensor_msgs/msg/Imu": {
         "imu": {
             **_vector("angular_velocity", _RATES),

@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.evidence.frames.kinematics import is_smooth, noise_
 from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.frames.turned import ALL_TURNED, matrix_of, position_words, turned_by
 from cocorosim_ros.diagnosis.evidence.frames.velocity_axes import changes, missed, unexplained
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import GROUND, PLANE, WATER
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, PLANE, THROUGH_WATER
 
 
 def mirrored_poses(motion: ShownMotion) -> FrameCorrection | None:
@@ -25,7 +25,7 @@ def mirrored_poses(motion: ShownMotion) -> FrameCorrection | None:
     They have to agree clearly better than by any change of the axes of that stream: that over ground where there is
     one, since currents that change with place are no part of it.
     """
-    by_body = motion.moved[GROUND if np.isfinite(motion.moved[GROUND]).any() else WATER]
+    by_body = motion.moved[OVER_GROUND if np.isfinite(motion.moved[OVER_GROUND]).any() else THROUGH_WATER]
     moved = by_body * np.exp(1j * motion.yaw)
     count = independent(moved, motion.course, noise_weight(motion))
     if count < KINEMATICS.fewest or not is_smooth(motion.course):

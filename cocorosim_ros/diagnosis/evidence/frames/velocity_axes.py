@@ -21,7 +21,7 @@ from cocorosim_ros.diagnosis.evidence.frames.turned import (
     position_words,
     turned_by,
 )
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, WATER, W
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, THROUGH_WATER, W
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -88,7 +88,7 @@ def _commanded(motion: ShownMotion, topic: str) -> tuple[Complex, Complex | comp
 
     A velocity over ground is compared in world axes, where a current is a constant; without a compass in none.
     """
-    if topic == WATER:
+    if topic == THROUGH_WATER:
         return motion.advance, 1.0 + 0.0j
     into_world = np.exp(1j * motion.heading)
     return motion.advance * into_world, into_world
