@@ -95,7 +95,7 @@ def _drift(motion: ShownMotion, *courses: Complex) -> complex:
 
 def _explained(course: Complex, parts: Complex) -> tuple[Complex, float]:
     """Factors (m,) of parts (n, m) that make a course (n,) up best, and the mean square that they leave of it."""
-    factors = np.linalg.lstsq(parts, course, rcond=None)[0]
+    factors = np.asarray(np.linalg.lstsq(parts, course, rcond=None)[0], dtype=np.complex128)
     return factors, float(np.mean(np.abs(course - parts @ factors) ** 2))
 
 

@@ -61,7 +61,8 @@ class SensorError(Description):
     draws it.
     told_by: states that other readings have to show for the error to be told (diagnosis.catalogue.shown_by), where its
     slopes do not say it. most_error: of this very error, where that is more than whatever law such an instrument may
-    follow.
+    follow. where_recorded: of an instrument that few robots have, so that a recording without its topic is not said to
+    leave the error unseen.
     """
 
     sensor: str = ""
@@ -71,6 +72,7 @@ class SensorError(Description):
     against: str = "t"
     told_by: tuple[str, ...] = ()
     most_error: MostError | None = None
+    where_recorded: bool = False
 
 
 @kernel

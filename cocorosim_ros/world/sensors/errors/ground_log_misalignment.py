@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from cocorosim_ros.world.sensors.errors.speed_log_misalignment import turned_log
 
-GROUND_LOG_MISALIGNMENT = turned_log(
-    "ground_velocity", "log of the speed over ground that is turned against the hull", "ground"
+GROUND_LOG_MISALIGNMENT = replace(
+    turned_log("ground_velocity", "log of the speed over ground that is turned against the hull", "ground"),
+    where_recorded=True,
 )
