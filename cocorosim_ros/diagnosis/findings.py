@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
@@ -35,12 +36,16 @@ NO_CLOCK = Clock("", 0)
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its 95 % interval."""
+    """A number with its 95 % interval; between: the least and the most that it can be by its meaning, as a share can.
+
+    The interval knows nothing of that and may reach further.
+    """
 
     value: float
     low: float
     high: float
     unit: str
+    between: tuple[float, float] = field(default=(-math.inf, math.inf), compare=False)
 
     def holds(self, value: float) -> bool:
         """Tell whether a value lies in the interval."""

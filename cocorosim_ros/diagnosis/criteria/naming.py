@@ -109,6 +109,8 @@ class DetectabilityCriteria:
 
     medium: float = 0.5
     """[of large] size of an effect that a recording should show. Chosen, not measured."""
+    most: float = 100.0
+    """[of large] no vehicle is so much worse than in a bad case. Chosen, not measured."""
     blind: float = 0.45
     """[share of the catalogue] that is not shown, beyond which silence tells nothing. Chosen, not measured."""
 

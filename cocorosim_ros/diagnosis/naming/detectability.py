@@ -37,10 +37,12 @@ def _smallest(screened: Screened) -> dict[str, float]:
     """Smallest visible value of each parameter, in the unit of the parameter, for the first robot.
 
     It is the value that would yield the threshold if no other parameter were fitted: 1/2 information q^2 = threshold.
+    Infinite where that is far beyond a bad case: such a value would be visible, but no vehicle has it.
     """
     found: dict[str, float] = {}
     for unknown, known in zip(screened.candidate.amplitudes(), np.diag(screened.information).tolist(), strict=True):
-        value = unknown.scale * math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
+        share = math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
+        value = unknown.scale * share if share <= DETECTABILITY.most else math.inf
         found.setdefault(unknown.owner.parameter, value)
     return found
 

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
+from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
@@ -64,7 +65,7 @@ def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
     """Value and 95 % interval of an unknown whose q has the standard deviation `spread`."""
     neutral = float(NEUTRAL[COLUMN[unknown.column]])
     value, *ends = (unknown.alone(place, neutral) for place in (q, q - Z95 * spread, q + Z95 * spread))
-    return Estimate(value, min(ends), max(ends), unit)
+    return Estimate(value, min(ends), max(ends), unit, between(unknown.column))
 
 
 def recalibrated(numbers: Sequence[Fitted]) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:

@@ -58,6 +58,7 @@ PUMP_LAG = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=0.06, step=0.1, least=0.0, negligible=(-NO_PLAY, NO_PLAY)),
+            between=(0.0, 2.0),  # from the largest command to the least
             example=Example(0.05, "triangle"),
         ),
     ),

@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.curve import is_thruster
-from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.effect import SHARE, Effect, Example, Number
 from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
 
@@ -41,6 +41,7 @@ THRUSTER_DEADBAND = Effect(
             sign="not negative",
             gives="1",
             search=Strength(large=0.1, step=0.5, least=0.0),
+            between=SHARE,
             example=Example(0.05, "slow ramp"),
         ),
         Number(

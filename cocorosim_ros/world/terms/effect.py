@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -9,9 +10,11 @@ from typing import Any, NamedTuple
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.terms.search import Given, Grid, Search, Strength
 
-__all__ = ["Description", "Effect", "Example", "Hook", "Number", "Parameter"]
+__all__ = ["SHARE", "Description", "Effect", "Example", "Hook", "Number", "Parameter"]
 
 Hook = Callable[..., Any]
+SHARE = (0.0, 1.0)
+"""Between what a share of a whole lies."""
 
 
 class Example(NamedTuple):
@@ -28,6 +31,7 @@ class Number(Parameter):
     The parameter [its unit] times what it `multiplies` [unit] `gives` the term of the equation that it stands in
     [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it. other_form: standard
     deviation of the number, as a share of it, between causes that follow other laws of the kind than the equation.
+    between: the least and the most that it can be by its meaning: no more than all of the thrust is lost.
     """
 
     gives: str
@@ -35,6 +39,7 @@ class Number(Parameter):
     search: Strength | Grid | Given | None = None
     example: Example | None = None  # none where a platform file cannot name the effect
     other_form: float = 0.0
+    between: tuple[float, float] = (-math.inf, math.inf)
 
 
 @dataclass(frozen=True, kw_only=True)
