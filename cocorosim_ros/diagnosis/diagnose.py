@@ -123,6 +123,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         warnings=tuple(each.sentence for each in against if each.effect is None),
         untold=untold_errors(base.tracks),
         passed_over=passed,
+        screened_laws=screened_effects(naming.laws),
     )
 
 

@@ -148,7 +148,7 @@ class HeldOut:
 
 @dataclass(frozen=True)
 class ScreenedEffect:
-    """One entry of the catalogue as it was screened: what it could explain at first, and what it could show at all."""
+    """One entry of the catalogue, or law outside it, as it was screened: what it could explain at first, and show."""
 
     id: str
     nats: float  # gained by it alone over the recalibrated model
@@ -283,3 +283,4 @@ class Diagnosis:
     untold: tuple[str, ...] = ()  # sentences: errors that no other reading tells, differences that free runs doubt
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
     passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since there is doubt that they are there
+    screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first

@@ -11,6 +11,8 @@ class ReportCriteria:
 
     least_nats: float = 0.1
     """[nats] of an effect alone; less gets no bar. Chosen, not measured."""
+    most_laws: int = 3
+    """[laws] outside the catalogue with bars beside those that were found: many explain alike. Chosen, not measured."""
     fewest_visits: int = 3
     """[visits] of a class of a picture, below which its mean has no interval. Chosen, not measured."""
     clear_gain: float = 0.95

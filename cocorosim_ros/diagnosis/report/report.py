@@ -11,10 +11,11 @@ from cocorosim_ros import __version__
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
+from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words, without_bars
 from cocorosim_ros.diagnosis.report.equation_text import typeset
-from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
 from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
@@ -38,6 +39,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
+from cocorosim_ros.diagnosis.report.shift_figure import shifts
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 from cocorosim_ros.diagnosis.report.words import (
     BECAUSE,
@@ -60,7 +62,7 @@ Context = dict[str, Any]
 def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
     """The page as text."""
     template = page_template(Path(__file__).parent, "report.html.jinja")
-    return template.render(
+    page = template.render(
         diagnosis=diagnosis,
         origin=origin,
         version=__version__,
@@ -74,6 +76,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         **_fit(diagnosis),
         **not_shown_context(diagnosis),
     )
+    return explained_at_first_sight(page)
 
 
 def _clause(sentence: str | None) -> str:
@@ -191,7 +194,7 @@ def _what(diagnosis: Diagnosis) -> Context:
         "nothing_missing": nothing_missing_words(diagnosis),
         "nats_bars": bars_of_nats(diagnosis),
         "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),
-        "needed": math.isfinite(diagnosis.needed_nats),
+        "bars_words": bars_words(diagnosis),
     }
 
 

@@ -11,6 +11,7 @@ from rich.text import Text
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
+from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
     estimate_words,
@@ -26,6 +27,9 @@ def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     """Tables of effects, moved parameters and held-out errors, empty ones left out; probabilities, and warnings."""
     tables = [_effects(diagnosis), _passed_over(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
+    said = (*diagnosis.warnings, *diagnosis.remarks)
+    if diagnosis.effects or diagnosis.passed_over or any("nats" in sentence for sentence in said):
+        shown.insert(0, Text(f"nats: what speaks for an effect, {NATS_IN_WORDS}"))
     if diagnosis.effects or (diagnosis.screened and diagnosis.verdict != "insufficient"):  # else those of before
         shown.append(Text(f"probability: {told_probabilities(diagnosis)}"))
     shown += [Text(f"take care: {warning}") for warning in diagnosis.warnings]

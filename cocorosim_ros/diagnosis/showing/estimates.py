@@ -112,10 +112,10 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         and not rivals
     )
     name = entry.name_with({each.unknown.column: each.estimate.value for each in mine})
+    told = {each.unknown.owner.parameter: each.estimate for each in mine}
     tier: Tier = "confirmed" if sure else "suspected"
     return FoundEffect(
-        entry.id, name, entry.equation, robots, tier,
-        {each.unknown.owner.parameter: each.estimate for each in mine}, effect.nats, rivals, entry.topic,
+        entry.id, name, entry.shown_equation(told), robots, tier, told, effect.nats, rivals, entry.topic,
         held_out_nats=effect.held_out.total,
         settings=_settings(fit, effect),
         simulated_as=entry.law if entry.law and (entry.law == EDDY or effect.candidate.known) else "",

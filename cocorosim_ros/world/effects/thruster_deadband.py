@@ -47,7 +47,7 @@ THRUSTER_DEADBAND = Effect(
         Number(
             "ramp",
             "1",
-            "0: beyond it the whole command counts, 1: what exceeds it",
+            "jump or 0: beyond it the whole command counts, ramp or 1: what exceeds it",
             sign="not negative",
             gives="1",
             search=Grid(lambda scene: [0.0, 1.0], fixed=True),
