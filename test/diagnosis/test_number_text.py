@@ -96,7 +96,7 @@ def test_no_number_is_told_as_nothing(estimate: Estimate, words: tuple[str, str]
         (Estimate(0.001, 1e-25, 3.6e22, "kg/m"), ("1.0 g/m", "not told by these recordings")),
         (Estimate(8.0, 3.3e-7, 1.95e8, "kg/m"), ("8.0 kg/m", "not told by these recordings")),
         (Estimate(0.0, 0.0, 3.6e22, "kg/m"), ("0 kg/m", "not told by these recordings")),
-        # A gauge without a witness: no water is that deep.
+        # A gauge that nothing else tells: no water is that deep.
         (Estimate(-1e3, -1.4e14, 1.4e14, "Pa"), ("\u22121.0 kPa", "not told by these recordings")),
         (Estimate(3.0, 1.0, 1e9, "m/s"), ("3.0 m/s", "at least 1.0 m/s")),
         (Estimate(0.4, -1e3, 0.6, "rad"), ("23°", "at most 34°")),

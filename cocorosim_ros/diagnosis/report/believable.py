@@ -1,8 +1,9 @@
-"""What a number of a vehicle can be at all: ends of intervals and smallest visible sizes further out are not told."""
+"""Sizes that a number of a vehicle can have at all: ends of intervals and visible sizes further out are not told."""
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.criteria.report import BELIEVABLE
@@ -39,11 +40,17 @@ def is_possible_size(effect: str, number: str, size: float, unit: str) -> bool:
     return is_believable(size, unit) and size <= between(f"{effect}.{number}")[1]
 
 
-def told_ends(estimate: Estimate) -> tuple[float, float]:
-    """The ends of an interval, no further than the number's meaning allows; infinite where an end tells nothing.
+class Ends(NamedTuple):
+    """The ends of an interval; infinite where an end is not told, NaN where the interval is not known."""
 
-    It tells nothing beyond what is believable, nor where a number whose logarithm was fitted is unknown by factors.
-    NaN where the interval is not known.
+    low: float
+    high: float
+
+
+def told_ends(estimate: Estimate) -> Ends:
+    """The ends of an interval that tell something, no further than the number's meaning allows.
+
+    An end tells nothing beyond what is believable, nor where a number whose logarithm was fitted is unknown by factors.
     """
     low, high = _within(estimate)
     if not is_believable(low, estimate.unit) and not math.isnan(low):
@@ -53,8 +60,8 @@ def told_ends(estimate: Estimate) -> tuple[float, float]:
     value, spread = estimate.value, BELIEVABLE.spread
     # The ends of a logarithm's interval are the value over and times a factor, those of others lie as far from it.
     if 0.0 <= estimate.low <= estimate.high and estimate.high > spread * value:
-        return low if value < spread * estimate.low else -math.inf, math.inf
-    return low, high
+        return Ends(low if value < spread * estimate.low else -math.inf, math.inf)
+    return Ends(low, high)
 
 
 def _within(estimate: Estimate) -> tuple[float, float]:

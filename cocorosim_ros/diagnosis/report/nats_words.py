@@ -1,4 +1,4 @@
-"""What a nat is, told where the word is first seen."""
+"""Words for nats, told where the word is first seen."""
 
 from __future__ import annotations
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cocorosim_ros.diagnosis.findings import Estimate
-from cocorosim_ros.diagnosis.report.believable import told_ends
+from cocorosim_ros.diagnosis.report.believable import Ends, told_ends
 from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of, with_superscripts
 from cocorosim_ros.foundation.units.units import prefixed, units_shown
 
@@ -75,27 +74,26 @@ def estimate_words(estimate: Estimate) -> tuple[str, str]:
     No number has fewer than two digits, so that none is told as nothing. An end that no vehicle can have, or that is
     unknown by factors, is left out.
     """
-    low, high = told_ends(estimate)
-    width = high - low
+    ends = told_ends(estimate)
+    width = ends.high - ends.low
     scale = _scale_of(estimate)
     decimals = _decimals(width * scale.factor / 2, 2) if math.isfinite(width) and width > 0 else None
     digits = 2 if math.isinf(width) else 3
-    value, *ends = (_rounded(number * scale.factor, decimals, digits) for number in (estimate.value, low, high))
-    return with_unit(value, scale.unit), _interval_words(ends, (low, high), scale.unit)
+    value, low, high = (_rounded(number * scale.factor, decimals, digits) for number in (estimate.value, *ends))
+    return with_unit(value, scale.unit), _interval_words(ends, low, high, scale.unit)
 
 
-def _interval_words(words: Sequence[str], ends: tuple[float, float], unit: str) -> str:
-    """Words for an interval; words: its ends as text."""
-    low, high = ends
-    if math.isnan(low) or math.isnan(high):
+def _interval_words(ends: Ends, low: str, high: str, unit: str) -> str:
+    """Words for an interval; low, high: its ends as text."""
+    if math.isnan(ends.low) or math.isnan(ends.high):
         return NONE
-    if math.isinf(low) and math.isinf(high):
+    if math.isinf(ends.low) and math.isinf(ends.high):
         return NOT_TOLD
-    if math.isinf(high):
-        return f"at least {with_unit(words[0], unit)}"
-    if math.isinf(low):
-        return f"at most {with_unit(words[1], unit)}"
-    return with_unit(f"{words[0]} to {words[1]}", unit)
+    if math.isinf(ends.high):
+        return f"at least {with_unit(low, unit)}"
+    if math.isinf(ends.low):
+        return f"at most {with_unit(high, unit)}"
+    return with_unit(f"{low} to {high}", unit)
 
 
 def in_unit_of(nominal: float, estimate: Estimate) -> str:
@@ -114,14 +112,18 @@ def plain_number(value: float, digits: int = 3) -> str:
     """Significant digits without an exponent."""
     if not math.isfinite(value):
         return NONE if math.isnan(value) else ("\u221e" if value > 0 else "\u2212\u221e")
-    if abs(value) < 10.0**-_FINEST:
+    if _is_finest(value):
         return "0" if value == 0.0 else "just above 0" if value > 0.0 else "just below 0"
     return _signed(f"{value:,.{_decimals(value, digits)}f}")
 
 
+def _is_finest(value: float) -> bool:
+    return abs(value) < 10.0**-_FINEST
+
+
 def _rounded(value: float, decimals: int | None, digits: int) -> str:
     """The number with so many decimals, two significant digits at least; with `digits` where decimals are not known."""
-    if decimals is None or not math.isfinite(value) or abs(value) < 10.0**-_FINEST:
+    if decimals is None or not math.isfinite(value) or _is_finest(value):
         return plain_number(value, digits)
     return _signed(f"{value:,.{max(decimals, _decimals(value, 2))}f}")
 
