@@ -90,6 +90,25 @@ def test_a_resting_accelerometer_feels_gravity_and_effects_pull_as_they_are_said
     assert [level_of(p, c) for c in (0.1, -0.1, 0.3, -0.5)] == pytest.approx([0.0, 0.0, 0.3, -0.4])
 
 
+def test_a_towed_cable_takes_what_its_pieces_take() -> None:
+    """Straight, 5 m long, at 0.4 m/s across it: an eighth of rho C d l V^2, by twelve pieces but for 1/288 of it.
+
+    Along it there is a fiftieth of that. A bow has drag along the line to the anchor as well, and never gives energy.
+    """
+    from concealer.rov import vehicle as at
+    from concealer.rov.motion import cable_drag
+
+    p, s = _bare(cable=1.2, cable_x=-3.0), np.zeros(at.STATE)
+    s[at.Z], s[at.QUATERNION], s[at.VELOCITY + 1] = -4.0, 1.0, 0.4
+    across = 998.0 * 1.2 * 0.0076 * 5.0 * 0.4**2 / 8.0
+    assert cable_drag(p, s) == pytest.approx([0.0, -across * (1.0 - 1.0 / 288.0), 0.0], rel=1e-9, abs=1e-12)
+    s[at.VELOCITY : at.VELOCITY + 3] = 0.24, 0.0, -0.32
+    along = cable_drag(p, s)
+    assert along == pytest.approx(0.02 * across * (1.0 - 1.0 / 288.0) * np.array([-0.6, 0.0, 0.8]), rel=1e-9)
+    p[at.CABLE_BOW] = 0.15
+    assert cable_drag(p, s) @ s[at.VELOCITY : at.VELOCITY + 3] < along @ s[at.VELOCITY : at.VELOCITY + 3]
+
+
 @pytest.fixture(scope="module")
 def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Three sealed recordings of 40 s."""
@@ -147,6 +166,8 @@ def test_the_platform_file_is_the_vehicle_that_the_concealer_has() -> None:
     file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
     told, p = YAML(typ="safe").load(file.read_text(encoding="utf-8")), at.nominal()
     assert told["mass"]["value"] == pytest.approx(p[at.MASS]) and told["drag"]["value"] == p[at.QUADRATIC]
+    cable = told["hull"]["cable_diameter"]
+    assert cable["value"] == pytest.approx(1e3 * at.CABLE_WIDTH) and cable["unit"] == "mm"
     added = told["effects"]["added_mass"]
     assert [added[key]["value"] for key in ("sway_minus_surge", "heave_minus_surge")] == pytest.approx(
         list(p[at.MASS + 1 : at.MASS + 3] - p[at.MASS])

@@ -1,4 +1,4 @@
-"""Denser water, a hull that leaves the water, thrust lost at the surface and to the side: named with their numbers.
+"""Denser water, a hull out of the water, thrust lost at the surface and to the side, a towed cable: all with numbers.
 
 The swims are the simulator's; what an effect does is compared with closed forms in test/world/motion.
 """
@@ -41,6 +41,12 @@ def sideways() -> Any:
     return replace(plain, actuators=(*plain.actuators[:2], bow))
 
 
+def towing() -> Any:
+    """A Lily with a cable of 4 mm to the surface."""
+    plain = load_platform("lily")
+    return replace(plain, hull=replace(plain.hull, cable_diameter=0.004))
+
+
 def hiding(platform: Any, effect: str, numbers: dict[str, float]) -> Any:
     """The platform with an effect."""
     from cocorosim_ros.world.effects import EFFECTS
@@ -50,6 +56,7 @@ def hiding(platform: Any, effect: str, numbers: dict[str, float]) -> Any:
     return replace(platform, effect_quantities={effect: hidden})
 
 
+CABLE = {"coefficient": 1.2, "diameter": 0.004, "x": 1.0, "y": 0.5}
 CASES = [
     pytest.param(lily, "density_gradient", {"gradient": 2e-3}, {"gradient": 2e-3}, 31, id="density_gradient"),
     pytest.param(
@@ -57,6 +64,7 @@ CASES = [
     ),
     pytest.param(sideways, "side_thrust_lever", {"lever": 0.006}, {"lever": 0.006}, 31, id="side_thrust_lever"),
     pytest.param(lily, "surface_loss", {"loss": 0.5, "reach": 0.26}, {"loss": 0.5}, 46, id="surface_loss"),
+    pytest.param(towing, "tether_drag", CABLE, {"coefficient": 1.2}, 31, id="tether_drag"),
 ]
 
 
@@ -75,7 +83,7 @@ def test_it_is_named_with_its_number(
         assert estimate.holds(true) and estimate.high - estimate.low < true, estimate
 
 
-@pytest.mark.parametrize(("make", "seed"), [(tall, 46), (sideways, 31)])
+@pytest.mark.parametrize(("make", "seed"), [(tall, 46), (sideways, 31), (towing, 31)])
 def test_nothing_is_named_where_nothing_is_wrong(swim: Any, make: Any, seed: int) -> None:
     """The same swims without the effects."""
     found = diagnose(swim(make(), SECONDS, seed=seed), lambda words, share: None)
@@ -89,15 +97,26 @@ def test_denser_water_and_a_hull_that_swells_are_named_together(swim: Any) -> No
     assert "hull_compressibility" in [rival.id for rival in found.effects[0].ambiguous_with]
 
 
+def test_a_cable_in_long_bends_is_told_as_more_drag(swim: Any) -> None:
+    """Of 20 m about 1.5 m from the anchor, it has the hull's law: 1/8 rho C_d d l = 0.5 kg/m more, without a name."""
+    platform = replace(towing(), hull=replace(towing().hull, cable_length=20.0))
+    slack = hiding(platform, "tether_drag", {**CABLE, "coefficient": 0.05, "length": 20.0})
+    found = diagnose(swim(slack, SECONDS, seed=31, base=platform), lambda words, share: None)
+    (moved,) = found.recalibrated
+    assert (found.verdict, found.effects, moved.parameter) == ("recalibrate", (), "drag")
+    assert moved.estimate.holds(platform.drag + 1000.0 * 0.05 * 0.004 * 20.0 / 8.0)
+
+
 def test_what_a_vehicle_cannot_show_is_not_looked_for(swim: Any) -> None:
-    """A Lily has no thruster to the side, and a hull of 70 mm; what drifts has no motor."""
+    """A Lily has no thruster to the side, a hull of 70 mm and no cable; what drifts has no motor."""
     tracks = make_tracks(swim(lily(), 30.0))
     asked = {candidate.entry.id for candidate in expand(ENTRIES, tracks, tracks[0].vehicle.row[None])}
-    assert not {"side_thrust_lever", "hull_emergence", "speed_log_scale", "speed_log_misalignment"} & asked
+    unseen = {"side_thrust_lever", "hull_emergence", "speed_log_scale", "speed_log_misalignment", "tether_drag"}
+    assert not unseen & asked
     assert {"density_gradient", "surface_loss", "motor_field", "pose_heading", "pose_lever"} <= asked
     drifting = replace(lily(), actuators=lily().actuators[2:])
     for make, having in (
         (lily, {"thrusters"}), (tall, {"thrusters", "tall_hull"}), (sideways, {"thrusters", "side_thrusters"}),
-        (lambda: drifting, set()),
+        (towing, {"thrusters", "cable"}), (lambda: drifting, set()),
     ):  # fmt: skip
         assert {name for name, has in HAS.items() if has(vehicle_model(make()))} == having

@@ -17,6 +17,7 @@ def _has_side_thrusters(vehicle: VehicleModel) -> bool:
 
 HAS: Mapping[str, Callable[[VehicleModel], bool]] = {
     "above_water": lambda vehicle: any(vehicle.above_water),
+    "cable": lambda vehicle: vehicle.cable[0] > 0.0,
     "thrusters": lambda vehicle: bool(vehicle.is_thruster.any()),
     "side_thrusters": _has_side_thrusters,
     "tall_hull": lambda vehicle: vehicle.height >= VEHICLE_NEEDS.tall,

@@ -57,6 +57,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
         tracks[0].vehicle.above_water,
         tracks[0].vehicle.height,
         tracks[0].vehicle.weight,
+        tracks[0].vehicle.cable,
     )
 
 

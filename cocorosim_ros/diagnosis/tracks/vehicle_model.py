@@ -59,6 +59,7 @@ class VehicleModel:
     weight: float  # in air [N]
     surroundings: RecordedSurroundings = OPEN_WATER
     tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
+    cable: tuple[float, float] = (0.0, 0.0)  # diameter of the cable, 0 without one, and its declared length [m]
 
     @cached_property
     def acting_wrench(self) -> Floats:
@@ -167,6 +168,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         float(np.mean(thrusters)) if thrusters else 0.0,
         platform.hull.height,
         platform.mass * platform.gravity,
+        cable=(platform.hull.cable_diameter or 0.0, platform.hull.cable_length or 0.0),
     )
 
 

@@ -53,6 +53,8 @@ class Hull:
     """Outer size [m; body axes].
 
     front_above_water, side_above_water: areas that the wind meets from ahead and from the side [m^2], 0 if None.
+    cable_diameter: of the cable that it tows, None where it swims free. cable_length: what is deployed of it, None
+    where that is the distance to the place from which it is tended.
     """
 
     length: float = field(metadata=quantity("length", "positive"))
@@ -60,6 +62,8 @@ class Hull:
     height: float = field(metadata=quantity("length", "positive"))
     front_above_water: float | None = field(default=None, metadata=quantity("area", "not negative"))
     side_above_water: float | None = field(default=None, metadata=quantity("area", "not negative"))
+    cable_diameter: float | None = field(default=None, metadata=quantity("length", "positive"))
+    cable_length: float | None = field(default=None, metadata=quantity("length", "positive"))
 
 
 @dataclass(frozen=True)

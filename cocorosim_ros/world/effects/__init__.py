@@ -38,6 +38,7 @@ from cocorosim_ros.world.effects.stratification import STRATIFICATION
 from cocorosim_ros.world.effects.surface_loss import SURFACE_LOSS
 from cocorosim_ros.world.effects.surface_waves import SURFACE_WAVES
 from cocorosim_ros.world.effects.tether import TETHER
+from cocorosim_ros.world.effects.tether_drag import TETHER_DRAG
 from cocorosim_ros.world.effects.thruster_asymmetry import THRUSTER_ASYMMETRY
 from cocorosim_ros.world.effects.thruster_deadband import THRUSTER_DEADBAND
 from cocorosim_ros.world.effects.thruster_lag import THRUSTER_LAG
@@ -86,6 +87,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "side_thrust_lever": SIDE_THRUST_LEVER,
     "surface_loss": SURFACE_LOSS,
     "surface_waves": SURFACE_WAVES,
+    "tether_drag": TETHER_DRAG,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

@@ -33,6 +33,7 @@ class Scene(NamedTuple):
     above_water: tuple[float, float] = (0.0, 0.0)  # areas as seen from ahead and from the side [m^2]
     height: float = 0.0  # of the hull [m]
     weight: float = 0.0  # in air [N]
+    cable: tuple[float, float] = (0.0, 0.0)  # its diameter and declared length [m]
 
 
 @dataclass(frozen=True, kw_only=True)

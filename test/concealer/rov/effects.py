@@ -56,6 +56,14 @@ def tether(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     return Secret("tether", {"stiffness": amount, "x": x, "y": y}, "spring")
 
 
+def tether_drag(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A cable that is towed from a place at the surface, and hangs in a bow."""
+    x, y = (float(value) for value in rng.uniform(-4.0, 4.0, 2))
+    scene.p[[at.CABLE, at.CABLE_X, at.CABLE_Y, at.CABLE_BOW]] = amount, x, y, rng.uniform(0.05, 0.15)
+    form = "a bow of twelve pieces, with friction along each; the number is that of the flow across a piece"
+    return Secret("tether_drag", {"coefficient": amount, "x": x, "y": y}, form)
+
+
 def payload_shift(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A load lost or taken up within a second."""
     start, force = float(scene.p[at.DURATION] * rng.uniform(0.2, 0.8)), signed(rng, amount)
@@ -98,7 +106,7 @@ def swing_yaw(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
 EFFECTS: dict[str, Hide] = {
     hide.__name__: hide
     for hide in (
-        thruster_lag, thruster_deadband, reverse_loss, battery_sag, tether, payload_shift, pressure_offset,
-        sensor_latency, swing_x, swing_yaw,
+        thruster_lag, thruster_deadband, reverse_loss, battery_sag, tether, tether_drag, payload_shift,
+        pressure_offset, sensor_latency, swing_x, swing_yaw,
     )
 }  # fmt: skip

@@ -18,6 +18,9 @@ from concealer.compiled import compiled
 from concealer.layout import FloatArray
 from concealer.rov import vehicle as at
 
+PIECES = 12  # of a cable
+FRICTION = 0.02  # drag along a cable over drag across it
+
 
 @compiled
 def turned(q: FloatArray, vector: FloatArray) -> FloatArray:
@@ -51,9 +54,43 @@ def level_of(p: FloatArray, command: float) -> float:
 
 
 @compiled
+def size_of(vector: FloatArray) -> float:
+    """Length of a vector."""
+    return math.sqrt(np.sum(vector * vector))
+
+
+@compiled
+def cable_drag(p: FloatArray, s: FloatArray) -> FloatArray:
+    """(3,) what a cable to the surface takes from the vehicle in still water, in world axes [N].
+
+    It hangs in a bow to the side, here in twelve straight pieces; its places move in proportion to their share of the
+    way to the vehicle, which bears that share of their drag. Each piece has drag across it, and a fiftieth along it.
+    """
+    out, aside = np.zeros(3), np.zeros(3)
+    span = s[:3] - np.array([p[at.CABLE_X], p[at.CABLE_Y], 0.0])
+    level = math.hypot(span[0], span[1])
+    if level > 0.0:
+        aside[0], aside[1] = -span[1], span[0]
+        aside *= 4.0 * p[at.CABLE_BOW] * size_of(span) / level
+    velocity = turned(s[at.QUATERNION : at.QUATERNION + 4], s[at.VELOCITY : at.VELOCITY + 3])
+    for k in range(PIECES):
+        begin, end = k / PIECES, (k + 1) / PIECES
+        share = 0.5 * (begin + end)
+        piece = (end - begin) * span + (end * (1.0 - end) - begin * (1.0 - begin)) * aside
+        length = size_of(piece)
+        along = np.sum(share * velocity * piece) / length**2 * piece
+        across = share * velocity - along
+        drag = size_of(across) * across + FRICTION * size_of(along) * along
+        out -= share * 0.5 * at.RHO * p[at.CABLE] * at.CABLE_WIDTH * length * drag
+    return out
+
+
+@compiled
 def world_force(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> FloatArray:
-    """(3,) buoyancy less weight, load, tether, random and swinging forces in world axes [N]."""
+    """(3,) buoyancy less weight, load, tether, cable, random and swinging forces in world axes [N]."""
     out = push[:3].copy()
+    if p[at.CABLE] > 0.0:
+        out += cable_drag(p, s)
     out[0] += p[at.TETHER] * (p[at.TETHER_X] - s[at.X])
     out[1] += p[at.TETHER] * (p[at.TETHER_Y] - s[at.Y])
     out[0] += p[at.SWING] * math.sin(p[at.SWING_OMEGA] * t + p[at.SWING_PHASE])
