@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from cocorosim_ros.foundation.arrays import Integers
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from cocorosim_ros.library.recording import Recording
-    from cocorosim_ros.wire.conversion.assembly import Stream
     from cocorosim_ros.wire.conversion.conversion import Converted
 
 
@@ -144,17 +144,20 @@ def convert(
 
 
 def _described(made: Converted) -> ConvertedRecording:
-    extents = tuple(_extent(stream) for stream in made.conversion.streams)
+    stamps: dict[tuple[str, str], list[Integers]] = {}
+    for stream in made.conversion.streams:
+        stamps.setdefault((stream.robot, stream.topic), []).append(stream.stamp_ns)
+    extents = tuple(_extent(*place, np.sort(np.concatenate(parts))) for place, parts in stamps.items())
     return ConvertedRecording(made.folder, made.digest, extents, made.conversion.findings)
 
 
-def _extent(stream: Stream) -> TopicExtent:
+def _extent(robot: str, topic: str, stamps: Integers) -> TopicExtent:
+    """The extent of a topic from the stamps (n,) [ns] of its messages, ascending."""
     from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
-    stamps = stream.stamp_ns
     if len(stamps) < 2:
-        return TopicExtent(stream.robot, stream.topic, len(stamps), 0.0, None, None)
+        return TopicExtent(robot, topic, len(stamps), 0.0, None, None)
     span = float((stamps[-1] - stamps[0]) / NANOSECONDS)
     rate = (len(stamps) - 1) / span if span > 0 else None
     gap = float((np.diff(stamps) / NANOSECONDS).max())
-    return TopicExtent(stream.robot, stream.topic, len(stamps), span, rate, gap)
+    return TopicExtent(robot, topic, len(stamps), span, rate, gap)

@@ -114,8 +114,8 @@ class Recording(Shown):
     def readings(self) -> Mapping[str, Mapping[str, TopicReadings]]:
         """By robot and topic what was measured and commanded, as it was recorded.
 
-        Topics: compass, pressure, imu, velocity, blss, illuminance, concentration, thruster_command. Of each:
-        `stamp_ns` (n,) [ns], `time` (n,) [s], `columns`, their `units`, and `values` (n, columns).
+        Topics: compass, pressure, imu, velocity, blss, illuminance, concentration, thruster_command, actuator_feedback.
+        Of each: `stamp_ns` (n,) [ns], `time` (n,) [s], `columns`, their `units`, and `values` (n, columns).
         """
         return self._readings[0]
 

@@ -42,6 +42,15 @@ def test_the_wrench(tmp_path: Path) -> None:
     np.testing.assert_allclose(stream.rows.values, [[0.1, 0.3], [0.1, -0.1]], atol=1e-15)
 
 
+def test_the_actuators_that_report(tmp_path: Path) -> None:
+    """900 rpm are 30 pi rad/s; a current that a row lacks is no number beside what the row has."""
+    commands, feedback = converted(2, "reported.csv", tmp_path).streams
+    np.testing.assert_allclose(commands.rows.values, [[0.5, 0.0], [1.0, 1.0]])
+    assert feedback.rows.extra["name"] == ["propeller.rotation", "propeller.current", "rudder.angle"]
+    expected = [[20 * math.pi, 3.5, 0.0], [30 * math.pi, math.nan, math.radians(18)]]
+    np.testing.assert_allclose(feedback.rows.values, expected, rtol=1e-14)
+
+
 def test_everything_is_listed() -> None:
     """Every format, function and shipped map stands in the document."""
     for name in (*FORMATS, *(path.stem for path in (ROOT / "config" / "maps").glob("*.yaml"))):

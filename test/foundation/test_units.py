@@ -26,8 +26,8 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS
 SIZES = {
     "m": 1.0, "cm": 1e-2, "mm": 1e-3, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0,
     "rad": 1.0, "deg": math.pi / 180.0, "kg": 1.0, "g": 1e-3, "mg": 1e-6, "N": 1.0, "mN": 1e-3, "Pa": 1.0, "hPa": 1e2,
-    "mbar": 1e2, "kPa": 1e3, "dbar": 1e4, "bar": 1e5, "Hz": 1.0, "kHz": 1e3, "V": 1.0, "mV": 1e-3, "lx": 1.0,
-    "klx": 1e3, "1": 1.0, "bit": 1.0, "kbit": 1e3, "dB": 1.0, "degC": 1.0,
+    "mbar": 1e2, "kPa": 1e3, "dbar": 1e4, "bar": 1e5, "Hz": 1.0, "kHz": 1e3, "V": 1.0, "mV": 1e-3, "A": 1.0, "mA": 1e-3,
+    "lx": 1.0, "klx": 1e3, "1": 1.0, "bit": 1.0, "kbit": 1e3, "dB": 1.0, "degC": 1.0,
 }  # fmt: skip
 ODD = {"%": 1e-2, "ppm": 1e-6, "g0": 9.80665, "mm/s per m": 1e-3, "rev/s": 2 * math.pi, "rpm": math.pi / 30}
 ODD["g/kg"] = 1.0  # salinity is never converted: equations of state take it so

@@ -84,6 +84,7 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
     "mass rate": (Unit("kg/s"), Unit("g/s", "0.001"), Unit("mg/s", "1e-6")),
     "voltage": (Unit("V"), Unit("mV", "0.001")),
     "inverse voltage": (Unit("1/V"),),
+    "electric current": (Unit("A"), Unit("mA", "0.001")),
     "inverse angle": (Unit("1/rad"),),
     "inverse angular velocity": (Unit("s/rad", shown=True),),  # as slowness
     "inverse acceleration": (Unit("s^2/m"),),

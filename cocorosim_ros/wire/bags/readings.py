@@ -17,6 +17,7 @@ from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.stamped_numbers import numbers_of, read_stamped_numbers
 from cocorosim_ros.wire.cdr.type_store import deserialize
+from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK, QUANTITIES
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.pose import POSE
@@ -91,9 +92,14 @@ def _commands(message: Any) -> Named:
     return dict(zip(message.name, message.command.tolist(), strict=True))
 
 
+def _feedback(message: Any) -> Named:
+    return dict(zip(message.name, message.value.tolist(), strict=True))
+
+
 READABLE: dict[str, tuple[Column, ...] | Elements] = {
     **{topic: sensor.shown for topic, sensor in SENSORS.items() if sensor is not POSE},
     "thruster_command": Elements(_commands, "1"),
+    FEEDBACK: Elements(_feedback, "1", {name: quantity.unit for name, quantity in QUANTITIES.items()}),
 }
 """The topics that are numbers, by name, but for poses, which are tracks (`bags.tracks`)."""
 
@@ -130,7 +136,7 @@ def topic_readings(robot: str, topic: str, messages: Sequence[bytes]) -> TopicRe
     stamps, named, readable = _named_rows(topic, messages, shown)
     columns = tuple(dict.fromkeys(name for row in named for name in row))
     values = np.array([[row.get(name, np.nan) for name in columns] for row in named]).reshape(len(named), len(columns))
-    return _kept(robot, topic, _Rows(stamps, values, readable), columns, (shown.unit,) * len(columns))
+    return _kept(robot, topic, _Rows(stamps, values, readable), columns, tuple(map(shown.unit_of, columns)))
 
 
 def readable_topics(bag: Bag) -> tuple[list[str], list[str]]:

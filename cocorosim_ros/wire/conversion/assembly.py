@@ -13,7 +13,8 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion import attitude
 from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
 from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
-from cocorosim_ros.wire.conversion.streams import StreamRows, heading_of_travel, stream_rows, travels
+from cocorosim_ros.wire.conversion.streams import StreamRows, heading_of_travel, named_rows, stream_rows, travels
+from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK
 
 COMMAND = "thruster_command"
 
@@ -40,7 +41,9 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
         columns = {
             name: in_si(value, rows) for name, value in mapped.values.items() if not isinstance(value, TravelValue)
         }
-        usable = timed & np.isfinite(list(columns.values())).all(axis=0)
+        given = np.isfinite(list(columns.values()))
+        # An actuator whose current is not in every row still reports its rotation there.
+        usable = timed & (given.any(axis=0) if mapped.topic == FEEDBACK else given.all(axis=0))
         if attitude.QUATERNION[0] in columns:
             usable &= ~attitude.unset(columns)
             attitude.check_normalised(columns, usable, rows, mapped.place)
@@ -56,6 +59,22 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
             kept = {name: column[chosen] for name, column in columns.items()}
             content = _content(mapped, kept, place, findings)
             yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort)
+
+
+def streams_of(parts: list[Stream], findings: list[str]) -> list[Stream]:
+    """The streams from the parts of one topic of one robot: one, or one for each table that tells of actuators.
+
+    What actuators report is not held until others report. Raises CocorosimError as `joined`, and if two tables give
+    the same number.
+    """
+    if parts[0].topic != FEEDBACK:
+        return [joined(parts, findings)]
+    pieces = _pieces(parts)
+    names = [name for part in pieces for name in part.rows.extra["name"]]
+    for name in names:
+        if names.count(name) > 1:
+            raise CocorosimError(f"{_name(parts[0])}: {name} is given by several tables; give it by one of them only.")
+    return [joined([part], findings) for part in pieces]
 
 
 def joined(parts: list[Stream], findings: list[str]) -> Stream:
@@ -98,6 +117,8 @@ def _checked_name(name: str, origin: str) -> str:
 
 
 def _content(mapped: StreamMap, columns: Mapping[str, Floats], place: str, findings: list[str]) -> StreamRows:
+    if mapped.topic == FEEDBACK:
+        return named_rows("value", tuple(columns), np.column_stack(list(columns.values())))
     if mapped.topic != COMMAND:
         return stream_rows(mapped.topic, columns, north_east_down=mapped.north_east_down)
     values = np.column_stack(list(columns.values()))
@@ -105,12 +126,7 @@ def _content(mapped: StreamMap, columns: Mapping[str, Floats], place: str, findi
     if beyond:
         limits = [value.place.key for value in mapped.values.values() if isinstance(value, CommandValue)]
         findings.append(f"{place}: {beyond} commands beyond -1..1 were cut to it; check the limits at '{limits[0]}'.")
-    return _command_rows(tuple(columns), np.clip(values, -1.0, 1.0))
-
-
-def _command_rows(names: tuple[str, ...], values: Floats) -> StreamRows:
-    extra = {"name": list(names), "command": [0.0] * len(names)}
-    return StreamRows(tuple(f"command[{name}]" for name in names), values, extra)
+    return named_rows("command", tuple(columns), np.clip(values, -1.0, 1.0))
 
 
 def _pieces(parts: list[Stream]) -> list[Stream]:
@@ -160,7 +176,7 @@ def _held_together(parts: list[Stream], findings: list[str]) -> Stream:
         early = np.count_nonzero(~known)
         findings.append(f"{_name(first)}: {early} moments before all actuators are known were left out.")
     values = np.hstack([part.rows.values[rows[known]] for part, rows in zip(parts, latest, strict=True)])
-    return replace(first, stamp_ns=stamps[known], rows=_command_rows(tuple(names), values))
+    return replace(first, stamp_ns=stamps[known], rows=named_rows("command", tuple(names), values))
 
 
 def _with_heading(stream: Stream) -> Stream:

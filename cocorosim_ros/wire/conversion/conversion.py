@@ -17,7 +17,7 @@ from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
-from cocorosim_ros.wire.conversion.assembly import Stream, joined, table_streams
+from cocorosim_ros.wire.conversion.assembly import Stream, streams_of, table_streams
 from cocorosim_ros.wire.conversion.beside import BesideRows, neighbour
 from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
 from cocorosim_ros.wire.conversion.formats import FORMATS
@@ -167,7 +167,7 @@ def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[
     order = {topic: place for place, topic in enumerate(ROBOT_TOPICS)}
     parts.sort(key=lambda part: (part.robot, order[part.topic]))
     groups = groupby(parts, key=lambda part: (part.robot, part.topic))
-    streams = tuple(joined(list(group), findings) for _, group in groups)
+    streams = tuple(stream for _, group in groups for stream in streams_of(list(group), findings))
     if not streams:
         where = f"run {run} of the source" if run else "the source"
         raise CocorosimError(f"{mapped.file} finds nothing to convert in {where}: {' '.join(findings)}")
@@ -183,11 +183,13 @@ def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[
 
 
 def _written(conversion: Conversion, folder: Path, *, force: bool) -> Converted:
-    channels = [
-        Channel(_topic(stream), ROBOT_TOPICS[stream.topic].type_name, ROBOT_TOPICS[stream.topic].quality)
+    channels = {
+        _topic(stream): Channel(
+            _topic(stream), ROBOT_TOPICS[stream.topic].type_name, ROBOT_TOPICS[stream.topic].quality
+        )
         for stream in conversion.streams
-    ]
-    writer = BagWriter(folder, channels, metadata=conversion.metadata, force=force)
+    }
+    writer = BagWriter(folder, list(channels.values()), metadata=conversion.metadata, force=force)
     try:
         for stamp, topic, data in _in_time_order(conversion.streams):
             writer.write(topic, stamp, stamp, data)

@@ -10,22 +10,27 @@ from cocorosim_ros.wire.conversion.allocation import allocated
 from cocorosim_ros.wire.conversion.conversion_map import StreamMap, Value
 from cocorosim_ros.wire.conversion.streams import NUMBERS, check_stream
 from cocorosim_ros.wire.conversion.value_entries import ValueReader
+from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK, FRACTION, QUANTITIES, feedback_name
 
 AXES = ("enu_flu", "ned_frd")
 COMMAND = "thruster_command"
-TOPICS = (*NUMBERS, COMMAND)
+TOPICS = (*NUMBERS, COMMAND, FEEDBACK)
 _ACTUATOR_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 def read_stream(topic: str, entry: Entry, reader: ValueReader) -> StreamMap:
     """The stream of one topic. Raises CocorosimError if its numbers do not suffice for a message."""
-    if topic not in NUMBERS and topic != COMMAND:
+    if topic not in TOPICS:
         raise entry.problem(f"is no topic that can be converted; allowed: {', '.join(TOPICS)}.")
     given = dict(entry.mapping())
     axes = given.pop("axes", None)
     down = axes is not None and axes.choice(AXES) == "ned_frd"
     if topic == COMMAND:
         return StreamMap(topic, _commands(replace(entry, value=given), reader), down, entry)
+    if topic == FEEDBACK:
+        if axes is not None:
+            raise axes.problem("says nothing here; turn the sign of an angle by 'scale: -1', as its command has it.")
+        return StreamMap(topic, _feedback(replace(entry, value=given), reader), down, entry)
     section = replace(entry, value=given).section((), NUMBERS[topic])
     values = {
         name: reader.heading(part) if topic == "pose" and name == "yaw" else reader.value(part, NUMBERS[topic][name])
@@ -52,9 +57,27 @@ def _commands(entry: Entry, reader: ValueReader) -> dict[str, Value]:
     return {name: reader.command(part) for name, part in given.items()}
 
 
-def _check_actuators(entry: Entry) -> None:
+def _feedback(entry: Entry, reader: ValueReader) -> dict[str, Value]:
+    """What all actuators report, by the names of the messages; a fraction is given as its command is."""
+    _check_actuators(entry, "left: {rotation: {column: ..., unit: rpm}}")
+    found: dict[str, Value] = {}
+    for actuator, part in entry.mapping().items():
+        numbers = part.section((), tuple(QUANTITIES))
+        if not numbers:
+            raise part.problem(f"names nothing that this actuator reports; add one of {', '.join(QUANTITIES)}.")
+        for quantity, number in numbers.items():
+            value = (
+                reader.command(number)
+                if quantity == FRACTION
+                else reader.column(number, (QUANTITIES[quantity].dimension,))
+            )
+            found[feedback_name(actuator, quantity)] = value
+    return found
+
+
+def _check_actuators(entry: Entry, example: str = "left: {column: ..., unit: ...}") -> None:
     if not entry.mapping():
-        raise entry.problem("names no actuator; write 'left: {column: ..., unit: ...}' lines under it.")
+        raise entry.problem(f"names no actuator; write '{example}' lines under it.")
     for name, part in entry.mapping().items():
         if not _ACTUATOR_NAME.fullmatch(name):
             raise part.problem("is no name of an actuator; use letters, digits and _.")

@@ -65,6 +65,12 @@ def stream_rows(topic: str, columns: Columns, *, north_east_down: bool) -> Strea
     return _BUILDERS[topic](columns, north_east_down)
 
 
+def named_rows(field: str, names: tuple[str, ...], values: Floats) -> StreamRows:
+    """Messages with a list `name` and as many numbers in `field`; (n, names) values."""
+    extra = {"name": list(names), field: [0.0] * len(names)}
+    return StreamRows(tuple(f"{field}[{name}]" for name in names), values, extra)
+
+
 def travels(given: Mapping[str, Value]) -> bool:
     """Whether the heading is to follow from the track."""
     return isinstance(given.get("yaw"), TravelValue)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
+from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK
 from cocorosim_ros.wire.topics.service_quality import CLOCK, LATCHED, STREAM, TRANSFORMS, ServiceQuality
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.sensor import Sensor
@@ -48,6 +49,8 @@ _ROBOT = [
     *(_of_sensor(sensor) for sensor in SENSORS.values() if not sensor.asked),
     Topic("thruster_command", "cocorosim_msgs/msg/ThrusterCommand", "controller", STREAM, False,
           "what the controller asks of the actuators"),
+    Topic(FEEDBACK, "cocorosim_msgs/msg/ActuatorFeedback", "robot", STREAM, True,
+          "what the actuators report: rotation, angle, current, voltage; of recordings, no simulation makes it"),
     Topic("radio_tx", "cocorosim_msgs/msg/RadioMessage", "controller", STREAM, True,
           "what the robot says"),
     Topic("radio_rx", "cocorosim_msgs/msg/RadioInbox", "simulation, or the radio driver", STREAM, True,

@@ -111,11 +111,17 @@ class Column:
 class Elements:
     """How tables show a message that is a list of named elements.
 
-    read(message) returns its numbers by column; unit: of all of them, "1" for none.
+    read(message) returns its numbers by column; unit: of all of them, "1" for none. units: of columns that end in a dot
+    and this word, where they differ.
     """
 
     read: Callable[[Any], dict[str, float]]
     unit: str
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    def unit_of(self, column: str) -> str:
+        """The unit of a column."""
+        return self.units.get(column.rpartition(".")[2], self.unit)
 
 
 @dataclass(frozen=True)

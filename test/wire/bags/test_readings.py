@@ -47,6 +47,10 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
         {"name": ["left", "buoyancy"], "command": [-0.5, 1.0]},
         {"left": -0.5, "buoyancy": 1.0},
     ),
+    "actuator_feedback": (
+        {"name": ["left.rotation", "left.current", "rudder.angle"], "value": [40.0, 1.5, -0.25]},
+        {"left.rotation": 40.0, "left.current": 1.5, "rudder.angle": -0.25},
+    ),
 }
 
 
@@ -68,7 +72,7 @@ def test_columns_are_the_numbers_of_the_message(topic: str) -> None:
     np.testing.assert_array_equal(readings.values[0], readings.values[1])
     assert readings.unreadable == 1
     assert len(readings.units) == len(readings.columns)
-    assert all(set(powers_of(unit)) <= {"m", "s", "rad", "kg", "Pa", "lx"} for unit in readings.units)
+    assert all(set(powers_of(unit)) <= {"m", "s", "rad", "kg", "Pa", "lx", "A"} for unit in readings.units)
 
 
 @pytest.mark.parametrize("topic", READABLE)
@@ -92,3 +96,13 @@ def test_a_sensor_without_a_layout_is_said(monkeypatch: pytest.MonkeyPatch) -> N
     findings = readings.readable_topics(bag)[1]
     assert len(findings) == 5
     assert findings[0].startswith("/lily_01/compass is left out: cocorosim_msgs/msg/Compass is more than numbers")
+
+
+def test_each_quantity_of_an_actuator_has_its_unit() -> None:
+    """Rotations in rad/s, angles in rad, currents in A, voltages in V, fractions of the maximum without one."""
+    names = [f"left.{quantity}" for quantity in ("fraction", "rotation", "angle", "current", "voltage")]
+    values = {"name": names, "value": [0.5, 1.0, 2.0, 3.0, 4.0]}
+    readings = topic_readings("boat", "actuator_feedback", [message("actuator_feedback", values, 1)])
+    assert dict(zip(readings.columns, readings.units, strict=True)) == dict(
+        zip(names, ("1", "rad/s", "rad", "A", "V"), strict=True)
+    )
