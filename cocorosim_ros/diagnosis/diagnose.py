@@ -31,6 +31,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 from cocorosim_ros.diagnosis.report.sentence import sentence_of
+from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
@@ -54,6 +55,10 @@ Progress = Callable[[str, float], None]
 
 def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
     """Compare recordings with the platform's model; `progress` takes the present step in words, and the share done."""
+    return with_actuators(_diagnosed(evidence, progress), evidence)
+
+
+def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     progress("checking the recordings", 0.0)
     intake = take_in(evidence)
     if intake.reasons:

@@ -38,6 +38,7 @@ from cocorosim_ros.diagnosis.naming.detectability import (
 )
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.sentence import difference_sentence
+from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
@@ -60,6 +61,11 @@ def diagnose_against(bad: Evidence, good: Evidence, progress: Progress) -> Diagn
     """
     progress("checking the recordings", 0.0)
     bad, good = comparable(bad, good)
+    return with_actuators(_compared(bad, good, progress), bad, good)
+
+
+def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
+    """Name what differs between recordings that were made comparable."""
     intake, well = taken_in(bad, good)
     if well.reasons or intake.reasons:
         return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), good)

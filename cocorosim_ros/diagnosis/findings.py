@@ -231,6 +231,24 @@ class GatheredEvidence:
 
 
 @dataclass(frozen=True)
+class ActuatorReport:
+    """One quantity (of QUANTITIES) that an actuator reports, and how it follows its commands, by recordings alone.
+
+    numbers: gain (1 between shares or angles, else the report at full command), delay, time_constant of a lag of first
+    order, lateness (both), rate_limit of an angle that shows one; none where they are not told, and because says why.
+    before: those of the recordings that these are compared with. of_amount: whether the amount of the command is meant.
+    """
+
+    robot: str
+    actuator: str
+    quantity: str
+    numbers: Mapping[str, Estimate] = field(default_factory=dict)
+    because: str = ""
+    of_amount: bool = False
+    before: Mapping[str, Estimate] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class Comparison:
     """The recordings of the same vehicle that a diagnosis compares with, and the control that they are alike.
 
@@ -284,3 +302,4 @@ class Diagnosis:
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
     passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since there is doubt that they are there
     screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first
+    actuators: tuple[ActuatorReport, ...] = ()  # what these report of themselves

@@ -42,6 +42,11 @@ def on_one_clock(topics: Sequence[TopicRows]) -> tuple[list[TopicRows], list[str
     return [_without_strays(rows, usual, shifted, remarks) for rows in shifted], remarks
 
 
+def are_of_one_clock(one: TopicRows, other: TopicRows) -> bool:
+    """Tell whether two topics were stamped by clocks that count from one zero, by the log times; both as recorded."""
+    return abs(_early_delay(one) - _early_delay(other)) <= CLOCKS.far
+
+
 def clock_skews(topics: Sequence[TopicRows]) -> list[Skew]:
     """The rate of each topic's stamps by the log times, relative to the median of all topics."""
     found = [_skew(rows) for rows in topics]

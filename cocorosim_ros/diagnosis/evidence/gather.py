@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
 from cocorosim_ros.diagnosis.evidence.holes import hole_sentences
 from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
+from cocorosim_ros.diagnosis.evidence.reported import Commanded, with_reports
 from cocorosim_ros.diagnosis.evidence.robot_logs import ClockedRows, robot_log, seconds
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, Stream, told_apart
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
@@ -63,6 +64,7 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
         topics, remarks = read_topic_rows(bag, platform.actuator_names)
     except CocorosimError as error:
         raise CocorosimError(f"{path}: {error}") from error
+    commands = {rows.robot: rows for rows in topics if rows.topic == COMMAND and len(rows.stamp_ns)}
     topics, clock_remarks = on_one_clock(topics)
     remarks = [*([bag.summary.damage] if bag.summary.damage else []), *remarks, *clock_remarks]
     skews = clock_skews(topics)
@@ -87,6 +89,11 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
         remarks += [*log_remarks, *hole_sentences(log), *said_afloat]
     robots, identity_remarks = with_true_identities(robots, platform)
     remarks += identity_remarks
+    try:
+        robots, report_remarks = with_reports(robots, bag, Commanded(commands, platform.actuator_names, start))
+    except CocorosimError as error:
+        raise CocorosimError(f"{path}: {error}") from error
+    remarks += report_remarks
     remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]
     return RecordingLog(str(path), duration, tuple(robots), tuple(remarks))
 

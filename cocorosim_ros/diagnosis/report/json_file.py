@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from cocorosim_ros.diagnosis.findings import (
+    ActuatorReport,
     Comparison,
     Diagnosis,
     Estimate,
@@ -45,6 +47,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "passed_over": [_passed_over(each) for each in diagnosis.passed_over],
         "screened": {each.id: _screened(each) for each in diagnosis.screened},
         **_against(diagnosis.against),
+        **_actuators(diagnosis.actuators),
     }
 
 
@@ -67,6 +70,23 @@ def _against(against: Comparison | None) -> dict[str, Any]:
         "against_in_doubt": list(against.in_doubt),
         "against_seen_from": {name: dict(numbers) for name, numbers in against.seen_from.items()},
     }
+
+
+def _actuators(reports: Sequence[ActuatorReport]) -> dict[str, Any]:
+    """The key about what actuators report; none where they report nothing."""
+    return {"actuator_feedback": [_reported(each) for each in reports]} if reports else {}
+
+
+def _reported(report: ActuatorReport) -> dict[str, Any]:
+    """One quantity of an actuator: its numbers, or a clause why there are none; before: those compared with."""
+    before = {"before": _estimates(report.before)} if report.before else {}
+    told = _estimates(report.numbers) if report.numbers else {"because": report.because}
+    place = {"robots": [report.robot], "actuator": report.actuator, "quantity": report.quantity}
+    return place | {"of_amount": report.of_amount} | told | before
+
+
+def _estimates(numbers: Mapping[str, Estimate]) -> dict[str, Any]:
+    return {name: _estimate(estimate) for name, estimate in numbers.items()}
 
 
 def _recalibrated(found: Recalibrated) -> dict[str, Any]:

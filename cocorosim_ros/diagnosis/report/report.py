@@ -10,6 +10,7 @@ from typing import Any
 from cocorosim_ros import __version__
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
+from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words, without_bars
 from cocorosim_ros.diagnosis.report.equation_text import typeset
@@ -74,6 +75,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         **_where(diagnosis, origin),
         **_what(diagnosis),
         **_fit(diagnosis),
+        reported=(reported_headings(diagnosis.actuators), reported_rows(diagnosis.actuators)),
         **not_shown_context(diagnosis),
     )
     return explained_at_first_sight(page)

@@ -10,6 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
+from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
 from cocorosim_ros.diagnosis.report.number_text import (
@@ -25,7 +26,13 @@ from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     """Tables of effects, moved parameters and held-out errors, empty ones left out; probabilities, and warnings."""
-    tables = [_effects(diagnosis), _passed_over(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
+    tables = [
+        _effects(diagnosis),
+        _passed_over(diagnosis),
+        _parameters(diagnosis),
+        _errors(diagnosis),
+        _actuators(diagnosis),
+    ]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
     said = (*diagnosis.warnings, *diagnosis.remarks)
     if diagnosis.effects or diagnosis.passed_over or any("nats" in sentence for sentence in said):
@@ -88,6 +95,13 @@ def _errors(diagnosis: Diagnosis) -> Table:
         scale = handy_scale(max((each for each in numbers if math.isfinite(each)), default=0.0), found.unit)
         cells = (with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers)
         table.add_row(*(Text(cell) for cell in (channel, *cells, found.against)))
+    return table
+
+
+def _actuators(diagnosis: Diagnosis) -> Table:
+    table = _table("what actuators report, against their commands", reported_headings(diagnosis.actuators))
+    for row in reported_rows(diagnosis.actuators):
+        table.add_row(*(Text(cell) for cell in row))
     return table
 
 

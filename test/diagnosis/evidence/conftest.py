@@ -61,7 +61,8 @@ def write_bag(path: Path, topics: Mapping[str, Topic]) -> Path:
         kind = split_topic(name)[1]
         channels.append(Channel(name, ROBOT_TOPICS[kind].type_name))
         extra = dict(topic.extra or {})
-        fields = FIELDS.get(kind, [f"command[{actuator}]" for actuator in topic.names])
+        numbered = "value" if kind == "actuator_feedback" else "command"
+        fields = FIELDS.get(kind, [f"{numbered}[{actuator}]" for actuator in topic.names])
         if kind == "thruster_command":
             extra |= {"name": list(topic.names), "command": [0.0] * len(topic.names)}
         template = PackedMessage([build(ROBOT_TOPICS[kind].type_name, extra)], fields)

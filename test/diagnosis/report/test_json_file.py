@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect
+from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate, FoundEffect
 from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
 
 Example = Callable[[str], Diagnosis]
@@ -158,3 +158,37 @@ def test_a_stream_is_named_and_a_correction_stands_in_words(example: Example) ->
     assert tree["effects"][0]["parameters"] == {
         "correction": {"value": "the reading is in degrees", "ci95": [None, None], "unit": None}
     }
+
+
+REPORTED = ActuatorReport(
+    "boat",
+    "rudder",
+    "angle",
+    {
+        "gain": Estimate(0.9, 0.88, 0.92, "1"),
+        "delay": Estimate(0.4, 0.3, 0.5, "s"),
+        "time_constant": Estimate(0.2, 0.1, 0.3, "s"),
+        "lateness": Estimate(0.6, 0.55, 0.65, "s"),
+    },
+    before={"lateness": Estimate(0.3, 0.25, 0.35, "s")},
+)
+STILL = ActuatorReport("boat", "propeller", "rotation", because="its command hardly changes")
+
+
+def test_what_actuators_report_is_a_key_of_its_own(example: Example) -> None:
+    """By actuator its numbers with intervals, or why there are none; no key where nothing was reported."""
+    tree = read(replace(example("consistent"), actuators=(REPORTED, STILL)))
+    told, untold = tree.pop("actuator_feedback")
+    check(tree, FORM)
+    assert told == {
+        "robots": ["boat"], "actuator": "rudder", "quantity": "angle", "of_amount": False,
+        "gain": {"value": 0.9, "ci95": [0.88, 0.92], "unit": "1"},
+        "delay": {"value": 0.4, "ci95": [0.3, 0.5], "unit": "s"},
+        "time_constant": {"value": 0.2, "ci95": [0.1, 0.3], "unit": "s"},
+        "lateness": {"value": 0.6, "ci95": [0.55, 0.65], "unit": "s"},
+        "before": {"lateness": {"value": 0.3, "ci95": [0.25, 0.35], "unit": "s"}},
+    }  # fmt: skip
+    assert untold == {
+        "robots": ["boat"], "actuator": "propeller", "quantity": "rotation", "of_amount": False,
+        "because": "its command hardly changes",
+    }  # fmt: skip

@@ -13,7 +13,15 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Located, ResidualReading
+from cocorosim_ros.diagnosis.findings import (
+    ActuatorReport,
+    Comparison,
+    Diagnosis,
+    Estimate,
+    FoundEffect,
+    Located,
+    ResidualReading,
+)
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
 from cocorosim_ros.diagnosis.tracks.columns import NOISE_UNITS
@@ -331,3 +339,12 @@ def test_probabilities_of_a_comparison_are_of_the_difference(example: Example) -
     """Nothing then means that the vehicles are alike."""
     text = page(replace(example("consistent"), against=Comparison(("good",), (), ())))[1].text
     assert "Nothing: the vehicles are alike, but for numbers" in text
+
+
+def test_what_actuators_report_has_a_section_of_its_own(example: Example, pages: Pages) -> None:
+    """Before the remarks, where anything is reported; else the page is without it."""
+    late = {"lateness": Estimate(0.66, 0.64, 0.69, "s"), "gain": Estimate(0.9, 0.88, 0.92, "1")}
+    told = page(replace(example("consistent"), actuators=(ActuatorReport("boat", "rudder", "angle", late),)))[1]
+    assert told.sections == [*SECTIONS[:-2], "actuators", *SECTIONS[-2:]]
+    assert "rudder angle 660 ms (640 to 690 ms)" in told.text
+    assert pages("consistent")[1].sections == SECTIONS

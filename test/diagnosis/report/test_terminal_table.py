@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable
+from dataclasses import replace
 
 from rich.console import Console
 
-from cocorosim_ros.diagnosis.findings import Diagnosis
+from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate
 from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
 
 Example = Callable[[str], Diagnosis]
@@ -54,3 +55,21 @@ def test_empty_tables_are_left_out(example: Example) -> None:
     text = shown(example("insufficient"))
     assert "next: Drive at three speeds" in text
     assert "\u2502" not in text
+
+
+def test_what_actuators_report_is_a_table(example: Example) -> None:
+    """A row for each number, with intervals; the reason where nothing is told; what was before where it is known."""
+    late = {"lateness": Estimate(0.66, 0.64, 0.69, "s"), "gain": Estimate(0.9, 0.88, 0.92, "1")}
+    reports = (
+        ActuatorReport("boat", "rudder", "angle", late, before={"lateness": Estimate(0.3, 0.28, 0.32, "s")}),
+        ActuatorReport("boat", "propeller", "rotation", because="its command hardly changes"),
+    )
+    rows = [
+        [cell.strip() for cell in line.strip("\u2502").split("\u2502")]
+        for line in shown(replace(example("consistent"), actuators=reports)).splitlines()
+        if "rudder" in line or "propeller" in line
+    ]
+    assert rows[0][:3] == ["rudder", "angle", "660 ms (640 to 690 ms)"] and rows[0][5] == "0.900 (0.880 to 0.920)"
+    assert rows[0][-1] == "300 ms (280 to 320 ms)"
+    assert rows[1][:3] == ["propeller", "rotation", "not told: its command hardly changes"]
+    assert "report" not in shown(example("consistent"))

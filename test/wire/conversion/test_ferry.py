@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from scipy.signal import savgol_filter
 
+from cocorosim_ros.diagnosis.evidence.following.reports import actuator_reports
+from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.config_files import find_config
@@ -67,6 +69,24 @@ def test_orders_push_and_turn_it_as_its_platform_says(crossing: tuple[RecordedTr
     ahead, left = east * np.cos(yaw) + north * np.sin(yaw), north * np.cos(yaw) - east * np.sin(yaw)
     for column, gained in ((0, ahead), (1, left), (3, _second(yaw))):
         assert np.corrcoef(savgol_filter(wrench[:, column], 61, 3), gained)[0, 1] > 0.6
+
+
+def test_angles_follow_orders_by_two_thirds_to_four_fifths_of_a_second(tmp_path: Path) -> None:
+    """As the map's comments have it: 0.65 to 0.8 s, to the angle that is ordered; by the recordings alone."""
+    source = DATA / "maneuvering1" / "vectorVS330_fix.csv"
+    bag = convert(load_map(find_config("maps", "milliampere_ferry")), source, tmp_path / "bag")[0].folder
+    reports = actuator_reports(gather_evidence([bag], load_platform("milliampere_ferry")))
+    angles = {each.actuator: each.numbers for each in reports if each.quantity == "angle"}
+    assert list(angles) == [
+        f"{place}_angle" for place in ("bow_port", "bow_starboard", "stern_starboard", "stern_port")
+    ]
+    for numbers in angles.values():
+        assert 0.65 < numbers["lateness"].value < 0.8
+        assert numbers["gain"].holds(1.0) and numbers["lateness"].high - numbers["lateness"].low < 0.5
+    motors = {each.actuator: each.numbers for each in reports if each.quantity == "rotation"}
+    # 1000 rpm at full command, of which bow motors report a twentieth less; the motors report later than a second.
+    assert all(numbers["gain"].value == pytest.approx(104.7, rel=0.2) for numbers in motors.values() if numbers)
+    assert all(numbers["lateness"].value > 1.0 for numbers in motors.values() if numbers)
 
 
 def _second(path: Floats) -> Floats:

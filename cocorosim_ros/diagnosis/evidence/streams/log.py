@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
+from cocorosim_ros.diagnosis.evidence.streams.feedback import Feedback
 from cocorosim_ros.diagnosis.findings import NO_CLOCK, Clock
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -59,6 +60,7 @@ class RobotLog:
     afloat: tuple[tuple[float, float], ...] = ()  # s: begin and end of each time that it lies at the surface
     clock: Clock = NO_CLOCK
     command_shifted: float = 0.0
+    feedback: tuple[Feedback, ...] = ()  # what its actuators report
 
 
 @dataclass(frozen=True)
