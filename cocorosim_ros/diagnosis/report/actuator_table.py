@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from cocorosim_ros.diagnosis.findings import ActuatorReport, Estimate
 from cocorosim_ros.diagnosis.report.number_text import NONE, estimate_words
+from cocorosim_ros.scenario.reading.quantity import UNITS
 
 NUMBERS = ("lateness", "delay", "time_constant", "gain", "rate_limit")
 _HEADINGS = ("follows by", "dead time", "lag", "gain", "rate limit")
@@ -37,5 +38,13 @@ def _is_compared(reports: Sequence[ActuatorReport]) -> bool:
 def _cell(numbers: Mapping[str, Estimate], name: str) -> str:
     if name not in numbers:
         return NONE
-    value, interval = estimate_words(numbers[name])
+    value, interval = estimate_words(_as_read(numbers[name], name))
     return f"{value} ({interval})"
+
+
+def _as_read(estimate: Estimate, name: str) -> Estimate:
+    """The gain of a motor in rpm at full command, as its data sheet has it; all else as it is."""
+    if name != "gain" or estimate.unit != "rad/s":
+        return estimate
+    rpm = float(UNITS["angular velocity"]["rpm"])
+    return Estimate(estimate.value / rpm, estimate.low / rpm, estimate.high / rpm, "rpm")

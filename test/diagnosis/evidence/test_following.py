@@ -167,6 +167,22 @@ def test_an_angle_that_only_lags_has_no_limit(ferry: Platform) -> None:
     assert report.numbers["gain"].holds(0.9) and not report.numbers["gain"].holds(1.0)
 
 
+@pytest.mark.parametrize(("largest", "unit"), [(1.0, "1"), (None, "rad")])
+def test_the_gain_of_an_angle_has_no_unit_where_its_largest_is_known(
+    ferry: Platform, largest: float | None, unit: str
+) -> None:
+    """A servo of 1 rad at most comes to what is commanded; a thruster that reports an angle has no largest one."""
+    rng = np.random.default_rng(10)
+    commands, moments = steps(rng, -0.5, 0.5), moments_of(rng)
+    shown = response(moments, *commands, np.array([0.2, 0.3, np.inf]))
+    azimuth = replace(ferry.actuators[1], largest_angle=largest or math.pi)
+    platform = replace(ferry, actuators=(ferry.actuators[0], azimuth, *ferry.actuators[2:]))
+    name = "bow_port_angle" if largest else "bow_port"
+    report = told(platform, commands, Feedback(name, "angle", moments, shown))
+    assert report.numbers["gain"].unit == unit
+    assert report.numbers["gain"].value == pytest.approx(1.0, rel=1e-2)
+
+
 def test_a_current_follows_the_amount(ferry: Platform) -> None:
     """Of motors that run both ways the current has one sign."""
     rng = np.random.default_rng(6)

@@ -73,3 +73,9 @@ def test_what_actuators_report_is_a_table(example: Example) -> None:
     assert rows[0][-1] == "300 ms (280 to 320 ms)"
     assert rows[1][:3] == ["propeller", "rotation", "not told: its command hardly changes"]
     assert "report" not in shown(example("consistent"))
+
+
+def test_the_gain_of_a_motor_is_in_rpm(example: Example) -> None:
+    """What it turns at full command: 100 rad/s are 955 rpm."""
+    motor = ActuatorReport("boat", "left", "rotation", {"gain": Estimate(100.0, 90.0, 110.0, "rad/s")})
+    assert "955 rpm (859 to 1\u202f050 rpm)" in shown(replace(example("consistent"), actuators=(motor,)))

@@ -170,3 +170,20 @@ def test_wrong_topics_and_fields(
     tables = f"  - {{topic: {topic}, robot: a, streams: {{velocity: {{x: {{column: {column}}}}}}}}}\n"
     with pytest.raises(CocorosimError, match=sentence):
         convert_bag(tables, [("/odom", 1, odometry(1, 0.0))])
+
+
+def test_joints_report_rotation_and_angle(convert_bag: Callable[..., SimpleNamespace]) -> None:
+    """A JointState's elements by name, in SI without a unit; a message that lacks one reports the other."""
+    joints = TYPES["sensor_msgs/msg/JointState"]
+    both = joints(header(5), ["left", "rudder"], np.array([0.0, 0.25]), np.array([40.0, 0.0]), np.zeros(2))
+    alone = joints(header(9), ["left"], np.zeros(1), np.array([50.0]), np.zeros(1))
+    tables = (
+        "  - topic: /joints\n    robot: boat\n    streams:\n      actuator_feedback:\n"
+        "        left: {rotation: {column: 'velocity[left]'}}\n"
+        "        rudder: {angle: {column: 'position[rudder]', scale: -1}}\n"
+    )
+    result = convert_bag(tables, [("/joints", 6, both), ("/joints", 10, alone)])
+    first, second = result.topics["/boat/actuator_feedback"]
+    assert (first.at, list(first.content.name)) == (5, ["left.rotation", "rudder.angle"])
+    assert first.content.value.tolist() == [40.0, -0.25]
+    assert second.content.value[0] == 50.0 and np.isnan(second.content.value[1])

@@ -359,7 +359,7 @@ def test_tauv_pool(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any
 
 
 def test_milliampere_ferry(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any]]]) -> None:
-    """The middle of a ferry that looks east, 0.983 m north and 0.04 m west of its antenna; orders."""
+    """The middle of a ferry that looks east, 0.983 m north and 0.04 m west of its antenna; orders and reports."""
     trial = tmp_path / "logs" / "crossing"
     trial.mkdir(parents=True)
     stamp = "header_stamp_secs,header_stamp_nsecs"
@@ -369,6 +369,10 @@ def test_milliampere_ferry(tmp_path: Path, messages: Callable[[Path], dict[str, 
     for number in (1, 2, 3, 4):
         rows = f"1970/01/01 02:01:00.7,{500 * (-1) ** number},90\n1970/01/01 02:01:00.30,0,-180\n"
         (trial / f"actuator_ref_{number}.csv").write_text(f"time,throttle_reference,angle_reference\n{rows}")
+        reports = {"azimuth_angle": f"data\n1970/01/01 02:01:00.{number},{30 * number}\n"}
+        reports["thruster_motor_state"] = f"motor_speed\n1970/01/01 02:01:00.{10 + number},{-60 * number}\n"
+        for kind, column in reports.items():
+            (trial / f"actuators_actuator_{number}_{kind}.csv").write_text(f"time,{column}")
     (made,) = convert(load_map(find_config("maps", "milliampere_ferry")), tmp_path / "logs", tmp_path / "ours")
     assert made.conversion.findings == ()
     topics = messages(made.folder)
@@ -378,3 +382,13 @@ def test_milliampere_ferry(tmp_path: Path, messages: Callable[[Path], dict[str, 
     assert tuple(orders[0].content.name) == load_platform("milliampere_ferry").actuator_names
     np.testing.assert_allclose(orders[0].content.command, [-0.5, -0.5, 0.5, -0.5, -0.5, -0.5, 0.5, -0.5])
     np.testing.assert_allclose(orders[1].content.command, [0.0, 1.0] * 4)
+    feedback = topics["/ferry/actuator_feedback"]
+    assert [each.at - 60_000_000_000 for each in feedback] == [1, 2, 3, 4, 11, 12, 13, 14]
+    reported = {
+        name: value for each in feedback for name, value in zip(each.content.name, each.content.value, strict=True)
+    }
+    names = ("bow_port", "bow_starboard", "stern_starboard", "stern_port")
+    assert reported == pytest.approx(
+        {f"{name}_angle.angle": -math.radians(30 * number) for number, name in enumerate(names, start=1)}
+        | {f"{name}.rotation": -2 * math.pi * number for number, name in enumerate(names, start=1)}
+    )

@@ -56,13 +56,13 @@ def _of_actuator(logs: Sequence[RobotLog], column: int, actuator: Actuator) -> l
 def _told(blank: ActuatorReport, stretches: tuple[Stretch, ...], actuator: Actuator) -> ActuatorReport:
     """Fill a report in: how it follows, or why that is not told."""
     scale, turn = command_scale(actuator, blank.quantity), full_turn(actuator, blank.quantity)
-    if because := _too_little(stretches, scale):
+    if because := _too_little(stretches, scale or 1.0):
         return replace(blank, because=because)
     following, lateness = _best(stretches, blank.quantity, turns=turn is not None)
     spread = spread_of(following, lateness)
     if because := _not_told(following, lateness, spread):
         return replace(blank, because=because)
-    unit = "1" if scale != 1.0 else QUANTITIES[blank.quantity].unit
+    unit = "1" if scale is not None else QUANTITIES[blank.quantity].unit
     numbers = _numbers(following, lateness, spread, unit)
     if turn is not None and np.isfinite(lateness[RATE]):
         numbers["rate_limit"] = _rate_limit(abs(numbers["gain"].value), lateness[RATE], spread, 2.0 * math.pi / turn)

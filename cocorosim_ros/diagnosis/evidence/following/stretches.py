@@ -38,9 +38,11 @@ class Stretch:
     settled: Flags
 
 
-def command_scale(actuator: Actuator, quantity: str) -> float:
-    """The factor by which a command becomes comparable to a report: the largest angle [rad] for angles, else 1."""
-    return actuator.largest_angle if quantity == ANGLE and isinstance(actuator, Rudder | Azimuth | Fin) else 1.0
+def command_scale(actuator: Actuator, quantity: str) -> float | None:
+    """The command's maximum in the unit of the report: 1, or the largest angle [rad]; None if it has another unit."""
+    if quantity == ANGLE and isinstance(actuator, Rudder | Azimuth | Fin):
+        return actuator.largest_angle
+    return 1.0 if quantity == FRACTION else None
 
 
 def full_turn(actuator: Actuator, quantity: str) -> float | None:
@@ -60,7 +62,7 @@ def stretches_of(log: RobotLog, column: int, actuator: Actuator, feedback: Feedb
     holes = [(begin, end) for begin, end in holes_of(log) if (begin, end) not in log.afloat]
     begins = [-np.inf, *(end for _, end in holes)]
     ends = [*(begin for begin, _ in holes), np.inf]
-    scale = command_scale(actuator, feedback.quantity)
+    scale = command_scale(actuator, feedback.quantity) or 1.0
     for begin, end in zip(begins, ends, strict=True):
         asked = (log.command_time >= begin) & (log.command_time <= end)
         if not asked.any():
