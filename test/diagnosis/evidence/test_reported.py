@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.evidence.gather import gather_recording
+from cocorosim_ros.diagnosis.evidence.reported import Commanded, with_reports
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 
@@ -88,3 +91,13 @@ def test_stamps_of_another_clock_tell_no_lateness(
     recording = gather_recording(bag, lily_platform)
     assert recording.robots[0].feedback == ()
     assert any("of another clock than those of the commands" in remark for remark in recording.remarks)
+
+
+def test_reports_of_another_type_are_not_read() -> None:
+    """A topic of that name with the messages of somebody else is said, with the way out; the log stays as it is."""
+    topics = [SimpleNamespace(topic=TOPIC, type_name="std_msgs/msg/String")]
+    bag: Any = SimpleNamespace(summary=SimpleNamespace(topics=topics), messages=lambda wanted: iter(()))
+    log = RobotLog("lily_01", np.zeros(1), np.zeros((1, 3)), {})
+    logs, remarks = with_reports([log], bag, Commanded({}, ("left",), 0))
+    assert logs[0] is log
+    assert len(remarks) == 1 and "is of type std_msgs/msg/String instead of cocorosim_msgs/msg/Actuator" in remarks[0]

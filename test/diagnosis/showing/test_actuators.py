@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
 from cocorosim_ros.diagnosis.evidence.streams.feedback import Feedback
-from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate, FoundEffect
 from cocorosim_ros.diagnosis.showing.actuator_changes import change_sentences
 from cocorosim_ros.diagnosis.showing.actuator_names import name_sentences
@@ -159,3 +161,23 @@ def test_what_was_before_stands_beside_it() -> None:
     told = with_actuators(SAID, recording(1.15), recording(0.75))
     assert told.actuators[0].before["lateness"].value == pytest.approx(0.75, abs=0.06)
     assert "follows its command later than in the recordings of --against" in told.remarks[0]
+
+
+def with_few_readings(evidence: Evidence) -> Evidence:
+    """The same with three readings of a compass: too few for any model."""
+    (only,) = evidence.recordings
+    stream = Stream(np.arange(3.0), np.zeros((3, 1)), np.array([0.01]))
+    return replace(
+        evidence, recordings=(replace(only, robots=(replace(only.robots[0], streams={"compass": stream}),)),)
+    )
+
+
+def test_a_recording_that_tells_nothing_of_motion_tells_of_its_actuators() -> None:
+    """No physics is needed for it: alone, and beside recordings of before."""
+    bad, good = with_few_readings(recording(1.15)), with_few_readings(recording(0.75))
+    alone = diagnose(bad, lambda words, share: None)
+    assert alone.verdict == "insufficient"
+    assert [each.actuator for each in alone.actuators] == ["bow_port_angle"] and not alone.actuators[0].before
+    beside = diagnose_against(bad, good, lambda words, share: None)
+    assert beside.verdict == "insufficient" and beside.against is not None
+    assert "follows its command later than in the recordings of --against" in beside.remarks[0]
