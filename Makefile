@@ -4,6 +4,7 @@
 # make docs      the site of the documents, to build/site
 # make prove     the sealed trial of `cocorosim diagnose`, about an hour for its 400 and more recordings
 # make prove-families  the same with forms, noise, programmes and laws drawn from families
+# make prove-rov       the same with another vehicle, an ROV in six degrees of freedom
 # make prove-against   altered logs of real vehicles against unaltered ones; TRIAL_DATA=FOLDER says where the recordings are
 # make prove-real      that, and real recordings as they are: hours
 # The set-up lives in .venv alone. PYTHON=... chooses the interpreter, PYTEST_ARGS=... goes to pytest.
@@ -48,10 +49,10 @@ CORE_TESTS := $(filter-out $(ROS_TESTS:%=test/%/),$(sort $(wildcard test/*/)))
 
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test docs bench prove prove-families prove-against prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
+.PHONY: help demo test docs bench prove prove-families prove-rov prove-against prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
 
 help:
-	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-families | prove-against | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
+	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-families | prove-rov | prove-against | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
 
 demo: set-up
 	$(BIN)/cocorosim run config/scenarios/eleven_lilys.yaml --out runs/demo --force
@@ -90,6 +91,9 @@ prove: set-up
 
 prove-families: set-up
 	$(PROVE) families --warm --count $(TRIAL_COUNT) --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT)-families --pages $(TRIAL_OUT)-families/pages
+
+prove-rov: set-up
+	$(PROVE) rov --warm --count $(TRIAL_COUNT) --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT)-rov --pages $(TRIAL_OUT)-rov/pages
 
 prove-against: set-up
 	@test -n "$(TRIAL_DATA)" || { echo "Say where the recordings are: make prove-against TRIAL_DATA=FOLDER" >&2; exit 1; }

@@ -2,8 +2,8 @@
 
 A trajectory knows forces relative to the mass and torques relative to the inertia alone: a robot that is 5 % heavier
 and pushed 5 % harder moves the same. So the truth is stated for the mass and inertia that the diagnosis assumes, which
-are the nominal ones unless it says that it refitted them. True mass: with the added mass in surge, which the
-interface's model does not have.
+are those of its platform file unless it says that it refitted them: those that the envelope tells, else Lily's. True
+mass: with the added mass in surge, which the interface's model does not have.
 """
 
 from __future__ import annotations
@@ -61,9 +61,9 @@ def scales(case: Case, robot: str) -> tuple[float, float]:
     true = (case.truth.get("vehicles") or {}).get(robot)
     if not true:
         return 1.0, 1.0
-    said, nominal = refitted(case, robot), nominal_robot()
-    mass = float(said["mass"]["value"]) if "mass" in said else float(nominal[MASS])
-    inertia = float(said["inertia"]["value"]) if "inertia" in said else float(nominal[INERTIA])
+    said, lily = refitted(case, robot), nominal_robot()
+    assumed = true.get("assumed", {"mass": float(lily[MASS]), "inertia": float(lily[INERTIA])})
+    mass, inertia = (float(said[key]["value"]) if key in said else float(assumed[key]) for key in ("mass", "inertia"))
     return mass / true.get("moving_mass", true["mass"]), inertia / true["inertia"]
 
 
@@ -124,7 +124,10 @@ def of_platform(case: Case) -> list[Found]:
         comparable = {"drag", "thrust_gain"}  # heave and yaw have another moving mass
     for robot, true in (case.truth.get("vehicles") or {}).items():
         factors = scales(case, robot)
+        declared = {key for key in true if "." in key}  # numbers of effects that the platform file has
         for key, answer in refitted(case, robot).items():
-            if key in comparable and answer.get("value") is not None:
-                found.append((f"platform.{key}", scaled("platform", key, float(true[key]), factors), answer))
+            if key in comparable | declared and answer.get("value") is not None:
+                effect, _, number = key.rpartition(".")
+                truth = scaled(effect or "platform", number, float(true[key]), factors)
+                found.append((f"platform.{key}", truth, answer))
     return found

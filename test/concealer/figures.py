@@ -21,6 +21,11 @@ def wilson(hits: int, of: int) -> tuple[float, float]:
     return max(middle - half, 0.0), min(middle + half, 1.0)
 
 
+def percent(share: float) -> str:
+    """A share in percent, with as many digits as it has: 1%, 0.5%."""
+    return f"{100.0 * share:g}%"
+
+
 def rate(answers: Iterable[bool]) -> dict[str, float | int | None]:
     """Hits, trials, rate and its interval."""
     found = [bool(answer) for answer in answers]

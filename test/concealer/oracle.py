@@ -39,8 +39,19 @@ def free_run(p: FloatArray, rows: FloatArray, commands: FloatArray, window: floa
     return np.asarray(np.mean(errors, axis=0))
 
 
+def scored(square: FloatArray, floor: FloatArray) -> dict[str, float]:
+    """Rms of `position` [m], `depth` [m], `heading` [rad] by the mean square error (4,) of x, y, z, yaw of a free run.
+
+    floor (4,): noise of the readings, which the errors called `_alone` are without.
+    """
+    total, alone = np.sqrt(square + floor**2), np.sqrt(square)
+    scores = {"position": float(np.hypot(*total[:2])), "depth": float(total[2]), "heading": float(total[3])}
+    scores |= {"position_alone": float(np.hypot(*alone[:2]))}
+    return scores | {"depth_alone": float(alone[2]), "heading_alone": float(alone[3])}
+
+
 def oracle(p: FloatArray, rows: FloatArray, commands: FloatArray, poses: list[Stream]) -> dict[str, Scores]:
-    """By robot number and window [s]: rms of `position` [m], `depth` [m], `heading` [rad], camera noise included."""
+    """Scores by robot and window [s], of windows that fit into the held-out part."""
     out: dict[str, Scores] = {}
     floors = [_noise(pose) for pose in poses]
     for window in WINDOWS:
@@ -48,10 +59,5 @@ def oracle(p: FloatArray, rows: FloatArray, commands: FloatArray, poses: list[St
             continue
         square = free_run(p, rows, commands, window)
         for i, floor in enumerate(floors):
-            total = np.sqrt(square[i] + floor**2)
-            alone = np.sqrt(square[i])
-            scores = {"position": float(np.hypot(*total[:2])), "depth": float(total[2]), "heading": float(total[3])}
-            scores |= {"position_alone": float(np.hypot(*alone[:2]))}
-            scores |= {"depth_alone": float(alone[2]), "heading_alone": float(alone[3])}
-            out.setdefault(f"lily_{i + 1:02d}", {})[f"{window:g}"] = scores
+            out.setdefault(f"lily_{i + 1:02d}", {})[f"{window:g}"] = scored(square[i], floor)
     return out

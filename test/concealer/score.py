@@ -11,7 +11,7 @@ from typing import Any
 from concealer.calibration import calibration
 from concealer.cases import Case, load
 from concealer.estimates import of_effects, of_platform
-from concealer.figures import power_curve, rate, spread
+from concealer.figures import percent, power_curve, rate, spread
 from concealer.score_families import by_family, form_in_words, members_in_words
 from concealer.score_text import as_text
 from concealer.seal import LEDGER, broken_seals
@@ -43,10 +43,16 @@ def intervals(cases: list[Case]) -> Scores:
     }
 
 
-def _oracle(case: Case, window: float, channel: str) -> float | None:
-    """Root mean square over robots of the oracle's error, against the true course where that is told."""
-    best = [runs[f"{window:g}"] for runs in case.truth["oracle"].values() if f"{window:g}" in runs]
-    errors = [scores.get(f"{channel}_alone", scores[channel]) for scores in best if channel in scores]
+def _oracle(case: Case, told: Scores, window: float, channel: str) -> float | None:
+    """Root mean square over robots of the oracle's error, measured as a diagnosis measures its own.
+
+    told: the channel's free runs in the diagnosis; over as many seconds as it says, else `window`, and with the noise
+    of the readings if it measures against readings, else against the true course where that is told.
+    """
+    length = f"{told.get('seconds') or window:g}"
+    measure = channel if told.get("against") == "readings" else f"{channel}_alone"
+    best = [runs[length] for runs in case.truth["oracle"].values() if length in runs]
+    errors = [scores.get(measure, scores[channel]) for scores in best if channel in scores]
     return (sum(error**2 for error in errors) / len(errors)) ** 0.5 if errors else None
 
 
@@ -59,7 +65,8 @@ def held_out(cases: list[Case], window: float) -> Scores:
     for case in of_kind(cases, "single", "several", "nothing", "recalibration"):
         fit = ((case.diagnosis or {}).get("fit") or {}).get("held_out") or {}
         for channel in ("position", "heading", "depth"):
-            scores, best = fit.get(channel) or {}, _oracle(case, window, channel)
+            scores = fit.get(channel) or {}
+            best = _oracle(case, scores, window, channel)
             if scores.get("augmented") and best and case.truth["noise"] > 0.0:
                 ratios.setdefault(f"{channel}: augmented / oracle", []).append(scores["augmented"] / best)
             if scores.get("augmented") and scores.get("recalibrated") and case.hidden:
@@ -101,7 +108,7 @@ def failures(cases: list[Case]) -> list[str]:
         said = " + ".join(map(_said, case.effects)) or "none"
         swimmers = len(case.truth.get("robots") or [0])
         lines.append(
-            f"{case.name}  {case.kind}, noise {case.truth['noise']:.0%}, {swimmers} robot{'s' * (swimmers > 1)}: "
+            f"{case.name}  {case.kind}, noise {percent(case.truth['noise'])}, {swimmers} robot{'s' * (swimmers > 1)}: "
             f"{hidden or 'nothing'}{members_in_words(case)}; said {case.verdict}: {said}"
         )
     return lines
@@ -125,7 +132,7 @@ def score(cases: list[Case], window: float = 20.0) -> Scores:
         },
         "exact_by_size": grouped(single, lambda case: case.band),
         "exact_by_noise": grouped(single, lambda case: case.truth["noise"]),
-        "exact_by_size_and_noise": grouped(single, lambda case: f"{case.band}, {case.truth['noise']:.0%}"),
+        "exact_by_size_and_noise": grouped(single, lambda case: f"{case.band}, {percent(case.truth['noise'])}"),
         "power": {
             name: power_curve([case.size for case in group], [case.exact() for case in group])
             for name, group in sorted(sized.items())

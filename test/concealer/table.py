@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from concealer.cases import CATALOGUE_KINDS, Case
-from concealer.figures import rate
+from concealer.figures import percent, rate
 
 Scores = dict[str, Any]
-BY_THE_PRIOR = ("", "main", "families")  # parts of a trial in which nothing was asked for
+BY_THE_PRIOR = ("", "main", "families", "rov")  # parts of a trial in which nothing was asked for
 
 
 def of_kind(cases: Iterable[Case], *kinds: str) -> list[Case]:
@@ -34,7 +34,7 @@ def _naming(cases: list[Case]) -> Scores:
     rows: Scores = {}
     for noise in sorted({case.truth["noise"] for case in cases}):
         answers = [case.exact() for case in medium(cases) if case.truth["noise"] == noise]
-        rows[f"exact, one medium effect, {noise:.0%} noise"] = rate(answers)
+        rows[f"exact, one medium effect, {percent(noise)} noise"] = rate(answers)
     single = of_kind(cases, "single")
     drawn = [case for case in single if case.block in BY_THE_PRIOR]
     named = [case for case in single if case.effects]

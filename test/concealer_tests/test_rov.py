@@ -153,7 +153,7 @@ def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: 
     q = first["imu"].orientation
     assert math.hypot(q.x, q.y, q.z, q.w) == pytest.approx(1.0, abs=1e-6)
     depth = -first["pose"].pose.position.z
-    assert first["pressure"].fluid_pressure == pytest.approx(101325.0 + 998.0 * 9.81 * depth, abs=6000.0)
+    assert first["pressure"].fluid_pressure == pytest.approx(101325.0 + 9810.0 * depth, abs=6000.0)
     truth = json.loads((recordings / "envelopes" / "r0001.json").read_text())
     assert len(truth["effects"]) == 1 and truth["kind"] == "single"
 
@@ -176,3 +176,84 @@ def test_the_platform_file_is_the_vehicle_that_the_concealer_has() -> None:
     for actuator, place, way in zip(told["actuators"], at.PLACES, at.DIRECTIONS, strict=True):
         assert actuator["position"]["value"] == pytest.approx(list(place))
         assert actuator["direction"]["value"] == pytest.approx(list(way), abs=1e-6)
+
+
+def test_two_effects_are_hidden_where_several_are_wished_for(tmp_path: Path) -> None:
+    """They are different entries of the prior, of the sizes of that kind."""
+    from concealer.conceal import conceal
+    from concealer.prior import Wish
+    from concealer.rov.recording import load
+
+    list(conceal(tmp_path / "t", load(), 3, range(2), Wish("several", noise=0.0, duration=20.0)))
+    for path in (tmp_path / "t" / "envelopes").iterdir():
+        hidden = json.loads(path.read_text())["effects"]
+        assert len({effect["id"] for effect in hidden}) == 2
+        assert all(effect["id"] in load()["effects"] and 0.3 <= effect["size"] <= 1.0 for effect in hidden)
+
+
+def test_the_envelope_tells_the_vehicle_by_the_names_of_its_platform_file() -> None:
+    """Of the nominal vehicle all numbers are those of the file; another one has its own."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.recording import in_words
+    from ruamel.yaml import YAML
+
+    file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
+    told, words = YAML(typ="safe").load(file.read_text(encoding="utf-8")), in_words(at.nominal())
+    for name, value in words.items():
+        effect, _, number = name.rpartition(".")
+        if effect:
+            assert value == pytest.approx(told["effects"][effect][number]["value"], rel=1e-3)
+    assert [words[name] for name in ("mass", "inertia", "drag", "yaw_drag")] == pytest.approx(
+        [told[name]["value"] for name in ("mass", "yaw_inertia", "drag", "yaw_drag")]
+    )
+    assert words["assumed"] == pytest.approx({"mass": 17.0, "inertia": 0.28})
+    p = at.nominal()
+    p[at.THRUST], p[at.QUADRATIC] = 44.0, 2.0 * p[at.QUADRATIC]
+    assert in_words(p)["thrust_gain"] == in_words(p)["yaw_torque_gain"] == pytest.approx(1.1)
+    assert in_words(p)["anisotropic_drag.sway_ratio"] == pytest.approx(21.66 / 36.36)
+
+
+def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
+    """1.7 N on 17 kg without drag, unknown to it: the place is off by 0.1 t^2 / 2; without a push it does not err."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.oracle import free_run
+    from concealer.rov.programme import drive
+
+    plan, time = np.array([[0.0, 0.0, 0.0, 0.0, 2.0]]), np.arange(51) * at.ROW_TIME
+    for push in (0.0, 1.7):
+        knots = np.zeros((81, 4))
+        knots[:, 0] = push
+        rows, commands = drive(_bare(), plan, knots, 80)
+        expected = [np.mean((0.5 * push / 17.0 * time**2) ** 2), 0.0, 0.0, 0.0]
+        assert free_run(_bare(), rows, commands, 1.0) == pytest.approx(expected, rel=1e-6, abs=1e-15)
+
+
+def test_an_effect_that_is_hidden_is_known_to_the_model_that_knows_the_truth() -> None:
+    """A swinging force and a battery go on from the moment at which a window begins."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.oracle import free_run
+    from concealer.rov.programme import drawn, drive
+
+    p = at.nominal()
+    p[[at.SWING, at.SWING_OMEGA, at.BATTERY, at.LAG, at.DURATION]] = 3.0, 0.4, 0.5, 0.2, 30.0
+    rows, commands = drive(p, drawn(np.random.default_rng(1), 30.0), np.zeros((301, 4)), 300)
+    assert np.ptp(rows[:, at.X]) > 0.1
+    assert free_run(p, rows, commands, 5.0) == pytest.approx(np.zeros(4), abs=1e-12)
+
+
+def test_the_noise_of_the_pose_is_that_of_its_readings() -> None:
+    """A late pose that errs by 2 cm to and fro and turns by 0.01 rad has just that noise, whatever the motion."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.oracle import noise
+    from concealer.sensors import Stream
+
+    clock = np.arange(1001) * at.ROW_TIME
+    rows, time = np.zeros((1001, at.ROW)), np.arange(2.0, 20.0, 0.25)
+    rows[:, at.X], yaw = 0.5 * clock, 0.3 * (time - 0.4)
+    rows[:, at.QUATERNION], rows[:, at.QUATERNION + 3] = np.cos(0.15 * clock), np.sin(0.15 * clock)
+    sign = np.where(np.arange(time.size) % 2, 1.0, -1.0)
+    values = np.zeros((time.size, 7))
+    values[:, 0] = 0.5 * (time - 0.4) + 0.02 * sign
+    values[:, 5], values[:, 6] = np.sin(0.5 * (yaw + 0.01 * sign)), np.cos(0.5 * (yaw + 0.01 * sign))
+    found = noise(Stream("pose", time, time, values), rows, 0.4)
+    assert found == pytest.approx([0.02, 0.0, 0.0, 0.01], rel=1e-6, abs=1e-9)

@@ -224,6 +224,40 @@ def test_numbers_are_compared_for_the_mass_that_the_diagnosis_assumes() -> None:
     assert intervals([wrong])["coverage_of_platform"]["of"] == 0  # numbers of a wrong model are not asked for
 
 
+def test_a_vehicle_whose_envelope_tells_its_platform_is_scaled_by_that() -> None:
+    """34 N of drag on 20 kg, told for the 17 kg of the file, are 28.9; a ratio and a number of no effect stay."""
+    from concealer.score import intervals
+
+    true = {
+        "mass": 20.0, "inertia": 0.28, "drag": 20.0, "linear_drag.surge": 34.0, "anisotropic_drag.sway_ratio": 1.2,
+        "assumed": {"mass": 17.0, "inertia": 0.28},
+    }  # fmt: skip
+    found = [
+        {"parameter": "drag", "value": 17.0, "ci95": [16.9, 17.1], "robots": ["a"]},
+        {"parameter": "linear_drag.surge", "value": 28.9, "ci95": [28.8, 29.0], "robots": ["a"]},
+        {"parameter": "anisotropic_drag.sway_ratio", "value": 1.2, "ci95": [1.1, 1.3], "robots": ["a"]},
+        {"parameter": "added_mass.yaw", "value": 1.0, "ci95": [0.9, 1.1], "robots": ["a"]},  # the envelope has none
+    ]
+    one = case("recalibration", [], [], "recalibrate", recalibrated=found)
+    one.truth["vehicles"] = {"a": true}
+    assert {key: (r["hits"], r["of"]) for key, r in intervals([one])["coverage_by_parameter"].items()} == {
+        "platform.drag": (1, 1), "platform.linear_drag.surge": (1, 1), "platform.anisotropic_drag.sway_ratio": (1, 1),
+    }  # fmt: skip
+
+
+def test_weak_random_forces_have_rows_of_their_own() -> None:
+    """Half a percent is not taken for none, nor 1.5 % for two."""
+    from concealer.score import score
+
+    cases = [case("single", [secret("tether")], []) for _ in range(3)]
+    for one, noise in zip(cases, (0.0, 0.005, 0.015), strict=True):
+        one.truth["noise"] = noise
+    rates = score(cases)["table"]["rates"]
+    assert [name for name in rates if name.startswith("exact, one medium effect, ")] == [
+        f"exact, one medium effect, {noise} noise" for noise in ("0%", "0.5%", "1.5%")
+    ]
+
+
 def test_added_mass_ties_inertia_to_mass() -> None:
     """True: m 0.44 + 0.06 kg in surge, I 4e-4, A_r 1e-4. Known is (I + A_r) / 0.5 kg, so 4.4e-4 in all for 0.44 kg."""
     from concealer.estimates import of_effects
@@ -297,6 +331,12 @@ def test_free_runs_are_compared_with_the_oracle_of_the_same_length() -> None:
     assert list(held_out([one], 10.0)) == ["position: augmented / recalibrated"]
     one.truth["oracle"] = {"a": {"20": {"position": 0.05, "position_alone": 0.04}}}
     assert held_out([one], 20.0)["position: augmented / oracle"]["median"] == pytest.approx(0.5)
+    row = one.diagnosis["fit"]["held_out"]["position"]
+    one.truth["oracle"]["a"]["2"] = {"position": 0.02, "position_alone": 0.01}
+    row |= {"seconds": 2.0}  # what a diagnosis says of the length of its runs goes before
+    assert held_out([one], 20.0)["position: augmented / oracle"]["median"] == pytest.approx(2.0)
+    row |= {"against": "readings"}  # whose noise is in both errors
+    assert held_out([one], 20.0)["position: augmented / oracle"]["median"] == pytest.approx(1.0)
     one.truth["noise"] = 0.0  # the oracle makes no error of its own
     assert "position: augmented / oracle" not in held_out([one], 20.0)
 

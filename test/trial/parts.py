@@ -4,14 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from trial.provenance import ROOT
+
+ROV_PRIOR = ROOT / "test" / "concealer" / "rov" / "rov.yaml"
+ROV_PLATFORM = ROOT / "test" / "trial" / "rov_platform.yaml"
+
 
 @dataclass(frozen=True)
 class Part:
-    """Recordings made with the same wishes: words of `concealer conceal`, and how many."""
+    """Recordings made with the same wishes: words of `concealer conceal`, and how many; and what they are of."""
 
     name: str
     count: int
     words: tuple[str, ...] = ()
+    platform: str = "lily"  # name of a platform or path of its file, as `cocorosim diagnose` takes it
 
 
 def parts(count: int, wanted: list[str]) -> list[Part]:
@@ -36,3 +42,8 @@ def families_parts(count: int, word: str) -> list[Part]:
         Part("families_outside", round(0.25 * count), (*words, "--kind", "outside")),
     ]
     return [part for part in every if part.count]
+
+
+def rov_parts(count: int) -> list[Part]:
+    """The one part of a trial of the second vehicle: what its prior draws."""
+    return [Part("rov", count, ("--prior", str(ROV_PRIOR)), str(ROV_PLATFORM))]

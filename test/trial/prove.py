@@ -1,6 +1,7 @@
-"""Proof that `cocorosim diagnose` keeps its word: `prove.py sealed | families | tampered | real | against | fleet`.
+"""Proof that `cocorosim diagnose` keeps its word.
 
-`prove.py weights` fits the weights of its probabilities, `prove.py real-page` writes the page of `real` again.
+`prove.py sealed | families | rov | tampered | real | against | fleet`; `prove.py weights` fits the weights of its
+probabilities, `prove.py real-page` writes the page of `real` again.
 """
 
 from __future__ import annotations
@@ -73,6 +74,12 @@ def _families(options: argparse.Namespace) -> int:
     return _trial(options, source, parts, {"families_table": table}, "trial_families")
 
 
+def _rov(options: argparse.Namespace) -> int:
+    from trial.parts import rov_parts
+
+    return _trial(options, _seeded(options), rov_parts(options.count), {}, "trial_rov")
+
+
 def _trial(
     options: argparse.Namespace, source: dict[str, Any], parts: list[Part], facts: dict[str, Any], name: str = "trial"
 ) -> int:
@@ -85,10 +92,11 @@ def _trial(
     source["ledgers"] = sealed.digests(folders)
     print(json.dumps(source["ledgers"]), flush=True)
     note(options.out, source)
-    todo = sealed.shuffled_evenly([sealed.tasks(options.out, folder) for folder in folders])
+    made = zip(parts, folders, strict=True)
+    todo = sealed.shuffled_evenly([sealed.tasks(options.out, folder, part.platform) for part, folder in made])
     terms = terms_of(options)
     if options.warm:
-        terms = replace(terms, warm_up=sealed.short_diagnosis(options.out))
+        terms = replace(terms, warm_up=sealed.short_diagnosis(options.out, parts[0]))
     outcomes = sealed.diagnose(todo, terms)
     source["recordings"], source["tried"] = len(todo), len(outcomes)
     score = sealed.score(options.out, outcomes, options.window)
@@ -182,6 +190,8 @@ def parser() -> argparse.ArgumentParser:
     one.set_defaults(run=_sealed)
     two = commands.add_parser("families", parents=[common, concealed], help="concealed effects in forms of families")
     two.set_defaults(run=_families)
+    second = commands.add_parser("rov", parents=[common, concealed], help="a second vehicle: an ROV")
+    second.set_defaults(run=_rov)
     for name, run, words in (("tampered", _tampered, "altered logs"), ("real", _real, "recordings as they are")):
         other = commands.add_parser(name, parents=[common], help=f"real recordings: {words}")
         other.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")

@@ -17,6 +17,7 @@ from trial.provenance import ROOT
 
 CONCEALER = ROOT / "test" / "concealer"
 LEDGER = "ledger.json"
+LILYS = Part("main", 1)
 
 
 def concealer(*words: str) -> None:
@@ -37,20 +38,20 @@ def conceal(out: Path, part: Part, seed: int, jobs: int) -> Path:
     return folder
 
 
-def short_diagnosis(out: Path) -> Task:
-    """The diagnosis of half a minute that is no part of the trial: to load the tool with."""
+def short_diagnosis(out: Path, part: Part = LILYS) -> Task:
+    """The diagnosis of half a minute of a part's vehicle that is no part of the trial: to load the tool with."""
     folder = out / "warm_up"
     if not (folder / LEDGER).exists():
-        words = ("--kind", "nothing", "--robots", "1", "--duration", "30")
+        words = (*part.words, "--kind", "nothing", "--robots", "1", "--duration", "30")
         concealer("conceal", "--seed", "0", "--count", "1", "--out", str(folder), *words)
-    return Task("warm_up", (folder / "recordings" / "r0000",), folder / "diagnosis")
+    return Task("warm_up", (folder / "recordings" / "r0000",), folder / "diagnosis", part.platform)
 
 
-def tasks(out: Path, folder: Path) -> list[Task]:
-    """One diagnosis for each recording of a part."""
+def tasks(out: Path, folder: Path, platform: str = "lily") -> list[Task]:
+    """One diagnosis for each recording of a part, of robots of a platform."""
     names = sorted(json.loads((folder / LEDGER).read_text(encoding="utf-8"))["recordings"])
     answers = out / "diagnoses" / folder.name
-    return [Task(f"{folder.name}/{name}", (folder / "recordings" / name,), answers / name) for name in names]
+    return [Task(f"{folder.name}/{name}", (folder / "recordings" / name,), answers / name, platform) for name in names]
 
 
 def digests(folders: list[Path]) -> dict[str, str]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from trial.examiner import Outcome
 
 # What is asked for: row, the Scorer's rate, least (or, with a minus, most), goal.
-ASKED: tuple[tuple[str, str, float, float], ...] = (
-    ("exact naming, one medium effect, random force 1 % of thrust", "exact, one medium effect, 1% noise", 0.95, 0.99),
-    ("the same at 3 %", "exact, one medium effect, 3% noise", 0.88, 0.95),
+Asked = tuple[str, str, float, float]
+ASKED: tuple[Asked, ...] = (
     ("truth in the ambiguity set", "truth in ambiguity set, where something is named", 0.98, 0.995),
     ("first named effect wrong", "first named effect wrong, one or more effects", -0.01, 0.003),
     ("false alarm where nothing is concealed", "false alarm, nothing concealed", -0.01, 0.0),
@@ -64,9 +64,21 @@ def _free_row(free: dict[str, Any] | None) -> str:
     return _row(name, text, asked, free["median"] <= 1.05)
 
 
-def asked_table(figures: dict[str, Any]) -> list[str]:
-    """The table of what is asked for, with what was measured and whether the least holds."""
-    rows = [_rate_row(row, figures["table"]["rates"]) for row in ASKED]
+def of_medium_effects(weaker: str, stronger: str) -> tuple[Asked, ...]:
+    """What is asked for of medium effects at two levels of random force [% of thrust]."""
+    row = "exact, one medium effect, {}% noise"
+    return (
+        (f"exact naming, one medium effect, random force {weaker} % of thrust", row.format(weaker), 0.95, 0.99),
+        (f"the same at {stronger} %", row.format(stronger), 0.88, 0.95),
+    )
+
+
+def asked_table(figures: dict[str, Any], levels: tuple[str, str] = ("1", "3")) -> list[str]:
+    """The table of what is asked for, with what was measured and whether the least holds.
+
+    levels: of random force, of which medium effects are asked [% of thrust].
+    """
+    rows = [_rate_row(row, figures["table"]["rates"]) for row in (*of_medium_effects(*levels), *ASKED)]
     rows.insert(3, _size_row(figures["table"]["ambiguity_set_size"]))
     rows.append(_cover_row(figures["intervals"]["coverage"]))
     rows.append(_free_row(figures["held_out"].get("position: augmented / oracle")))
@@ -87,10 +99,6 @@ def endings(outcomes: Sequence[Outcome]) -> list[str]:
     return [*lines, *([f"Failed: {'; '.join(broken)}."] if broken else []), ""]
 
 
-TITLES = {
-    "trial": "The sealed trial",
-    "trial_families": "The sealed trial, with families of forms",
-}
 FAMILIES = (
     "Forms of laws, noise of sensors, programmes of commands and tanks are drawn from families, laws outside the",
     "catalogue by a grammar. The numbers of half of the members follow from the seed word, which could not be chosen",
@@ -101,18 +109,46 @@ FAMILIES = (
 )
 
 
+ROV = (
+    "The vehicle is an ROV with eight thrusters, four of them vectored, in six degrees of freedom, with a Doppler",
+    "log, attitude, compass, pressure and sounded places; a tether is among what is concealed. The tool is given its",
+    "[platform file](../test/trial/rov_platform.yaml), which tells the vehicle as published; drag, thrust and lift",
+    "differ from it in every recording. What is concealed has the plain forms of the catalogue, so that this trial",
+    "asks about the vehicle; [that of families](trial_families.md) asks about forms. Random forces are weaker than in",
+    "the trials of Lily, since such a vehicle works with a seventh of its thrust. Recordings that cannot tell are not",
+    "drawn. What is asked for below is what is asked of the trial of Lily.",
+    "",
+)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What stands on a trial's page beside its figures."""
+
+    title: str
+    lead: tuple[str, ...] = ()
+    levels: tuple[str, str] = ("1", "3")  # of random force, of which medium effects are asked [% of thrust]
+
+
+SHEETS = {
+    "trial": Sheet("The sealed trial"),
+    "trial_families": Sheet("The sealed trial, with families of forms", FAMILIES),
+    "trial_rov": Sheet("The sealed trial of a second vehicle, an ROV", ROV, ("0.5", "1.5")),
+}
+
+
 def page(score: dict[str, Any], source: dict[str, Any], outcomes: Sequence[Outcome], name: str = "trial") -> str:
     """The whole page in Markdown; name: of its file."""
-    figures = score["figures"]
-    lines = [f"# {TITLES[name]}", ""]
+    figures, sheet = score["figures"], SHEETS[name]
+    lines = [f"# {sheet.title}", ""]
     lines += [
         "Recordings in which something is concealed by a program that shares no code with the tool; the truth was"
     ]
     lines += ["sealed by salted hashes before the tool ran. [How it works](../test/trial/README.md).", ""]
-    lines += FAMILIES if name == "trial_families" else ()
+    lines += sheet.lead
     facts = [f"| {key.replace('_', ' ')} | `{value}` |" for key, value in source.items()]
     lines += ["| | |", "|---|---|", *facts, ""]
-    lines += [*endings(outcomes), "## What is asked for", "", *asked_table(figures)]
+    lines += [*endings(outcomes), "## What is asked for", "", *asked_table(figures, sheet.levels)]
     text = score["text"].replace("\n### ", "\n#### ").replace("\n## ", "\n### ").replace("# ", "## ", 1)
     picture = _PICTURE if name == "trial" else _PICTURE.replace("reliability", f"reliability_{name}")
     return "\n".join(lines) + "\n" + text.replace(_PROBABILITIES, f"{_PROBABILITIES}\n{picture}\n", 1)

@@ -73,3 +73,16 @@ def drive(p: FloatArray, plan: FloatArray, knots: FloatArray, ticks: int) -> tup
             advance(p, s, commands[tick], push, index * at.STEP)
     rows[-1, : at.STATE], rows[-1, at.STATE :] = s, felt(p, s, push, ticks * at.TICK)
     return rows, commands
+
+
+@compiled
+def replay(p: FloatArray, start: FloatArray, commands: FloatArray, first: int) -> FloatArray:
+    """Trajectory (rows, STATE) by logged commands (ticks, 8) from tick `first` on, in water that does not push."""
+    per, ticks = at.STEPS_PER_TICK // at.STEPS_PER_ROW, commands.shape[0]
+    rows, s, push = np.zeros((ticks * per + 1, at.STATE)), start.copy(), np.zeros(4)
+    for index in range(ticks * at.STEPS_PER_TICK):
+        if index % at.STEPS_PER_ROW == 0:
+            rows[index // at.STEPS_PER_ROW] = s
+        advance(p, s, commands[index // at.STEPS_PER_TICK], push, (first * at.STEPS_PER_TICK + index) * at.STEP)
+    rows[-1] = s
+    return rows

@@ -15,11 +15,15 @@ from concealer.prior import Wish, pick, size
 from concealer.rov import vehicle as at
 from concealer.rov.effects import EFFECTS, Scene
 from concealer.rov.instruments import observed
+from concealer.rov.oracle import noise as noise_of_pose
+from concealer.rov.oracle import oracle
 from concealer.rov.programme import drawn, drive
 from concealer.seal import canonical, file_digest, seal
 
 PRIOR = Path(__file__).with_name("rov.yaml")
+ROBOT = "rov_01"
 VERDICTS = {"nothing": ["consistent", "recalibrate"], "recalibration": ["recalibrate"]}
+COUNTS = {"single": 1, "several": 2, "outside": 1}  # of what is hidden
 MOVED = (*range(at.LINEAR, at.LINEAR + 3), at.LINEAR + 5, *range(at.QUADRATIC, at.QUADRATIC + 3), at.QUADRATIC + 5,
          at.LIFT, at.THRUST)  # fmt: skip
 
@@ -43,11 +47,31 @@ def vehicle(rng: np.random.Generator, numbers: dict[str, Any], kind: str, durati
     return p
 
 
+def in_words(p: FloatArray) -> dict[str, Any]:
+    """Numbers of the vehicle by the names that a diagnosis has for them; mass and inertia with what the water adds.
+
+    `assumed` are mass and inertia of the platform file.
+    """
+    nominal = at.nominal()
+    gain, drag = float(p[at.THRUST] / nominal[at.THRUST]), float(p[at.QUADRATIC])
+    linear = zip(("surge", "sway", "heave", "yaw"), p[at.LINEAR + np.array([0, 1, 2, 5])], strict=True)
+    return {
+        "mass": float(p[at.MASS]), "inertia": float(p[at.INERTIA + 2]), "drag": drag,
+        "yaw_drag": float(p[at.QUADRATIC + 5]), "thrust_gain": gain, "yaw_torque_gain": gain,
+        **{f"linear_drag.{axis}": float(value) for axis, value in linear},
+        "anisotropic_drag.sway_ratio": float(p[at.QUADRATIC + 1]) / drag,
+        "anisotropic_drag.heave_ratio": float(p[at.QUADRATIC + 2]) / drag,
+        "buoyancy_trim.force": float(p[at.LIFT]),
+        "assumed": {"mass": float(nominal[at.MASS]), "inertia": float(nominal[at.INERTIA + 2])},
+    }  # fmt: skip
+
+
 def _drawn_secrets(rng: np.random.Generator, numbers: dict[str, Any], kind: str, wish: Wish) -> dict[str, float]:
     """Sizes by name of what is hidden."""
     names = list(wish.effects)
-    if not names and kind in ("single", "outside"):
-        names = [str(rng.choice(list(numbers["effects" if kind == "single" else "outside"])))]
+    if not names and kind in COUNTS:
+        table = list(numbers["outside" if kind == "outside" else "effects"])
+        names = [str(name) for name in rng.choice(table, COUNTS[kind], replace=False)]
     return {name: wish.size or size(rng, numbers, kind) for name in names}
 
 
@@ -63,17 +87,20 @@ def make(index: int, seed: int, out: Path, numbers: dict[str, Any], wish: Wish) 
     specs, hidden = numbers["effects"] | numbers["outside"], []
     for key, share in _drawn_secrets(plotting, numbers, kind, wish).items():
         secret = EFFECTS[key](hiding, share * specs[key]["large"], scene)
-        hidden.append(asdict(secret) | specs[key] | {"size": share, "robots": ["rov_01"]})
+        hidden.append(asdict(secret) | specs[key] | {"size": share, "robots": [ROBOT]})
     ticks = round(duration / at.TICK)
     scale = noise * np.array([at.FULL_THRUST, at.FULL_THRUST, at.FULL_THRUST, at.FULL_TORQUE])
     knots = water.matern(moving, (ticks + 1, 4), at.TICK, correlation) * scale
     rows, commands = drive(scene.p, drawn(moving, duration), knots, ticks)
-    streams = {"rov_01": observed(rows, commands, scene, numbers["sensors"], sensing)}
+    streams = {ROBOT: observed(rows, commands, scene, numbers["sensors"], sensing)}
     bag.write(out / "recordings" / name, streams, actuators=at.NAMES)
+    topic, late = scene.latency
+    floor = noise_of_pose(streams[ROBOT][0], rows, late if topic == "pose" else 0.0)
     truth = {
-        "recording": name, "kind": kind, "effects": hidden, "robots": ["rov_01"], "manoeuvre": "rich",
+        "recording": name, "kind": kind, "effects": hidden, "robots": [ROBOT], "manoeuvre": "rich",
         "expected_verdicts": VERDICTS.get(kind, ["mismatch"]), "duration": duration, "noise": noise,
-        "correlation": correlation, "seed": [seed, index], "oracle": {},
+        "correlation": correlation, "seed": [seed, index],
+        "vehicles": {ROBOT: in_words(scene.p)}, "oracle": {ROBOT: oracle(scene.p, rows, commands, floor)},
         "salt": np.random.default_rng([seed, index, 1]).bytes(16).hex(),
     }  # fmt: skip
     (out / "envelopes" / f"{name}.json").write_bytes(canonical(truth))

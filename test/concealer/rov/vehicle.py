@@ -2,7 +2,8 @@
 
 Numbers: Wu, "6-DoF modelling and control of a remotely operated vehicle", Flinders University 2018 (mass, buoyancy,
 added mass, drag); places of the thrusters from the manufacturer's drawing. Ballast puts buoyancy 4 cm above the mass,
-so that it stays upright in all of its programmes. Axes: body forward-left-up, world east-north-up. All units SI.
+so that it stays upright in all of its programmes. A gauge shows 9810 Pa per metre, as the contract says. Axes: body
+forward-left-up, world east-north-up. All units SI.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import numpy as np
 
 from concealer.layout import FloatArray
 
-GRAVITY, RHO, SURFACE_PRESSURE = 9.81, 998.0, 101325.0
+GRAVITY, RHO, SURFACE_PRESSURE = 9.81, 1000.0, 101325.0
 STEP, STEPS_PER_TICK, STEPS_PER_ROW = 0.005, 20, 4  # s; commands change every 0.1 s, rows are kept every 0.02 s
 TICK, ROW_TIME = STEP * STEPS_PER_TICK, STEP * STEPS_PER_ROW
 
