@@ -224,8 +224,8 @@ class SpeedCriteria:
     explained: float = 0.5
     """[1] share of what is left without a drift, below which a drift is clear. Chosen, not measured."""
     one_heading: float = 0.8
-    """[1] length of the mean of the headings, as unit vectors, beyond which a robot has headed one way. Chosen: 0.9 and
-    more in the recordings of tauv_pool, where errors of the model look like a drift, 0.5 at most in made swims."""
+    """[1] length of the mean of the headings, as unit vectors, beyond which a robot has headed one way. Chosen, not
+    measured: 0.9 and more in the recordings of tauv_pool, where errors of the model look like a drift."""
     unseen: float = 0.25
     """[1] share of a drift below which a velocity shows the drift itself. Chosen, not measured."""
 

@@ -135,7 +135,7 @@ def test_gains_of_a_platform(tmp_path: Path) -> None:
         ("battery_sag: {fraction_lost: 0.1}", "'effects.battery_sag' lacks 'duration' (from the start to"),
         ("tidal_current: {x: 1 m/s}", "'effects.tidal_current' lacks 'period'"),
         ("law_1: {coefficient: 1, equation: 7}", "'effects.law_1.equation' has '7'; write a whole number from 0 to 6."),
-        ("sensor_law_2: {reading: 13}", "'effects.sensor_law_2.reading' has '13'; write a whole number from 0 to 12."),
+        ("sensor_law_2: {reading: 16}", "'effects.sensor_law_2.reading' has '16'; write a whole number from 0 to 15."),
         ("sensor_law_1: {regressor_1: 16}", "'effects.sensor_law_1.regressor_1' has '16', sin_t, of which no reading"),
         ("law_1: {coefficient: 1, regressor_2: 1.5}", "'effects.law_1.regressor_2' has '1.5'; write a whole number"),
         ("sensor_latency: {blss: 1 s}", "'effects.sensor_latency.blss' is no parameter of this effect"),
