@@ -52,6 +52,7 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, float]]] = {
         {"left.rotation": 40.0, "left.current": 1.5, "rudder.angle": -0.25},
     ),
 }
+CASES["ground_velocity"] = CASES["velocity"]
 
 
 def message(topic: str, values: dict[str, Any], seconds: int) -> bytes:
