@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
@@ -35,12 +36,18 @@ NO_CLOCK = Clock("", 0)
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its 95 % interval."""
+    """A number with its 95 % interval.
+
+    limits: between which a fit looks for it, such as the range of the platform's file. at_limit: whether it stands at
+    one of them.
+    """
 
     value: float
     low: float
     high: float
     unit: str
+    limits: tuple[float, float] = (-math.inf, math.inf)
+    at_limit: bool = False
 
     def holds(self, value: float) -> bool:
         """Tell whether a value lies in the interval."""
@@ -251,11 +258,19 @@ class Comparison:
 
 
 @dataclass(frozen=True)
+class Unrecorded:
+    """What recordings do not show, so that pages leave it out."""
+
+    readings: tuple[str, ...] = ()  # kinds that never vary, such as a height that a map fixes
+    depth: bool = False  # whether nothing shows a change of depth
+
+
+@dataclass(frozen=True)
 class Diagnosis:
     """All findings of a diagnosis."""
 
     verdict: Verdict
-    sentence: str  # the summary
+    sentence: str  # the headline
     recalibrated: tuple[Recalibrated, ...]
     mismatch: tuple[Located, ...]
     effects: tuple[FoundEffect, ...]
@@ -274,7 +289,10 @@ class Diagnosis:
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
     drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best
     step: float | None = None  # of the filter by which the numbers were found [s]; None where nothing was fitted
-    warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
+    warnings: tuple[str, ...] = ()  # sentences: why nothing is more than suspected, and on free runs in other regimes
     untold: tuple[str, ...] = ()  # sentences: errors that no other reading tells, differences that free runs doubt
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
     passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since there is doubt that they are there
+    reasons: tuple[str, ...] = ()  # sentences: for which nothing could be tested
+    unlike: tuple[str, ...] = ()  # quantities, such as the speed, by which free runs go through parts unlike the fitted
+    unrecorded: Unrecorded = Unrecorded()
