@@ -127,6 +127,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
         passed_over=passed,
         unlike=tuple(unlike),
         unrecorded=nothing_shown,
+        screened_laws=screened_effects(naming.laws),
     )
 
 

@@ -246,4 +246,4 @@ def _verdict(
         return "mismatch"
     if moved:
         return "recalibrate"
-    return "insufficient" if len(IDS) - len(unseen) < COMPARISON.least_shown else "consistent"
+    return "insufficient" if len(set(IDS) - set(unseen)) < COMPARISON.least_shown else "consistent"

@@ -36,16 +36,16 @@ NO_CLOCK = Clock("", 0)
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its 95 % interval.
+    """A number with its 95 % interval, which may reach further than it can by its meaning (between, as of a share).
 
-    limits: between which a fit looks for it, such as the range of the platform's file. at_limit: whether it stands at
-    one of them.
+    limits: between which a fit looks for it, as the range of the platform's file. at_limit: whether it stands at one.
     """
 
     value: float
     low: float
     high: float
     unit: str
+    between: tuple[float, float] = field(default=(-math.inf, math.inf), compare=False)
     limits: tuple[float, float] = (-math.inf, math.inf)
     at_limit: bool = False
 
@@ -150,7 +150,7 @@ class HeldOut:
 
 @dataclass(frozen=True)
 class ScreenedEffect:
-    """One entry of the catalogue as it was screened: what it could explain at first, and what it could show at all."""
+    """One entry of the catalogue, or law outside it, as it was screened: what it could explain at first, and show."""
 
     id: str
     nats: float  # gained by it alone over the recalibrated model
@@ -259,7 +259,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Unrecorded:
-    """What recordings do not show, so that pages leave it out."""
+    """Record of what recordings do not show, so that pages leave it out."""
 
     readings: tuple[str, ...] = ()  # kinds that never vary, such as a height that a map fixes
     depth: bool = False  # whether nothing shows a change of depth
@@ -296,3 +296,4 @@ class Diagnosis:
     reasons: tuple[str, ...] = ()  # sentences: for which nothing could be tested
     unlike: tuple[str, ...] = ()  # quantities, such as the speed, by which free runs go through parts unlike the fitted
     unrecorded: Unrecorded = Unrecorded()
+    screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first

@@ -10,7 +10,7 @@ from cocorosim_ros.library.recording import read_recording
 from cocorosim_ros.scenario.reading.arguments import Place
 
 _COMMAND = "thruster_command"
-_SENSORS = ("compass", "pressure", "imu", "velocity")
+_SENSORS = ("compass", "pressure", "imu", "velocity", "ground_velocity")
 _ESTIMATE = "source: to be measured, confidence: estimate"
 _KINDS = (
     ("buoyancy", r"buoy|ballast|pump|bladder|piston"),

@@ -58,8 +58,8 @@ class SimulatedRun(Shown):
     readings: Mapping[str, Floats]
     """By name (ticks, robots, ...), with noise and faults if the scenario has some; NaN where not measured: compass
     [rad; world], pressure [Pa], angular_rate (3) [rad/s; body], specific_force (3) [m/s^2; body], velocity (4) u v w r
-    through the water [m/s, rad/s; body], neighbour_range and obstacle_range (sensors) [m, +inf for none], illuminance
-    [lx], concentration [kg/m^3]."""
+    through the water [m/s, rad/s; body], ground_velocity (3) u v w over ground [m/s; body], neighbour_range and
+    obstacle_range (sensors) [m, +inf for none], illuminance [lx], concentration [kg/m^3]."""
     remarks: tuple[str, ...]
     """What the scenario's platforms know and the simulation leaves out, in sentences."""
 

@@ -17,7 +17,7 @@ def catalogue() -> str:
     parts = [
         what_pictures_show(),
         "## Of every robot\n\nThese are in each simulation; their numbers are top-level keys of the platform.",
-        *(_basic(name, effect) for name, effect in BASIC_EFFECTS.items() if effect.equation),
+        *(_basic(name, effect) for name, effect in BASIC_EFFECTS.items() if effect.whole_equation),
         "## Of the motion",
         *(_section(name, effect) for name, effect in CATALOGUE_EFFECTS.items() if effect.numbers),
         "## Of sensors, cameras and clocks",
@@ -32,12 +32,12 @@ def example(name: str, effect: Description) -> str:
 
 
 def _basic(name: str, effect: Description) -> str:
-    return f"{plain(effect.summary).capitalize()}: `{effect.equation}`\n\n{picture(name)}"
+    return f"{plain(effect.summary).capitalize()}: `{effect.whole_equation}`\n\n{picture(name)}"
 
 
 def _section(name: str, effect: Description) -> str:
     rows = [[f"`{each.name}`", each.unit, plain(each.meaning), _neutral(each)] for each in effect.numbers]
-    parts = [f"### {name}", f"{plain(effect.summary).capitalize()}: `{effect.equation}`", picture(name)]
+    parts = [f"### {name}", f"{plain(effect.summary).capitalize()}: `{effect.whole_equation}`", picture(name)]
     parts.append(table(("number", "unit", "meaning", "neutral"), rows))
     parts.append(_shown(effect))
     parts.append(block(example(name, effect), "yaml"))

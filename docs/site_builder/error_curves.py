@@ -7,7 +7,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
-from cocorosim_ros.world.state.state import STATE_SIZE
+from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE
 from cocorosim_ros.world.terms.motors import Motors
 from site_builder.axes import Axis, axis_of
 from site_builder.circumstances import Circumstances, cruising
@@ -33,6 +33,7 @@ def wrong_by(error: SensorError, change: Change, numbers: Floats, now: Circumsta
         "row": now.row,
         "heading": now.yaw,
         "water": now.relative,
+        "ground": now.row[SURGE : HEAVE + 1],
         "motors": Motors(robot.is_pump, robot.curve, robot.limit),
     }
     taken = [there[name] for name in change.takes]

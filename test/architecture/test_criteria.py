@@ -71,6 +71,7 @@ NO_LIMITS = {
     ("evidence/streams/turning.py", "np.count_nonzero(given) < 3"): "two points always lie on a line",
     ("evidence/streams/vehicle_scales.py", "max(platform.drag, 1e-09)"): "keeps from dividing by zero",
     ("report/figure_style.py", "abs(value) >= 0.0001"): "decimals of a text",
+    ("report/number_text.py", "abs(value) < 10.0 ** (-_FINEST)"): "decimals of a text",
     (
         "report/place_figure.py",
         "max(_usual_length(maps[0]), 1.96 * float(np.median(pair.before.spread[:, OF_BODY.index('surge')])))",

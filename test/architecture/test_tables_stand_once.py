@@ -19,6 +19,7 @@ PLACE = {"x", "y", "z", "yaw", "t", "1"}  # names of axes and of time, which muc
 # By file: why it may.
 ALLOWED = {
     "diagnosis/foretelling/nameless_force.py": "the regressors whose products a force without a name is made of",
+    "diagnosis/report/believable.py": "how large a number of each unit can be at all",
     "diagnosis/tracks/vehicle_size.py": "sizes of a vehicle by unit, which are to follow from the units themselves",
     "diagnosis/catalogue/shown_by.py": "which readings show each state that an error of a reading may depend on",
 }

@@ -10,6 +10,7 @@ import tomllib
 from email import message_from_string
 from email.message import Message
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -156,3 +157,76 @@ def test_claims_are_counted_as_in_their_report() -> None:
     readme, paper = ((ROOT / name).read_text("utf-8") for name in ("README.md", "docs/paper/paper.md"))
     assert f"{yes} reproduced, {no} not, {undecided} open" in readme and f"{yes + no + undecided} comparisons" in readme
     assert f"| {yes} | {no} | {undecided} |" in paper
+
+
+def believed() -> list[str]:
+    """The numbered lines of README.md that say what may be believed."""
+    part = (ROOT / "README.md").read_text("utf-8").split("## What may be believed\n")[1].split("\n## ")[0]
+    return [line for line in part.splitlines() if re.match(r"\d+\. ", line)]
+
+
+def figures(name: str) -> Any:
+    """The figures of a trial."""
+    return json.loads((ROOT / "docs" / f"{name}.json").read_text("utf-8"))
+
+
+def hits(rate: dict[str, Any]) -> str:
+    """A rate as `so many of so many`."""
+    return f"{rate['hits']} of {rate['of']}"
+
+
+def test_what_may_be_believed_is_said_in_ten_lines() -> None:
+    """The commits that are told are those of the reports, each of them."""
+    lines = believed()
+    assert [line.split(".")[0] for line in lines] == [str(number) for number in range(1, 11)]
+    newest = [figures(name)["source"]["commit"] for name in ("trial", "trial_families")]
+    newest += [re.findall(r"at commit `(\w+)`", report(name))[-1] for name in ("against", "tampered", "real")]
+    assert set(re.findall(r"`([0-9a-f]{7,})`", "\n".join(lines))) == {commit[:7] for commit in newest}
+
+
+def test_intervals_of_effects_are_told_beside_all_intervals() -> None:
+    """In the sealed trial as shares, in that of families as counts, with names and free runs of the latter."""
+    whole, families = figures("trial"), figures("trial_families")
+    text = "\n".join(believed())
+    covers = [100 * whole["intervals"][name]["rate"] for name in ("coverage", "coverage_of_effects")]
+    assert f"{covers[0]:.1f} % of the time (must 92), those of effects alone {covers[1]:.1f} %" in text
+    counted = [hits(families["intervals"][name]) for name in ("coverage", "coverage_of_effects")]
+    assert f"{counted[0]} times, those of effects alone {counted[1]}" in text
+    rates = families["table"]["rates"]
+    medium = [rates[f"exact, one medium effect, {noise}% noise"] for noise in (0, 1, 3)]
+    alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
+    summed = [{key: sum(rate[key] for rate in some) for key in ("hits", "of")} for some in (medium, alarms)]
+    named = rates["names told as confirmed that are right, in all recordings"]
+    for rate in (*summed, named, rates["outside the catalogue: flagged"]):
+        assert hits(rate) in text
+    assert f"free runs err {families['held_out']['position: augmented / oracle']['median']:.2f} times" in text
+
+
+def test_figures_of_real_recordings_are_those_of_their_page() -> None:
+    """Kept on the other half, errors on unseen recordings, the found model once more, and the hidden wind."""
+    text = "\n".join(believed())
+    pattern = r"{} effects, both directions: (\d+) of (\d+) keep the sign, (\d+) the size"
+    sure, guessed = (counts("real", pattern.format(tier)) for tier in ("confirmed", "suspected"))
+    assert f"of {sure[1]} *confirmed* effects {sure[0]} keeps its sign and {sure[2]} the size" in text
+    assert f"of {guessed[1]} *suspected* ones {guessed[0]} and {guessed[2]}" in text
+    rows = re.findall(r"^\| \S+ \| (position|depth|heading) \[.* \| ([\d.]+) \|$", report("real"), re.MULTILINE)
+    straight = [float(ratio) for channel, ratio in rows if channel != "heading"]
+    turned = [float(ratio) for channel, ratio in rows if channel == "heading"]
+    assert f"err {min(straight)} to {max(straight)} times as much as the platform's own in position and depth" in text
+    worse = sum(ratio > 1.0 for ratio in turned)
+    more = (ROOT / "docs/explanation/what_may_be_believed.md").read_text("utf-8")
+    assert f"Of {guessed[1]} suspected effects" in more
+    assert f"{guessed[0]} keep their sign and {guessed[2]} the size too" in more
+    assert all(f"{ratio:.2f}" in more for ratio in turned if ratio > 1.0)
+    assert f"heading in {worse} of {len(turned)} groups, up to {max(turned)} times" in text
+    good, of = counts("real", r"the model found in them: `consistent` \| all \| all \| (\d+) of (\d+)")
+    again = re.findall(r"^\| (?!recordings)\S+ \| (\w+)[^|]* \| \w+[^|]* \|$", report("real"), re.MULTILINE)
+    found = again.count("mismatch") + again.count("recalibrate")
+    assert len(again) == of and again.count("consistent") == good
+    assert f"nothing more in {good} of {of} groups and something in {found}" in text
+    (beside,) = counts("real", r"(\d+) deg beside it")
+    assert f"{beside} degrees off the anemometer" in text
+    altered, silent = counts("against", r"(\d+) controls.* (\d+) name something")
+    assert f"silent {altered - silent} of {altered} times" in text
+    (blind,) = counts("against", r"(\d+) cannot be seen")
+    assert f"{blind} said to be out of sight" in text

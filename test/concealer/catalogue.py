@@ -70,6 +70,14 @@ def tidal_current(rng: np.random.Generator, amount: float, scene: Scene) -> Secr
     return Secret("tidal_current", {"x": x, "y": y, "period": period, "phase": phase}, "relative velocity", shared=True)
 
 
+def surface_waves(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Waves that travel over water with a floor, their crests a little sharper than their troughs."""
+    period, way, phase = rng.uniform(3.0, 8.0), rng.uniform(-np.pi, np.pi), rng.uniform(-np.pi, np.pi)
+    scene.everywhere(swell=amount, swell_omega=2.0 * np.pi / period, swell_direction=way, swell_phase=phase)
+    numbers = {"speed": amount, "period": period, "direction": way, "phase": phase}
+    return Secret("surface_waves", numbers, "Stokes waves of second order over a floor", shared=True)
+
+
 def tether(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A spring that softens when long; the stiffness is the straight line's along the way the robot went."""
     x, y = rng.uniform(-1.0, 1.0, 2)
@@ -205,6 +213,6 @@ BODY: dict[str, Hide] = {
         linear_drag, anisotropic_drag, added_mass, steady_current, sheared_current, tidal_current, tether, wall_effect,
         neighbour_wake, thruster_lag, thruster_deadband, thruster_asymmetry, torque_bias, reverse_loss, advance_loss,
         battery_sag, thruster_misalignment, buoyancy_trim, pump_lag, hull_compressibility, stratification,
-        payload_shift, density_gradient, surface_loss,
+        payload_shift, density_gradient, surface_loss, surface_waves,
     )
 }  # fmt: skip

@@ -28,15 +28,26 @@ PER_INERTIA = {
 }  # fmt: skip
 
 
+AMPLITUDES = (("x", "y"), ("speed",))  # of what swings, by the names of its numbers
+ANGLES = ("phase", "direction")
+
+
 def aligned(truth: dict[str, Any], answer: dict[str, Any]) -> dict[str, Any]:
     """A truth with a phase in the answer's half-turn: (x, y, phase) is the same as (-x, -y, phase + pi)."""
-    if not all(key in answer and key in truth for key in ("x", "y", "phase")):
+
+    def has(*keys: str) -> bool:
+        return all(key in answer and key in truth for key in keys)
+
+    swinging = next((keys for keys in AMPLITUDES if has(*keys, "phase")), ())
+    if not swinging:
         return truth
     out = dict(truth)
-    if sum(float(answer[key]["value"]) * float(truth[key]) for key in ("x", "y")) < 0.0:
-        out |= {"x": -truth["x"], "y": -truth["y"], "phase": truth["phase"] + math.pi}
-    turns = round((float(answer["phase"]["value"]) - out["phase"]) / (2.0 * math.pi))
-    return out | {"phase": out["phase"] + 2.0 * math.pi * turns}
+    if sum(float(answer[key]["value"]) * float(truth[key]) for key in swinging) < 0.0:
+        out |= {key: -truth[key] for key in swinging} | {"phase": truth["phase"] + math.pi}
+    for angle in filter(has, ANGLES):
+        turns = round((float(answer[angle]["value"]) - out[angle]) / (2.0 * math.pi))
+        out[angle] += 2.0 * math.pi * turns
+    return out
 
 
 def refitted(case: Case, robot: str) -> dict[str, dict[str, Any]]:

@@ -20,8 +20,30 @@ STRIP_SHARE = 0.5 * np.array(
 
 
 @compiled
+def swell(p: FloatArray, s: FloatArray, t: float) -> tuple[float, float]:
+    """Velocity of the water under waves, along their way and upwards [m/s]: Stokes, to second order, above the floor.
+
+    The wave number is that of the dispersion relation omega^2 = g k tanh(k h), by Newton's method.
+    """
+    speed, omega, h = p[at.SWELL], p[at.SWELL_OMEGA], -p[at.FLOOR]
+    if speed == 0.0:
+        return 0.0, 0.0
+    k = omega * omega / 9.81
+    for _ in range(30):
+        bent = math.tanh(k * h)
+        k -= (9.81 * k * bent - omega * omega) / (9.81 * (bent + k * h * (1.0 - bent * bent)))
+    angle = p[at.SWELL_DIRECTION]
+    theta = k * (math.cos(angle) * s[at.X] + math.sin(angle) * s[at.Y]) - omega * t + p[at.SWELL_PHASE]
+    up = k * (s[at.Z] + h)
+    height, sharp = speed * math.tanh(k * h) / omega, math.sinh(k * h)  # `speed` is the water's at the surface
+    first, second = height * omega / sharp, 0.75 * height * height * omega * k / sharp**4
+    along = first * math.cosh(up) * math.cos(theta) + second * math.cosh(2.0 * up) * math.cos(2.0 * theta)
+    return along, first * math.sinh(up) * math.sin(theta) + second * math.sinh(2.0 * up) * math.sin(2.0 * theta)
+
+
+@compiled
 def current(p: FloatArray, s: FloatArray, t: float) -> tuple[float, float]:
-    """World velocity of the water at a robot [m/s]: steady, sheared (tanh profile), tidal, one Lamb-Oseen vortex."""
+    """World velocity of the water [m/s]: steady, sheared (tanh profile), tidal, waves, one vortex (Lamb-Oseen)."""
     width, depth = p[at.SHEAR_WIDTH], p[at.SHEAR_DEPTH]
     tide = math.sin(2.0 * math.pi * t / p[at.TIDE_PERIOD] + p[at.TIDE_PHASE])
     down = depth * math.tanh(s[at.Z] / depth)
@@ -29,6 +51,9 @@ def current(p: FloatArray, s: FloatArray, t: float) -> tuple[float, float]:
     north = p[at.CURRENT_Y] + p[at.SHEAR_YX] * width * math.tanh(s[at.X] / width) + p[at.SHEAR_YZ] * down
     east += p[at.TIDE_X] * tide
     north += p[at.TIDE_Y] * tide
+    along, _ = swell(p, s, t)
+    east += along * math.cos(p[at.SWELL_DIRECTION])
+    north += along * math.sin(p[at.SWELL_DIRECTION])
     if p[at.VORTEX] != 0.0:
         dx, dy = s[at.X] - p[at.VORTEX_X], s[at.Y] - p[at.VORTEX_Y]
         square = dx * dx + dy * dy + 1e-9
@@ -61,9 +86,9 @@ def strips(v: float, r: float, length: float) -> tuple[float, float]:
 
 
 @compiled
-def resist(p: FloatArray, s: FloatArray, u: float, v: float) -> FloatArray:
-    """(4,) surge, sway, heave [N] and yaw [N m] of the drag at speeds u, v through the water."""
-    w, r, k = s[at.W], s[at.R], p[at.DRAG]
+def resist(p: FloatArray, s: FloatArray, u: float, v: float, w: float) -> FloatArray:
+    """(4,) surge, sway, heave [N] and yaw [N m] of the drag at speeds u, v, w through the water."""
+    r, k = s[at.R], p[at.DRAG]
     more = 1.0 + nearness(p, s)
     common = -k * more * math.sqrt(u * u + v * v + w * w)
     out = np.zeros(4)

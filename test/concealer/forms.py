@@ -16,7 +16,7 @@ import numpy as np
 from concealer import layout as at
 from concealer.compiled import compiled
 from concealer.drives import buoyancy, thrust
-from concealer.fluid import current, oddities, resist
+from concealer.fluid import current, oddities, resist, swell
 from concealer.layout import FloatArray
 
 # --- numbers of a form, behind the SIZE numbers of the robot with the law
@@ -45,7 +45,7 @@ def loads(p: FloatArray, s: FloatArray, command: FloatArray, t: float) -> FloatA
     u, v = s[at.U] - cos * east - sin * north, s[at.V] + sin * east - cos * north
     surge, sway, yaw = thrust(p, s, command, u)
     odd = oddities(p, s, u, t)
-    out = resist(p, s, u, v)
+    out = resist(p, s, u, v, s[at.W] - swell(p, s, t)[1])
     out[0] += surge + odd[0] + cos * odd[4] + sin * odd[5]
     out[1] += sway + odd[1] - sin * odd[4] + cos * odd[5]
     out[2] += buoyancy(p, s, t) + odd[2]

@@ -33,8 +33,10 @@ FloatArray = NDArray[np.float64]
     POWER_THREE_HALVES, CUBIC, RATE_SURGE, RATE_HEAVE, RATE_YAW, FIN, LIFT, VANE, PUMP_YAW, ROLL_SWAY,
     # later: water that grows denser, thrust lost near the surface
     DENSER, DENSER_SCALE, BUBBLES, BUBBLES_REACH,
-) = range(93)  # fmt: skip
-SIZE = 93
+    # still later: waves on the surface
+    SWELL, SWELL_OMEGA, SWELL_DIRECTION, SWELL_PHASE,
+) = range(97)  # fmt: skip
+SIZE = 97
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
@@ -84,6 +86,7 @@ def nominal_robot() -> FloatArray:
         TETHER_SOFT,
         OSC_OMEGA,
         FRICTION_RATE,
+        SWELL_OMEGA,
     ):
         p[place] = 1.0
     return p

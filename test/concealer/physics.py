@@ -20,7 +20,7 @@ import numpy as np
 from concealer import layout as at
 from concealer.compiled import compiled
 from concealer.drives import buoyancy, charge_rate, slowed, stage_rates, thrust
-from concealer.fluid import current, oddities, resist
+from concealer.fluid import current, oddities, resist, swell
 from concealer.forms import formed, remember
 from concealer.layout import FloatArray
 from concealer.pilot import decide
@@ -38,7 +38,7 @@ def derivative(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArr
     rate[at.CHARGE] = charge_rate(command)
     surge, sway, yaw = thrust(p, s, command, u_r)
     heave = buoyancy(p, s, t)
-    drag = resist(p, s, u_r, v_r)
+    drag = resist(p, s, u_r, v_r, s[at.W] - swell(p, s, t)[1])
     odd = oddities(p, s, u_r, t)
     fx, fy = push[0] + odd[4], push[1] + odd[5]
     surge += drag[0] + odd[0] + cos * fx + sin * fy

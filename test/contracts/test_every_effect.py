@@ -134,7 +134,7 @@ def test_its_own_file_says_all_of_it(name: str) -> None:
     effect = EFFECTS[name]
     module = importlib.import_module(f"cocorosim_ros.world.effects.{name}")
     assert getattr(module, name.upper()) is effect
-    assert effect.equation and effect.numbers == effect.parameters
+    assert effect.whole_equation and effect.numbers == effect.parameters
     assert name in BASIC_EFFECTS or all(number.example is not None for number in effect.numbers)
     if effect.search is not None:
         assert effect.check.endswith(".")

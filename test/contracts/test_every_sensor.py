@@ -31,7 +31,13 @@ from cocorosim_ros.world.terms.search import Strength
 
 CONES = tuple(BlueLightSensor(name, azimuth, 0.0, 2.0, 0.5, 0.3) for name, azimuth in (("left", 1.0), ("right", -1.0)))
 MOTORS = Motors(np.array([False, False, True]), np.zeros((3, 0)), np.full((3, 2), 0.005))
-OTHERS = {"row": np.full(11, 0.003), "heading": 0.7, "water": np.array([0.3, -0.2, 0.1, 0.5]), "motors": MOTORS}
+OTHERS = {
+    "row": np.full(11, 0.003),
+    "heading": 0.7,
+    "water": np.array([0.3, -0.2, 0.1, 0.5]),
+    "ground": np.array([0.4, -0.1, 0.1]),
+    "motors": MOTORS,
+}
 """What errors may depend on beside their own reading, of a robot with two thrusters and a pump."""
 every_sensor = pytest.mark.parametrize("topic", SENSORS)
 every_kind = pytest.mark.parametrize("name", KINDS)

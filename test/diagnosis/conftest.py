@@ -72,18 +72,46 @@ def swim() -> Callable[..., Any]:
 
 
 @pytest.fixture(scope="session")
-def swim_with_log(swim: Callable[..., Any]) -> Callable[..., Any]:
-    """Function of (platform, seconds, seed): the same evidence, and a speed log beside it."""
+def swim_with_logs(swim: Callable[..., Any]) -> Callable[..., Any]:
+    """Function of (platform, seconds, seed, base, current): the same evidence with speed logs over ground and in water.
+
+    current: (2,) [m/s; world], at which the water of the platform moves. base: the platform of the evidence.
+    """
     from cocorosim_ros.diagnosis.evidence.streams.log import Stream
 
-    def make(platform: Any, seconds: float, seed: int) -> Any:
-        evidence, rng = swim(platform, seconds, seed), np.random.default_rng([SEED, seed])
-        speed = trajectory(platform, rich_commands(rng, seconds), rng, 0.005)[::2, 4:7]
-        noise = np.array(LOG_NOISE)
-        value = speed + noise * np.random.default_rng([SEED, seed, 1]).standard_normal(speed.shape)
+    def make(
+        platform: Any, seconds: float, seed: int, base: Any = None, current: tuple[float, float] = (0.0, 0.0)
+    ) -> Any:
+        evidence, rng = swim(platform, seconds, seed, base=base), np.random.default_rng([SEED, seed])
+        path = trajectory(platform, rich_commands(rng, seconds), rng, 0.005)[::2]
+        (east, north), yaw, ground, noise = current, path[:, 3], path[:, 4:7], np.array(LOG_NOISE)
+        ahead, left = east * np.cos(yaw) + north * np.sin(yaw), north * np.cos(yaw) - east * np.sin(yaw)
+        speeds = {"velocity": ground - np.column_stack([ahead, left, 0.0 * yaw]), "ground_velocity": ground}
+        logs = {
+            topic: Stream(
+                2 * STEP * np.arange(len(speed)),
+                speed + noise * np.random.default_rng([SEED, seed, number]).standard_normal(speed.shape),
+                noise,
+            )
+            for number, (topic, speed) in enumerate(speeds.items(), start=1)
+        }
         (recording,) = evidence.recordings
         (log,) = recording.robots
-        streams = {**log.streams, "velocity": Stream(2 * STEP * np.arange(len(speed)), value, noise)}
+        robots = (replace(log, streams={**log.streams, **logs}),)
+        return replace(evidence, recordings=(replace(recording, robots=robots),))
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def swim_with_log(swim_with_logs: Callable[..., Any]) -> Callable[..., Any]:
+    """Function of (platform, seconds, seed): the same evidence, and a speed log through water at rest beside it."""
+
+    def make(platform: Any, seconds: float, seed: int) -> Any:
+        evidence = swim_with_logs(platform, seconds, seed)
+        (recording,) = evidence.recordings
+        (log,) = recording.robots
+        streams = {topic: stream for topic, stream in log.streams.items() if topic != "ground_velocity"}
         return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
 
     return make

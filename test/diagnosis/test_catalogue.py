@@ -74,7 +74,7 @@ def test_neutral_changes_nothing_and_large_does(entry: Any, short: Any) -> None:
 
     found = expand([entry], short.tracks, short.rows)
     if not found:
-        assert entry.needs_neighbours or entry.needs or entry.topic == "velocity"
+        assert entry.needs_neighbours or entry.needs or entry.topic in ("velocity", "ground_velocity")
         return
     scene = scene_of(short.tracks, smoothed_tracks(short))
     values = next(iter(found[0].settings(scene)), None)
@@ -118,3 +118,20 @@ def test_a_skew_counts_by_what_it_makes_of_the_recording() -> None:
         assert is_negligible(short, amplitude, value) and not is_negligible(long, amplitude, value)
     assert not is_negligible(short, amplitude, 2e-3)
     assert is_negligible(long, amplitude, 3e-5)
+
+
+def test_an_instrument_that_few_robots_have_is_asked_for_where_it_was_recorded() -> None:
+    """A log over ground: without one, nothing of it is unseen, and silence tells as much as before there was any."""
+    from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown
+
+    entry = next(each for each in ENTRIES if each.id == "ground_log_scale")
+    tried: Any = SimpleNamespace(
+        candidate=SimpleNamespace(entry=entry, spread=1.0), information=np.array([[1e-9]]), felt=float("nan")
+    )
+    assert entry.id not in IDS and entry.id not in not_shown([])
+    assert set(not_shown([])) == set(IDS)
+    assert set(not_shown([tried])) == {*IDS, entry.id}
+    seen: Any = SimpleNamespace(candidate=tried.candidate, information=np.array([[1e9]]), felt=float("nan"))
+    assert set(not_shown([seen])) == set(IDS)
+    share = IDS[: int(0.45 * len(IDS))]
+    assert not is_blind([*share, entry.id, "ground_log_misalignment"])

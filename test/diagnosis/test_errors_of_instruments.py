@@ -88,6 +88,20 @@ def test_it_is_named_with_its_number(
         assert estimate.high - estimate.low < abs(true - (identifier == "speed_log_scale")), (name, estimate)
 
 
+@pytest.mark.parametrize(
+    ("identifier", "change", "number", "true"),
+    [("ground_log_scale", scaled, "scale", 1.06), ("ground_log_misalignment", turned, "angle", 0.1)],
+)
+def test_of_two_logs_the_one_over_ground_is_named(
+    swim_with_logs: Any, identifier: str, change: Callable[[Any, Any], Any], number: str, true: float
+) -> None:
+    """In water at rest both should show the same; poses say which one does not."""
+    evidence = altered(swim_with_logs(load_platform("lily"), SECONDS, 31), "ground_velocity", change)
+    (found,) = diagnose(evidence, lambda words, share: None).effects
+    assert (found.id, found.topic) == (identifier, "ground_velocity")
+    assert found.parameters[number].holds(true)
+
+
 def test_nothing_is_named_of_good_instruments(swim_with_log: Any) -> None:
     """The same swim as it was recorded."""
     found = diagnose(swim_with_log(load_platform("lily"), SECONDS, 31), lambda words, share: None)

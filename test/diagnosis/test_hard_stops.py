@@ -199,15 +199,27 @@ def test_a_delay_beside_errors_that_last(sound: Case) -> None:
         assert len(sentences(hard_stops.lasting_errors, slow)) == said
 
 
+def alone(case: Case) -> Case:
+    """The case with poses as the only readings of its robots."""
+
+    def with_poses(track: Any) -> Any:
+        return replace(track, log=replace(track.log, streams={"pose": track.log.streams["pose"]}))
+
+    return replace(case, final=replace(case.final, tracks=tuple(map(with_poses, case.final.tracks))))
+
+
+def test_an_error_of_the_only_stream(sound: Case) -> None:
+    """Nothing but the model speaks for it; another stream would, and of a torque or a clock it is not asked."""
+    lever = named(sound, "pose_lever", ahead=2.0)
+    (said,) = sentences(hard_stops.only_witness, alone(lever))
+    assert "pose" in said and "which may be what is wrong" in said
+    assert sentences(hard_stops.only_witness, lever) == []
+    for other in (named(sound, "torque_bias", torque=1.5), named(sound, "clock_skew", skew=2.0)):
+        assert sentences(hard_stops.only_witness, alone(other)) == []
+
+
 def test_readings_of_the_only_stream_that_come_late(sound: Case) -> None:
     """Commands that act late by as much look the same; beside another stream they do not, nor is a torque a delay."""
-
-    def alone(case: Case) -> Case:
-        def with_poses(track: Any) -> Any:
-            return replace(track, log=replace(track.log, streams={"pose": track.log.streams["pose"]}))
-
-        return replace(case, final=replace(case.final, tracks=tuple(map(with_poses, case.final.tracks))))
-
     late = named(sound, "sensor_latency", latency=0.3)
     (said,) = sentences(hard_stops.only_clock, alone(late))
     assert "commands act late" in said

@@ -16,29 +16,35 @@ from cocorosim_ros.scenario.parts.platform import load_platform
 
 BAG = Path(__file__).parents[2] / "bags" / "five_lilys" / "bag"
 CUT = (50.0, 63.0)  # s after the begin
+IN_A_TURN = (60.5, 73.0)  # s: there a buoyancy gain was called moved to 1.0025
 STOPPED = ("pose", "imu")
 
 
-def outside(time: Floats) -> Flags:
+def outside(time: Floats, cut: tuple[float, float]) -> Flags:
     """Flags (m,) of the times that are not cut out."""
-    return (time <= CUT[0]) | (time >= CUT[1])
+    return (time <= cut[0]) | (time >= cut[1])
 
 
-def without_a_chunk(robot: RobotLog) -> RobotLog:
-    """A robot without any reading or command of 13 s, as where a chunk of the file is damaged."""
-    kept = outside(robot.command_time)
-    stopped = with_restart(robot, tuple(robot.streams))
+def without_a_chunk(robot: RobotLog, cut: tuple[float, float] = CUT) -> RobotLog:
+    """A robot without any reading or command of some seconds, as where a chunk of the file is damaged."""
+    kept = outside(robot.command_time, cut)
+    stopped = with_restart(robot, tuple(robot.streams), cut)
     return replace(stopped, command_time=robot.command_time[kept], command=robot.command[kept])
 
 
-def with_restart(robot: RobotLog, streams: tuple[str, ...] = STOPPED) -> RobotLog:
+def without_another_chunk(robot: RobotLog) -> RobotLog:
+    """The same, of a chunk that begins in a turn."""
+    return without_a_chunk(robot, IN_A_TURN)
+
+
+def with_restart(robot: RobotLog, streams: tuple[str, ...] = STOPPED, cut: tuple[float, float] = CUT) -> RobotLog:
     """A robot some of whose streams stop and begin again, while its commands go on."""
-    cut = {
-        name: replace(stream, time=stream.time[outside(stream.time)], value=stream.value[outside(stream.time)])
-        for name, stream in robot.streams.items()
-        if name in streams
-    }
-    return replace(robot, streams={**robot.streams, **cut})
+    stopped = {}
+    for name in streams:
+        stream = robot.streams[name]
+        kept = outside(stream.time, cut)
+        stopped[name] = replace(stream, time=stream.time[kept], value=stream.value[kept])
+    return replace(robot, streams={**robot.streams, **stopped})
 
 
 def of_robots(damaged: Callable[[RobotLog], RobotLog], count: int) -> Evidence:
@@ -50,8 +56,9 @@ def of_robots(damaged: Callable[[RobotLog], RobotLog], count: int) -> Evidence:
 
 
 @pytest.mark.parametrize(
-    ("damaged", "count"), [(lambda robot: robot, 5), (without_a_chunk, 3), (with_restart, 2)],
-    ids=["whole", "without_a_chunk", "with_restart"],
+    ("damaged", "count"),
+    [(lambda robot: robot, 5), (without_a_chunk, 2), (without_another_chunk, 5), (with_restart, 2)],
+    ids=["whole", "without_a_chunk", "without_another_chunk", "with_restart"],
 )  # fmt: skip
 def test_nothing_is_missing(damaged: Callable[[RobotLog], RobotLog], count: int) -> None:
     """No effect, and no number of the platform has moved."""

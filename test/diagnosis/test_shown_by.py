@@ -18,6 +18,7 @@ from cocorosim_ros.world.terms.regressors import REGRESSOR
 
 POSE = frozenset({"pose_x", "pose_y", "pose_z", "pose_yaw"})
 ON_BOARD = frozenset({"compass", "pressure", "gyro_z", "accel_x", "accel_y", "accel_z"})
+GROUND = frozenset({"ground_velocity_u", "ground_velocity_v"})
 KNOWN = {"1", "t", "thrust", "yaw_command", "pump", "pump_rate"}
 
 
@@ -49,10 +50,14 @@ def law(reading: str, product: str) -> Any:
         ("pose_x", "y", POSE, True),
         ("pose_x", "x*y", POSE, False),
         ("pose_x", "x*y", POSE | {"velocity_u", "velocity_v"}, True),
+        ("pose_x", "x*y", POSE | GROUND, True),
         ("pose_z", "z", POSE, False),
         ("pose_z", "x", POSE, True),
         ("velocity_u", "u", POSE | {"velocity_u"}, True),
         ("velocity_u", "u", frozenset({"velocity_u", "compass"}), False),
+        ("velocity_u", "|u|*u", frozenset({"velocity_u", "ground_velocity_u"}), True),
+        ("ground_velocity_u", "|u|*u", POSE | GROUND, True),
+        ("ground_velocity_u", "|u|*u", GROUND, False),
     ],
 )
 def test_a_law_needs_another_reading(reading: str, product: str, present: frozenset[str], told: bool) -> None:
@@ -79,6 +84,13 @@ def test_a_law_needs_another_reading(reading: str, product: str, present: frozen
         ("speed_log_misalignment", frozenset({"velocity_u", "velocity_v", "pressure", "compass"}), False),
         ("speed_log_misalignment", POSE | {"velocity_u", "velocity_v"}, True),
         ("speed_log_misalignment", {"pose_x", "pose_y", "compass", "velocity_u", "velocity_v"}, True),
+        ("ground_log_scale", GROUND | {"compass"}, False),
+        ("ground_log_scale", POSE | GROUND, True),
+        ("ground_log_scale", GROUND | {"velocity_u", "velocity_v"}, True),
+        ("ground_log_misalignment", GROUND | {"compass"}, False),
+        ("ground_log_misalignment", GROUND | {"velocity_u", "velocity_v"}, True),
+        ("camera_scale", POSE | GROUND, True),
+        ("pose_heading", POSE | GROUND, True),
         ("pose_heading", POSE, False),
         ("pose_heading", POSE | {"gyro_z"}, False),
         ("pose_heading", POSE | {"compass"}, True),

@@ -6,8 +6,16 @@ import math
 
 import pytest
 
-from cocorosim_ros.foundation.units.unit_algebra import powers_of
-from cocorosim_ros.foundation.units.units import DIMENSIONS, PREFIXES, Unit, prefixed, units_in_files, units_shown
+from cocorosim_ros.foundation.units.unit_algebra import multiplied, powers_of
+from cocorosim_ros.foundation.units.units import (
+    DIMENSIONS,
+    EQUAL,
+    PREFIXES,
+    Unit,
+    prefixed,
+    units_in_files,
+    units_shown,
+)
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors.errors import ERRORS
@@ -54,6 +62,18 @@ def test_files_may_have_units_that_can_be_read() -> None:
     assert list(found["mass"].items()) == [("kg", "1"), ("g", "0.001")]
     assert {unit for units in found.values() for unit in units} == {unit.symbol for _, unit in EVERY if unit.read}
     assert all(next(iter(units)) == DIMENSIONS[dimension][0].symbol for dimension, units in found.items())
+
+
+@pytest.mark.parametrize("unit", EQUAL)
+def test_equal_units_are_equal(unit: str) -> None:
+    """With a newton as kg m/s^2; reports show the one that people write, the other stays as it is in files."""
+
+    def in_kilograms(text: str) -> dict[str, float]:
+        powers = powers_of(text)
+        return multiplied(powers, {"N": 1.0, "kg": -1.0, "m": -1.0, "s": 2.0}, -powers.get("N", 0.0))
+
+    assert in_kilograms(unit) == in_kilograms(EQUAL[unit])
+    assert (units_shown(unit) or prefixed(unit)) == (units_shown(EQUAL[unit]) or prefixed(EQUAL[unit]))
 
 
 def test_units_of_reports() -> None:

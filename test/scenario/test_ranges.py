@@ -61,6 +61,17 @@ def test_vehicles_without_pump_and_yaw_control() -> None:
     assert hovercraft.actuator_limits()[:, 1].tolist() == [0.0, 0.0]
 
 
+def test_a_range_beside_a_law_in_words_is_of_its_number() -> None:
+    """In SI units, under the key that the number has where a law stands in codes; the number must lie in it."""
+    law = 'law_1: {{surge: {{value: "-0.5 * |u| * u", range: {}, ci95: [-0.6, -0.4], source: hand}}}}\n'
+    assert ranges(law.format("[-1, 0]")) == {"law_1.coefficient": Range(-1.0, 0.0, "1")}
+    assert collect_ranges(parse_yaml(law.format("[-1, 0]"), "p.yaml"), INTERVAL) == {
+        "law_1.coefficient": Range(-0.6, -0.4, "1")
+    }
+    with pytest.raises(CocorosimError, match=r"range.*leaves out the value '-0\.5 \* \|u\| \* u'"):
+        ranges(law.format("[0, 1]"))
+
+
 def test_an_interval_stands_beside_a_range(tmp_path: Path) -> None:
     """What was measured has a 95 % interval, what may be has a range; a robot of its own has its own interval."""
     (tmp_path / "model.yaml").write_text(

@@ -9,12 +9,19 @@ Tree = dict[str, Any]
 TIERS = ("confirmed", "suspected")
 
 
+NOT_NAMED, NOTHING_CLEAR = "not named there", "named there, but no amplitude is clear here, so that it has no sign"
+OTHER_SIGN, OTHER_SIZE, KEPT = "named with another sign there", "named with another size there", "kept"
+
+
 class Kept(NamedTuple):
     """Counts of effects of one half: all, those that keep their sign in the other half, and their size too."""
 
     all: int
     sign: int
     size: int
+
+    def __add__(self, other: tuple[Any, ...]) -> Kept:
+        return Kept(*(mine + others for mine, others in zip(self, other, strict=True)))
 
     @property
     def words(self) -> str:
@@ -25,14 +32,26 @@ class Kept(NamedTuple):
 def kept(first: Tree | None, second: Tree | None, tier: str) -> Kept | None:
     """Counts of the effects of a tier that a diagnosis of one half names, against that of the other half.
 
-    None where there is no diagnosis. Asked are the amplitudes that are clear in the first half: those whose interval
-    does not hold the value without the effect; and of axes that were put right, the words.
+    None where there is no diagnosis.
     """
     if first is None or second is None:
         return None
-    asked = [each for each in first["effects"] if each["tier"] == tier]
-    answers = [_kept(each, _same(each, second)) for each in asked]
-    return Kept(len(asked), sum(sign for sign, _ in answers), sum(size for _, size in answers))
+    found = [answer for _, answer in answers(first, second, tier)]
+    return Kept(len(found), sum(each in (KEPT, OTHER_SIZE) for each in found), found.count(KEPT))
+
+
+def both_ways(first: Tree | None, second: Tree | None, tier: str) -> Kept:
+    """Counts of both halves, each against the other; nothing where there is no diagnosis."""
+    return (kept(first, second, tier) or Kept(0, 0, 0)) + (kept(second, first, tier) or Kept(0, 0, 0))
+
+
+def answers(first: Tree, second: Tree, tier: str) -> list[tuple[Tree, str]]:
+    """Effects of a tier that one half names, each with what the other half says of it.
+
+    Asked are the amplitudes that are clear in the first half: those whose interval does not hold the value without the
+    effect; and of axes that were put right, the words.
+    """
+    return [(each, _answer(each, _same(each, second))) for each in first["effects"] if each["tier"] == tier]
 
 
 def _same(effect: Tree, other: Tree) -> Tree | None:
@@ -44,21 +63,21 @@ def _identity(effect: Tree) -> tuple[str, str, tuple[str, ...]]:
     return effect["id"], effect.get("topic") or "", tuple(sorted(effect["robots"]))
 
 
-def _kept(effect: Tree, other: Tree | None) -> tuple[bool, bool]:
-    """Whether an effect keeps its sign, and whether its size is the same too within both 95 % intervals."""
+def _answer(effect: Tree, other: Tree | None) -> str:
+    """What the other half says of an effect: whether it keeps its sign, and its size within both 95 % intervals."""
     if other is None:
-        return False, False
+        return NOT_NAMED
     one, two = effect["parameters"], other["parameters"]
     if "correction" in one:
-        same = one["correction"]["value"] == two["correction"]["value"]
-        return same, same
+        return KEPT if one["correction"]["value"] == two["correction"]["value"] else OTHER_SIGN
     without = neutral(effect["id"], effect.get("topic"))
     clear = [name for name, value in without.items() if name in one and not _holds(one[name], value)]
     if not clear or not all(name in two for name in clear):
-        return False, False
+        return NOTHING_CLEAR
     sides = [(one[name]["value"] > without[name], two[name]["value"] > without[name]) for name in clear]
-    sign = all(mine == others for mine, others in sides)
-    return sign, sign and all(_meet(one[name], two[name]) for name in clear)
+    if not all(mine == others for mine, others in sides):
+        return OTHER_SIGN
+    return KEPT if all(_meet(one[name], two[name]) for name in clear) else OTHER_SIZE
 
 
 def neutral(identifier: str, topic: str | None) -> Mapping[str, float]:

@@ -1,6 +1,6 @@
 """Proof that `cocorosim diagnose` keeps its word: `prove.py sealed | families | tampered | real | against | fleet`.
 
-`prove.py weights` fits the weights of its probabilities.
+`prove.py weights` fits the weights of its probabilities, `prove.py real-page` writes the page of `real` again.
 """
 
 from __future__ import annotations
@@ -128,6 +128,13 @@ def _real(options: argparse.Namespace) -> int:
     return prove(options.data, options.out, options.pages, terms_of(options), source, _sets(options))
 
 
+def _real_page(options: argparse.Namespace) -> int:
+    from trial.real_page import write_page
+
+    write_page(options.pages)
+    return 0
+
+
 def _against(options: argparse.Namespace) -> int:
     from trial.against import prove
     from trial.provenance import note, noted, seed_of
@@ -180,6 +187,9 @@ def parser() -> argparse.ArgumentParser:
         other.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")
         other.add_argument("--sets", default="", help="real: folders of the data sets, by commas; all if left out")
         other.set_defaults(run=run)
+    again = commands.add_parser("real-page", help="write real.md of real.json and against.json; nothing is diagnosed")
+    again.add_argument("--pages", type=Path, required=True, help="folder of the figures, and for the page")
+    again.set_defaults(run=_real_page)
     three = commands.add_parser("weights", help="fit the weights of probabilities to what `sealed` left in a folder")
     three.add_argument("--out", type=Path, required=True, help="folder of `sealed`")
     three.add_argument("--pages", type=Path, help="folder for the reliability diagram and the figures of the weights")

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from trial.examiner import Task, Terms
-from trial.other_half import TIERS, kept
-from trial.provenance import sentence
-from trial.real_page import kept_lines, page_of
+from trial.real_figures import group_figures, merged, read, write
+from trial.real_page import write_page
 from trial.recordings import (
     MANEUVERING1,
     NLP1,
@@ -26,10 +24,9 @@ from trial.recordings import (
     zigzags,
 )
 from trial.sealed import diagnose
-from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, WINDY_DAY, ships
-from trial.thruster import FOLDER, thruster_rows
-from trial.unseen import OnUnseen, on_unseen
-from trial.ways import answer, effects
+from trial.ships import FITTED_ZIGZAGS, TANKER, WINDY, WINDY_DAY, ship_figures
+from trial.thruster import FOLDER, thruster_figures
+from trial.ways import answer
 
 
 def _hovercraft(data: Path, out: Path) -> Iterator[tuple[str, str, list[Path], list[Path]]]:
@@ -126,99 +123,24 @@ def replay(pair: tuple[Group, Group], out: Path) -> Task:
     return Task(again, own.bags, out / "diagnoses" / again, str(out / "diagnoses" / own.name / "model.yaml"))
 
 
-def _number(value: Any) -> str:
-    """Three digits of a number; words as they are, such as what was wrong with a frame."""
-    return "-" if value is None else value if isinstance(value, str) else f"{value:.3g}"
-
-
-def held_out(pair: tuple[Group, Group], out: Path) -> list[str]:
-    """Rows: by channel, errors within the recordings learnt from, and on those that were never seen."""
-    own, others = pair
-    said = answer(out / "diagnoses" / own.name) or {}
-    model = out / "diagnoses" / own.name / "model.yaml"
-    never_seen = on_unseen(own.platform, model, others.bags) if model.is_file() else {}
-    lines = []
-    for channel, scores in ((said.get("fit") or {}).get("held_out") or {}).items():
-        inside = " | ".join(_number(scores.get(key)) for key in ("nominal", "recalibrated", "augmented", "noise_floor"))
-        lasts = f" after up to {scores['seconds']:g} s" if "seconds" in scores else ""
-        ruler = ", course" if scores.get("against") == "course" else ""
-        name = f"{own.name} | {channel} [{scores.get('unit', '')}]{lasts}{ruler}"
-        lines.append(f"| {name} | {inside} | {_on_unseen(never_seen.get(channel))} |")
-    return lines
-
-
-def _on_unseen(told: OnUnseen | None) -> str:
-    """Two cells: the errors of the platform's file and of the found model over the same windows."""
-    if told is None:
-        return "- | -"
-    lasts = f"({told.seconds:g} s, {told.windows} windows, {100 * told.worse:.0f} % worse)"
-    return f"{_number(told.nominal)} | {_number(told.found)} {lasts}"
-
-
-def findings(pair: tuple[Group, Group], out: Path) -> list[str]:
-    """What was said of the recordings learnt from, with rivals."""
-    said = answer(out / "diagnoses" / pair[0].name)
-    if said is None:
-        return [f"- {pair[0].name}: no diagnosis"]
-    lines = [f"- {pair[0].name} ({len(pair[0].bags)} recordings): {said['verdict']}"]
-    for effect in effects(said):
-        values = ", ".join(
-            f"{k} {_number(p.get('value'))} {p.get('unit', '')}".strip() for k, p in effect["parameters"].items()
-        )
-        rivals = ", ".join(
-            f"`{r['id']}` {r['nats_behind']:.1f} nats behind" for r in effect.get("ambiguous_with") or []
-        )
-        tie = f"; it could also be {rivals}" if rivals else ""
-        lines.append(f"  - `{effect['id']}` ({effect.get('nats') or 0:.0f} nats, {effect['tier']}): {values}{tie}")
-    passed = [f"`{each['id']}` ({each.get('nats') or 0:.0f} nats)" for each in said.get("passed_over") or []]
-    return [*lines, f"  - passed over, since they may as well be nothing: {', '.join(passed)}"] if passed else lines
-
-
-def again(pair: tuple[Group, Group], out: Path) -> str:
-    """Row: what is said of the recordings learnt from by the model found there, and of one half against the other."""
-    cells = []
-    for name in (f"{pair[0].name}_by_model", f"{pair[0].name}_halves"):
-        said = answer(out / "diagnoses" / name)
-        named = ", ".join(f"`{effect['id']}`" for effect in effects(said))
-        cells.append("no diagnosis" if said is None else f"{said['verdict']}{': ' if named else ''}{named}")
-    return f"| {pair[0].name} | {cells[0]} | {cells[1]} |"
-
-
-def other_half(pair: tuple[Group, Group], out: Path) -> str:
-    """Row: effects of the recordings learnt from that a diagnosis of the other half finds too, by tier."""
-    own, others = (answer(out / "diagnoses" / each.name) for each in pair)
-    found = [kept(own, others, tier) for tier in TIERS]
-    cells = ["no diagnosis" if each is None else each.words for each in found]
-    return f"| {pair[0].name} | {' | '.join(cells)} |"
-
-
 def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, Any], sets: Sequence[str] = ()) -> int:
-    """Converts, diagnoses, tries on what was held out, and writes the page; source: what made it.
+    """Converts, diagnoses, tries on what was held out, and writes figures and page; source: what made them.
 
-    sets: data sets by folder, all if left out; what an earlier page says of others is kept.
+    sets: data sets by folder, all if left out; what earlier figures tell of others is kept.
     """
     pairs = groups(data, out, [name for name in sets if name != FOLDER] if sets else tuple(SETS))
     diagnose([task for pair in pairs for task in learn(pair, out)], replace(terms, keep_reports=True))
     rest = [replay(pair, out) for pair in pairs if answer(out / "diagnoses" / pair[0].name)]
     diagnose(rest, replace(terms, keep_reports=True))
-    of_thruster = thruster_rows(data) if not sets or FOLDER in sets else []
-    anew = [pair[0].name for pair in pairs] + [row.split()[1] for row in of_thruster]
-    made, kept = kept_lines(pages / "real.md", anew)
-    mine = f"{sentence(source)} ({', '.join([pair[0].name for pair in pairs] + [FOLDER] * bool(of_thruster))})"
-    own = {
-        "found": [line for pair in pairs for line in findings(pair, out)],
-        "runs": [line for pair in pairs for line in held_out(pair, out)],
-        "again": [again(pair, out) for pair in pairs],
-        "other": [other_half(pair, out) for pair in pairs],
-        "ships": ships(pairs, data, out),
+    of_thruster = thruster_figures(data) if not sets or FOLDER in sets else {}
+    made = {name: source[name] for name in ("command", "commit")}
+    new = {
+        "sources": [made | {"of": [*(own.name for own, _ in pairs), *([FOLDER] if of_thruster else [])]}],
+        "groups": {pair[0].name: group_figures(pair, out) for pair in pairs},
+        "ships": ship_figures(pairs, data, out),
         "thruster": of_thruster,
     }
-    text = page_of(own, [*(line for line in made if line != mine), mine], kept)
     pages.mkdir(parents=True, exist_ok=True)
-    (pages / "real.md").write_text("\n".join(text), encoding="utf-8")
-    facts = {
-        path.parent.name: json.loads(path.read_text()) for path in sorted(Path(out).glob("diagnoses/*/diagnosis.json"))
-    }
-    (pages / "real.json").write_text(json.dumps(facts, indent=1) + "\n", encoding="utf-8")
-    print("\n".join(text))
+    write(pages / "real.json", merged(read(pages / "real.json"), new))
+    print("\n".join(write_page(pages)))
     return 0

@@ -1,12 +1,23 @@
-"""Page on real recordings: its sections, and what an earlier page says of recordings that were not tried again."""
+"""Page on real recordings: its sections, written of the figures alone."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import json
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
-from trial.thruster import FORMS
+from trial import documented
+from trial.other_half import TIERS, Kept, kept
+from trial.provenance import sentence
+from trial.real_failures import failures
+from trial.real_figures import AGAIN, HALVES, ONE, OTHER, diagnosis, read
+from trial.real_musts import kept_in_all, musts, table
+from trial.real_words import HALF_WORDS, diagnosis_lines, digits, title
+from trial.ships import ship_lines
+from trial.thruster import FORMS, thruster_rows
 
+Tree = dict[str, Any]
 MEASURED_AGAINST = (
     "All models start from one state, which the recalibrated model makes of the readings before, and are measured",
     "against the readings that come, in blocks (or whole recordings) that no fit of the numbers saw. `course`",
@@ -15,19 +26,27 @@ MEASURED_AGAINST = (
     "The noise floor is the error of a model that names nothing and has learnt a smooth force. Unseen recordings had",
     "no part in the found model: it and the platform's file run from the same starts, over the same seconds, through",
     "the same windows, which fill these recordings but for their first tenth; in brackets how long, how many, and in",
-    "what share of them the found model errs more. Versions up to a79eb88 measured in a fifth of them: rows that were",
-    "made by one have fewer windows. Still earlier ones measured each model against its own smoothed course; their",
-    "figures do not compare with these.",
+    "what share of them the found model errs more. The last column is its error over that of the platform's file.",
+    "Depths of vehicles that stay on the surface, which their maps hold at zero, are left out.",
 )
-
-
 HEADS = {
-    "found": ["## What was found", ""],
+    "musts": ["## What is asked for, and what was measured", ""],
+    "documented": [
+        "", "## What is documented, and what was said", "",
+        "Causes that the sources of each set tell beyond its platform file (`test/trial/real_sets.yaml`), beside what",
+        "was said of each half; an interval holds a documented number or not. What else is named no source tells: it",
+        "is neither right nor wrong by them. Nothing of all this was known to the diagnosis.", "",
+        "| recordings | documented (source) | said of one half | said of the other half |", "|---|---|---|---|",
+    ],
+    "found": [
+        "", "## What was found", "",
+        "Numbers with their 95 % intervals. What was passed over has the reason that the diagnosis gives.", "",
+    ],
     "runs": [
         "", "## Free runs on data that no fit of the numbers saw", "", *MEASURED_AGAINST, "",
         "| recordings | channel | nominal | recalibrated | augmented | noise floor"
-        " | unseen recordings, nominal | unseen recordings, found model |",
-        "|---|---|---|---|---|---|---|---|",
+        " | unseen recordings, nominal | unseen recordings, found model | found over nominal |",
+        "|---|---|---|---|---|---|---|---|---|",
     ],
     "again": [
         "", "## The same model again, and one half against the other", "",
@@ -37,10 +56,13 @@ HEADS = {
     ],
     "other": [
         "", "## Effects on the other half of the recordings", "",
-        "Each half was diagnosed by itself against the platform's file. An effect keeps its sign if the other half",
-        "names it too, on the same stream, with all amplitudes that are clear here on the same side; its size, if",
-        "their 95 % intervals have something in common as well.", "",
-        "| recordings | confirmed effects | suspected effects |", "|---|---|---|",
+        "Each half was diagnosed by itself against the platform's file, and its effects are looked for in the other,",
+        "in both directions. An effect keeps its sign if the other half names it too, on the same stream, with all",
+        "amplitudes that are clear here on the same side; its size, if their 95 % intervals have something in common",
+        "as well.", "",
+        "| recordings | confirmed in one half | confirmed in the other half | suspected in one half"
+        " | suspected in the other half |",
+        "|---|---|---|---|---|",
     ],
     "ships": ["", "## Two model ships", ""],
     "thruster": [
@@ -50,46 +72,111 @@ HEADS = {
         "square).", "",
         f"| recordings | largest force | {' | '.join(FORMS)} |", f"|---|{'---|' * (1 + len(FORMS))}",
     ],
+    "failures": ["", "## All failures", ""],
 }  # fmt: skip
+ALTERED = "against.json"
 
 
-def page_of(
-    own: Mapping[str, Sequence[str]],
-    made: Sequence[str],
-    kept: Mapping[str, Sequence[str]],
-) -> list[str]:
-    """Lines of the page; own: lines by section; made: by what; kept: lines of other data sets, from an earlier page."""
-    single = {name for name in ("ships", "thruster") if not (own[name] or kept.get(name))}
-    heads = {name: words for name, words in HEADS.items() if name not in single}
+def write_page(pages: Path) -> list[str]:
+    """Writes `real.md` of `real.json`, and of `against.json` if it is there, in a folder; lines of the page."""
+    altered = pages / ALTERED
+    judged = json.loads(altered.read_text(encoding="utf-8")) if altered.exists() else []
+    text = page_of(read(pages / "real.json"), judged)
+    (pages / "real.md").write_text("\n".join(text), encoding="utf-8")
+    return text
+
+
+def page_of(figures: Tree, altered: Sequence[Tree]) -> list[str]:
+    """Lines of the page; altered: judgements of altered logs."""
+    groups = figures["groups"]
+    causes = documented.causes_by_group()
+    own = {
+        "musts": table(musts(figures, altered)),
+        "documented": [
+            row for name, group in groups.items() for row in documented.rows(name, group, causes.get(name, []))
+        ],
+        "found": [line for name, group in groups.items() for line in findings(name, group)],
+        "runs": [line for name, group in groups.items() for line in free_runs(name, group)],
+        "again": [again(name, group) for name, group in groups.items()],
+        "other": [*(other_half(name, group) for name, group in groups.items()), *_totals(figures)],
+        "ships": ship_lines(figures["ships"]),
+        "thruster": thruster_rows(figures["thruster"]),
+        "failures": failures(figures),
+    }
     head = [
         "# Real recordings as they are", "",
-        "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half.", "",
-        *made, "",
+        "Half of the recordings of each vehicle were diagnosed; the found model was then tried on the other half,",
+        "which was diagnosed too. All figures: [real.json](real.json), of which `prove.py real-page` writes this page:",
+        "its form may be newer than the commits at which they were measured.", "",
+        *made_by(figures["sources"]), "",
     ]  # fmt: skip
-    return head + [line for name, words in heads.items() for line in (*words, *kept.get(name, []), *own[name])] + [""]
+    left_out = {name for name in ("ships", "thruster") if not own[name]}
+    shown = [(*words, *own[name]) for name, words in HEADS.items() if name not in left_out]
+    return [*head, *(line for lines in shown for line in lines), ""]
 
 
-def kept_lines(page: Path, names: Sequence[str]) -> tuple[list[str], dict[str, list[str]]]:
-    """What made an earlier page, and its lines on recordings other than `names` by section; nothing without a page."""
-    if not page.exists():
-        return [], {}
-    made: list[str] = []
-    kept: dict[str, list[str]] = {name: [] for name in HEADS}
-    section, group = "", ""
-    for line in page.read_text(encoding="utf-8").splitlines():
-        section = next((name for name, words in HEADS.items() if line.startswith("## ") and line in words), section)
-        if line.startswith("Made by"):
-            made.append(line)
-        elif line.startswith("- "):
-            group = line[2:].split(" ")[0].rstrip(":")
-        elif line.startswith("| ") and not line.startswith("| recordings"):
-            group = line[2:].split(" ")[0]
-        if section and line.lstrip().startswith(("- ", "| ")) and not line.startswith("| recordings"):
-            kept[section] += [_comparable(line) if section == "runs" else line] if group not in names else []
-    return made if any(kept.values()) else [], kept
+def made_by(sources: Sequence[Tree]) -> list[str]:
+    """What made which figures."""
+    return [f"{sentence(source)} ({', '.join(source['of'])})" for source in sources]
 
 
-def _comparable(row: str) -> str:
-    """A row of the free runs, without what an earlier version measured over other seconds for each of two models."""
-    *inside, _, found, _ = row.split("|")
-    return row if " windows" in found or found == " - " else "|".join([*inside, " - ", " - ", ""])
+def findings(name: str, group: Tree) -> list[str]:
+    """What was said of each half, with rivals."""
+    lines = []
+    for half in (ONE, OTHER):
+        said = diagnosis(group, half)
+        head = f"- {name}, {HALF_WORDS[half]} ({len(group['recordings'][half])} recordings)"
+        lines.append(f"{head}: {'no diagnosis' if said is None else said['verdict']}")
+        lines += [f"  - {each}" for each in diagnosis_lines(said)] if said is not None else []
+    return lines
+
+
+def free_runs(name: str, group: Tree) -> list[str]:
+    """Rows: by channel, errors within the recordings learnt from, and on those that were never seen."""
+    lines = []
+    for channel, scores in (diagnosis(group, ONE) or {"held_out": {}})["held_out"].items():
+        told = group["unseen"].get(channel)
+        if not scores.get("nominal") and not (told and told["nominal"]):
+            continue
+        inside = " | ".join(digits(scores.get(key)) for key in ("nominal", "recalibrated", "augmented", "noise_floor"))
+        lasts = f" after up to {scores['seconds']:g} s" if "seconds" in scores else ""
+        ruler = ", course" if scores.get("against") == "course" else ""
+        row = f"{name} | {channel} [{scores.get('unit', '')}]{lasts}{ruler}"
+        lines.append(f"| {row} | {inside} | {_on_unseen(told)} |")
+    return lines
+
+
+def _on_unseen(told: Tree | None) -> str:
+    """Three cells: the errors of the platform's file and of the found model over the same windows, and their ratio."""
+    if told is None:
+        return "- | - | -"
+    lasts = f"({told['seconds']:g} s, {told['windows']} windows, {100 * told['worse']:.0f} % worse)"
+    ratio = told["found"] / told["nominal"] if told["nominal"] else None
+    return f"{digits(told['nominal'])} | {digits(told['found'])} {lasts} | {'-' if ratio is None else f'{ratio:.2f}'}"
+
+
+def again(name: str, group: Tree) -> str:
+    """Row: what is said of the recordings learnt from by the model found there, and of one half against the other."""
+    cells = []
+    for what in (AGAIN, HALVES):
+        said = diagnosis(group, what)
+        named = ", ".join(title(effect) for effect in (said or {"effects": []})["effects"])
+        cells.append("no diagnosis" if said is None else f"{said['verdict']}{': ' if named else ''}{named}")
+    return f"| {name} | {cells[0]} | {cells[1]} |"
+
+
+def other_half(name: str, group: Tree) -> str:
+    """Row: effects of each half that the diagnosis of the other one finds too, by tier."""
+    halves = [diagnosis(group, half) for half in (ONE, OTHER)]
+    found = [kept(first, second, tier) for tier in TIERS for first, second in (halves, halves[::-1])]
+    return f"| {name} | {' | '.join(_counted(each) for each in found)} |"
+
+
+def _counted(found: Kept | None) -> str:
+    return "no diagnosis" if found is None else found.words
+
+
+def _totals(figures: Tree) -> list[str]:
+    """Counts over all groups and both directions."""
+    told = [f"{tier} effects, both directions: {kept_in_all(figures, tier).words}" for tier in TIERS]
+    return ["", f"Of all {'; of all '.join(told)}."]

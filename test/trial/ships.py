@@ -11,6 +11,7 @@ import numpy as np
 from trial.recordings import Group
 from trial.ways import answer, effects
 
+Tree = dict[str, Any]
 TANKER, WINDY, WINDY_DAY = "kvlcc2_hsva", "esso_osaka_july", "31-Jul-2020"
 FITTED_ZIGZAGS = ("Z_10_05", "Z_20_05", "Z_20_10_P", "Z_30_05")
 WINDOW, AROUND, STEP = 40.0, 0.5, 0.05  # s: of a free run, of readings that give its start, of the simulation
@@ -18,24 +19,34 @@ BAR = (0.97, 0.98, 0.98)  # R2 of u, v, r that has to be reached
 WIND_BAR = 30.0  # deg
 
 
-def ships(pairs: Sequence[tuple[Group, Group]], data: Path, out: Path) -> list[str]:
-    """The lines of the page about both ships, as far as they were diagnosed."""
-    lines = []
+def ship_figures(pairs: Sequence[tuple[Group, Group]], data: Path, out: Path) -> Tree:
+    """What was measured of both ships by name, as far as they were diagnosed."""
+    found: Tree = {}
     for some, others in pairs:
         folder = out / "diagnoses" / some.name
         if some.name == TANKER and (folder / "model.yaml").is_file():
-            shares = explained(folder / "model.yaml", others.bags)
-            told = ", ".join(f"{name} {share:.4f}" for name, share in zip("uvr", shares, strict=True))
-            bar = ", ".join(f"{each:g}" for each in BAR)
-            lines.append(
-                f"- {some.name}: fitted to {', '.join(FITTED_ZIGZAGS)}; free runs of {WINDOW:g} s on the other "
-                f"{len(others.bags)} zigzags explain (R2, bar {bar}): {told}."
-            )
+            shares = dict(zip("uvr", explained(folder / "model.yaml", others.bags), strict=True))
+            found[TANKER] = {"fitted": list(FITTED_ZIGZAGS), "others": len(others.bags), "explained": shares}
         if some.name == WINDY and answer(folder) is not None:
             kinds = [bag.name.partition("_")[0] for bag in some.bags]  # zigzag, random: folders as well
             logs = [data / "esso_osaka" / kind / f"{bag.name}.csv" for kind, bag in zip(kinds, some.bags, strict=True)]
-            lines.append(wind_line(answer(folder), logs))
-    return lines
+            found[WINDY] = wind(answer(folder), logs)
+    return found
+
+
+def ship_lines(found: Tree) -> list[str]:
+    """The lines of the page about both ships."""
+    lines = {TANKER: _tanker_line, WINDY: _wind_line}
+    return [line(found[name]) for name, line in lines.items() if name in found]
+
+
+def _tanker_line(found: Tree) -> str:
+    told = ", ".join(f"{name} {share:.4f}" for name, share in found["explained"].items())
+    bar = ", ".join(f"{each:g}" for each in BAR)
+    return (
+        f"- {TANKER}: fitted to {', '.join(found['fitted'])}; free runs of {WINDOW:g} s on the other {found['others']} "
+        f"zigzags explain (R2, bar {bar}): {told}."
+    )
 
 
 def explained(model: Path, bags: Sequence[Path]) -> tuple[float, ...]:
@@ -87,17 +98,29 @@ def simulated(platform: Any, start: Sequence[float], moments: Any, log: Any) -> 
     return np.array(path)
 
 
-def wind_line(said: Any, logs: Sequence[Path]) -> str:
-    """What was said of the wind, beside the anemometer's mean, which no map has."""
+def wind(said: Any, logs: Sequence[Path]) -> Tree:
+    """Speeds [m/s] of the hidden wind by the anemometer, which no map has, and as named, and the angle between [deg].
+
+    Where no wind is named, what else is.
+    """
     truth = anemometer(logs)
     named = next((effect["parameters"] for effect in effects(said) if effect["id"] == "wind"), None)
-    told = f"{WINDY}: with the wind hidden, the anemometer had {abs(truth):.2f} m/s"
     if named is None:
-        others = ", ".join(f"`{effect['id']}`" for effect in effects(said)) or "nothing"
-        return f"- {told}; no wind is named, but {others}."
+        return {"anemometer": abs(truth), "others": [effect["id"] for effect in effects(said)]}
     found = complex(named["x"]["value"], named["y"]["value"])
     off = abs(math.degrees(np.angle(found / truth)))
-    return f"- {told}; wind is named with {abs(found):.2f} m/s, {off:.0f} deg beside it (bar {WIND_BAR:g} deg)."
+    return {"anemometer": abs(truth), "named": abs(found), "beside": off}
+
+
+def _wind_line(found: Tree) -> str:
+    told = f"{WINDY}: with the wind hidden, the anemometer had {found['anemometer']:.2f} m/s"
+    if "named" not in found:
+        others = ", ".join(f"`{name}`" for name in found["others"]) or "nothing"
+        return f"- {told}; no wind is named, but {others}."
+    return (
+        f"- {told}; wind is named with {found['named']:.2f} m/s, {found['beside']:.0f} deg beside it "
+        f"(bar {WIND_BAR:g} deg)."
+    )
 
 
 def anemometer(logs: Sequence[Path]) -> complex:

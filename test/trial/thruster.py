@@ -13,25 +13,33 @@ from scipy.optimize import least_squares
 FOLDER, FORCE, STOP, FULL = "t200_thruster", 5, 1500.0, 400.0  # column of the force; PWM [us]
 KEPT = 10  # every tenth reading, 40 us apart, makes the curve; it is tried on all others
 STANDARD_GRAVITY = 9.80665  # m/s^2: the table has kilograms
-FORMS = ("linear", "square", "linear with a dead band", "table")
+LARGEST, FORMS = "largest force", ("linear", "square", "linear with a dead band", "table")
 
 
-def thruster_rows(data: Path) -> list[str]:
-    """Rows of the page: by supply voltage, what each form errs by; none where the table is not there."""
-    return [f"| {path.stem} | {_errors(path)} |" for path in sorted((data / FOLDER).glob("*.csv"))]
+def thruster_figures(data: Path) -> dict[str, dict[str, float]]:
+    """By supply voltage, the largest force and what each form errs by [N]; nothing where the table is not there."""
+    return {path.stem: _errors(path) for path in sorted((data / FOLDER).glob("*.csv"))}
 
 
-def _errors(path: Path) -> str:
-    """Cells: root mean square of force less table on readings that made no curve, in N."""
+def thruster_rows(found: dict[str, dict[str, float]]) -> list[str]:
+    """Rows of the page."""
+    return [
+        f"| {name} | {told[LARGEST]:.1f} | {' | '.join(f'{told[form]:.2f}' for form in FORMS)} |"
+        for name, told in found.items()
+    ]
+
+
+def _errors(path: Path) -> dict[str, float]:
+    """Largest force of the table, and root mean square of force less table on readings that made no curve [N]."""
     pulse, force = np.genfromtxt(path, delimiter=",", skip_header=1, usecols=(0, FORCE)).T
     command, force = (pulse - STOP) / FULL, STANDARD_GRAVITY * force
     made = np.zeros(len(command), dtype=bool)
     made[::KEPT] = True
-    cells = [f"{np.abs(force).max():.1f}"]
+    found = {LARGEST: float(np.abs(force).max())}
     for form in FORMS:
-        found = forces(fitted(form, command[made], force[made]), command[~made])
-        cells.append(f"{np.sqrt(np.mean((found - force[~made]) ** 2)):.2f}")
-    return " | ".join(cells)
+        told = forces(fitted(form, command[made], force[made]), command[~made])
+        found[form] = float(np.sqrt(np.mean((told - force[~made]) ** 2)))
+    return found
 
 
 def fitted(form: str, command: Any, force: Any) -> Any:

@@ -248,30 +248,6 @@ def test_a_hidden_stream_is_nothing_to_be_found() -> None:
     assert judged(none | said("thruster_gain", "ahead", 1.25), gain)["outcome"] == "something else"
 
 
-def test_an_earlier_page_is_kept_but_for_what_was_done_again(tmp_path: Path) -> None:
-    """Findings with what stands below them, rows of free runs, and what made them.
-
-    A row that does not say its windows has errors of two models over different seconds, and loses these.
-    """
-    from trial.real_page import kept_lines
-
-    page = tmp_path / "real.md"
-    page.write_text(
-        "# Real\n\nMade by `one`.\n\n## What was found\n\n- ship (3 recordings): mismatch\n  - `lag` (9 nats)\n"
-        "- boat: no diagnosis\n\n## Free runs on data that no fit of the numbers saw\n\n"
-        "| recordings | channel | unseen, nominal | unseen, found |\n|---|---|---|---|\n"
-        "| boat | depth | 2 | 1 (5 s) |\n| ship | depth | 2 | 1 (5 s) |\n"
-        "| ship | heading | 2 | 1 (5 s, 3 windows, 0 % worse) |\n"
-    )
-    made, kept = kept_lines(page, ["boat"])
-    assert made == ["Made by `one`."]
-    assert kept["found"] == ["- ship (3 recordings): mismatch", "  - `lag` (9 nats)"]
-    assert kept["runs"] == ["| ship | depth | - | - |", "| ship | heading | 2 | 1 (5 s, 3 windows, 0 % worse) |"]
-    assert kept["again"] == []
-    assert kept_lines(page, ["boat", "ship"])[0] == []
-    assert kept_lines(tmp_path / "none.md", [])[0] == []
-
-
 def test_data_sets_are_asked_for_by_name(tmp_path: Path) -> None:
     """One that there is not is said, with those that there are; one whose folder is not there makes no group."""
     from trial.against import halves
@@ -283,22 +259,3 @@ def test_data_sets_are_asked_for_by_name(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="boat is not a data set of altered logs; there are hovercraft_epfl"):
         halves(tmp_path, tmp_path, ["boat"])
     assert halves(tmp_path, tmp_path, ["rgblimp"]) == []
-
-
-def test_a_page_tells_findings_in_words_and_numbers(tmp_path: Path) -> None:
-    """A frame that was mixed up has words where others have a number; no diagnosis is said."""
-    from trial.real import findings
-    from trial.recordings import Group
-
-    pair = Group("boat", "lily", (tmp_path,)), Group("boat_held_out", "lily", (tmp_path,))
-    assert findings(pair, tmp_path) == ["- boat: no diagnosis"]
-    effect = said("frame_mixup")["effects"][0] | {"nats": 20.0, "tier": "confirmed"}
-    effect["parameters"] = {"correction": {"value": "its sign is flipped", "unit": None}}
-    (tmp_path / "diagnoses" / "boat").mkdir(parents=True)
-    file = tmp_path / "diagnoses" / "boat" / "diagnosis.json"
-    told = {"verdict": "mismatch", "effects": [effect]}
-    file.write_text(json.dumps(told))
-    assert "correction its sign is flipped" in findings(pair, tmp_path)[1]
-    assert len(findings(pair, tmp_path)) == 2
-    file.write_text(json.dumps(told | {"passed_over": [{"id": "tether", "nats": 20.4}]}))
-    assert findings(pair, tmp_path)[2] == "  - passed over, since they may as well be nothing: `tether` (20 nats)"

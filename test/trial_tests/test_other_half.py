@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -55,16 +54,23 @@ def test_an_amplitude_that_is_nothing_is_not_asked_for() -> None:
     assert kept({"effects": [mixed]}, {"effects": [other]}, "confirmed") == (1, 0, 0)
 
 
-def test_the_row_of_the_page(tmp_path: Path) -> None:
-    """Both tiers in words; where one half has no diagnosis, that."""
-    import json
+def test_both_halves_are_asked() -> None:
+    """What the second half alone confirms counts: a name that the first has with another size, one that it lacks."""
+    from trial.other_half import NOT_NAMED, OTHER_SIZE, Kept, answers, both_ways
 
-    from trial.real import learn, other_half
-    from trial.recordings import Group
+    first = {"effects": [effect("torque_bias", "suspected", torque=(2.0, 1.9, 2.1))]}
+    second = {"effects": [BIAS, SCALE]}
+    assert both_ways(first, second, "confirmed") == both_ways(second, first, "confirmed") == Kept(2, 1, 0)
+    assert both_ways(first, second, "suspected") == Kept(1, 1, 0)
+    assert both_ways(first, None, "confirmed") == Kept(0, 0, 0)
+    assert [said for _, said in answers(second, first, "confirmed")] == [OTHER_SIZE, NOT_NAMED]
 
-    pair = Group("boat", "lily", (tmp_path / "a",)), Group("boat_held_out", "lily", (tmp_path / "b",))
-    assert other_half(pair, tmp_path) == "| boat | no diagnosis | no diagnosis |"
-    for task, found in zip(learn(pair, tmp_path)[:2], ([BIAS], [BIAS]), strict=True):
-        task.out.mkdir(parents=True)
-        (task.out / "diagnosis.json").write_text(json.dumps({"effects": found}), encoding="utf-8")
-    assert other_half(pair, tmp_path) == "| boat | 1 of 1 keep the sign, 1 the size | none |"
+
+def test_what_is_not_clear_has_no_sign() -> None:
+    """An effect of which every interval holds its absence is not kept, whatever the other half says."""
+    from trial.other_half import NOTHING_CLEAR, answers, kept
+
+    vague = effect("torque_bias", torque=(1.0, -0.5, 2.5))
+    assert kept({"effects": [vague]}, {"effects": [BIAS]}, "confirmed") == (1, 0, 0)
+    ((_, said),) = answers({"effects": [vague]}, {"effects": [BIAS]}, "confirmed")
+    assert said == NOTHING_CLEAR

@@ -35,7 +35,7 @@ def test_a_simulation_from_its_own_start() -> None:
 
 def test_where_the_wind_blows_to(tmp_path: Path) -> None:
     """2 m/s from the west (270 deg from north) blow to the east; a diagnosis 10 deg beside that is told so."""
-    from trial.ships import anemometer, wind_line
+    from trial.ships import WINDY, anemometer, ship_lines, wind
 
     path = tmp_path / "log.csv"
     path.write_text("a\n" + "\n".join(",".join(["0"] * 11 + ["2", repr(math.radians(270.0))]) for _ in range(3)))
@@ -43,5 +43,7 @@ def test_where_the_wind_blows_to(tmp_path: Path) -> None:
     air = 1.5 * np.exp(1j * np.radians(10.0))
     numbers = {"x": {"value": air.real, "unit": "m/s"}, "y": {"value": air.imag, "unit": "m/s"}}
     said = {"effects": [{"id": "wind", "parameters": numbers}]}
-    assert "1.50 m/s, 10 deg beside" in wind_line(said, [path])
-    assert "no wind is named, but nothing" in wind_line({"effects": []}, [path])
+    found, silent = wind(said, [path]), wind({"effects": []}, [path])
+    assert found == pytest.approx({"anemometer": 2.0, "named": 1.5, "beside": 10.0})
+    assert "1.50 m/s, 10 deg beside" in ship_lines({WINDY: found})[0]
+    assert "no wind is named, but nothing" in ship_lines({WINDY: silent})[0]

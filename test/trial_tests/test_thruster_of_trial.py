@@ -18,27 +18,17 @@ import pytest
 )
 def test_the_form_that_made_a_table_holds_it(exact: int, law: object, tmp_path: Path) -> None:
     """Rows that no curve was made of, in kilograms as the maker has them; the table of few points errs between them."""
-    from trial.thruster import FOLDER, FORMS, STANDARD_GRAVITY, thruster_rows
+    from trial.thruster import FOLDER, FORMS, STANDARD_GRAVITY, thruster_figures, thruster_rows
 
     pulse = np.arange(1100, 1901, 4)
     force = law((pulse - 1500.0) / 400.0) / STANDARD_GRAVITY  # type: ignore[operator]
     rows = [f"{each},0,0,0,0,{kilograms!r},0" for each, kilograms in zip(pulse, force.tolist(), strict=True)]
     (tmp_path / FOLDER).mkdir()
     (tmp_path / FOLDER / "made.csv").write_text("\n".join(["pwm,rpm,a,v,w,kgf,eff", *rows]))
-    (row,) = thruster_rows(tmp_path)
+    (row,) = thruster_rows(thruster_figures(tmp_path))
     name, largest, *errors = [cell.strip() for cell in row.strip("|").split("|")]
     assert (name, largest, len(errors)) == ("made", "20.0", len(FORMS))
     found = dict(zip(FORMS, map(float, errors), strict=True))
     assert found[FORMS[exact]] < 0.02
     others = [found[form] for form in FORMS[:3] if form != FORMS[exact] and not (exact == 0 and "dead" in form)]
     assert min(others) > 0.3
-
-
-def test_without_the_table_the_page_says_nothing_of_it(tmp_path: Path) -> None:
-    """Nor does it have the head of a section."""
-    from trial.real_page import page_of
-    from trial.thruster import thruster_rows
-
-    own = {name: [""] for name in ("found", "runs", "again", "other", "ships")} | {"thruster": thruster_rows(tmp_path)}
-    assert not any("actuator by itself" in line for line in page_of(own, ["Made by one."], {}))
-    assert any("actuator by itself" in line for line in page_of(own | {"thruster": ["| T |"]}, ["Made by one."], {}))

@@ -56,7 +56,7 @@ def _told(robot: str, topic: str, later: float) -> FoundEffect:
     late = -later if is_command else later
     told = {entry.amplitudes[0].name: Estimate(late, late - CLOCKS.far, late + CLOCKS.far, "s")}
     return FoundEffect(
-        entry.id, entry.name, entry.equation, (robot,), "confirmed", told, FRAMING.certain, topic=entry.topic,
+        entry.id, entry.name, entry.whole_equation, (robot,), "confirmed", told, FRAMING.certain, topic=entry.topic,
         correction=words,
     )  # fmt: skip
 

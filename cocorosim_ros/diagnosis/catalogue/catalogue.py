@@ -14,4 +14,7 @@ ENTRIES: tuple[Entry, ...] = (
     *(entry_of(name, effect, effect.search) for name, effect in CATALOGUE_EFFECTS.items() if effect.search is not None),
     *(entry for name in ERRORS for entry in entries_of_error(name)),
 )
-IDS: tuple[str, ...] = tuple(dict.fromkeys(entry.id for entry in ENTRIES))
+WHERE_RECORDED: tuple[str, ...] = tuple(name for name, error in ERRORS.items() if error.where_recorded)
+"""Errors of instruments that few robots have: only recordings with their topics can be said to leave them unseen."""
+IDS: tuple[str, ...] = tuple(dict.fromkeys(entry.id for entry in ENTRIES if entry.id not in WHERE_RECORDED))
+"""Effects for which every recording is asked."""

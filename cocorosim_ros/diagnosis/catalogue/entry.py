@@ -12,7 +12,7 @@ from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.sensors.sensor_error import OfEveryStream, SensorError
-from cocorosim_ros.world.terms.effect import Description, Number
+from cocorosim_ros.world.terms.effect import Description, Number, joined_equation
 from cocorosim_ros.world.terms.search import Basis, Given, Grid, Limits, Scene, Search, Spacing, Standing, Strength
 
 SENSOR_CHANNELS = ("clock", *(topic for topic, sensor in SENSORS.items() if sensor.kinds))
@@ -25,7 +25,7 @@ class Amplitude(Limits):
 
     `large` is its size in a bad case. A fit counts it in q = (number - neutral) / large; its prior is a normal
     distribution around neutral with standard deviation `large`. A `factor` is looked for as a difference alone, of what
-    the model has of the number: neutral is then 1, and q the logarithm over `large`.
+    the model has of the number: neutral is then 1, and q the logarithm over `large`. part: of the entry's equation.
     """
 
     column: str
@@ -34,6 +34,7 @@ class Amplitude(Limits):
     large: float
     neutral: float = 0.0
     factor: bool = False
+    part: str = ""
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ class Entry(Standing):
 
     id: str
     name: str
-    equation: str  # in plain text
+    equation: str  # in plain text, without the parts of amplitudes
     channel: str  # the contract's equation: surge, sway, heave, yaw, compass, pressure, imu, pose, clock
     amplitudes: tuple[Amplitude, ...]
     shapes: tuple[Shape, ...] = ()
@@ -74,6 +75,17 @@ class Entry(Standing):
     def name_with(self, values: Mapping[str, float]) -> str:
         """The name in words that suit the sign of the first amplitude; values: numbers that were found, by column."""
         return self.opposite if self.opposite and values.get(self.amplitudes[0].column, 0.0) < 0.0 else self.name
+
+    @property
+    def whole_equation(self) -> str:
+        """The equation with the parts of all amplitudes."""
+        return joined_equation(self.equation, [each.part for each in self.amplitudes])
+
+    def shown_equation(self, estimates: Mapping[str, Estimate]) -> str:
+        """The equation with the parts of those amplitudes that were shown to do something; whole where none was."""
+        doubts = self.doubts(estimates)
+        shown = [each.part for each in self.amplitudes if doubts.get(each.name) is False]
+        return joined_equation(self.equation, shown) if shown else self.whole_equation
 
     def doubts(self, estimates: Mapping[str, Estimate]) -> dict[str, bool]:
         """Tell of each amplitude that was estimated, by name, whether its 95 % interval holds the neutral value."""
@@ -135,7 +147,7 @@ def _of_stream(identifier: str, error: SensorError, streams: OfEveryStream, numb
 def _amplitude(column: str, number: Number, how: Strength) -> Amplitude:
     """Make an amplitude of a number of an effect; how: its large value and limits."""
     limits = _fields_of(Limits, how)
-    return Amplitude(column, number.name, number.unit, how.large, neutral=number.neutral, **limits)
+    return Amplitude(column, number.name, number.unit, how.large, neutral=number.neutral, part=number.part, **limits)
 
 
 def _shape(column: str, number: Number, how: Grid) -> Shape:

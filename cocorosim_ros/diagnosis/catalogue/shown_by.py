@@ -15,15 +15,15 @@ from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS
 
 Kinds = Collection[str]
-_PLACE = (("velocity_u", "velocity_v"),)
+_LOGS = (("velocity_u", "velocity_v"), ("ground_velocity_u", "ground_velocity_v"))
 _SPEED = (("pose_x", "pose_y", "pose_yaw"), ("pose_x", "pose_y", "compass"))
 _TOGETHER: dict[str, tuple[tuple[str, ...], ...]] = {
-    "x": _PLACE,
-    "y": _PLACE,
+    "x": _LOGS,
+    "y": _LOGS,
     "u": _SPEED,
     "v": _SPEED,
-    "speed": (("velocity_u", "velocity_v"), *_SPEED),
-    "zero_of_yaw": (("compass",), ("pose_yaw",), ("pose_x", "pose_y", "velocity_u", "velocity_v")),
+    "speed": (*_LOGS, *_SPEED),
+    "zero_of_yaw": (("compass",), ("pose_yaw",), *(("pose_x", "pose_y", *log) for log in _LOGS)),
 }
 _STATES = ("x", "y", "z", "w", "yaw", "sin_yaw", "cos_yaw", "r", "u", "v", "speed", "zero_of_yaw")
 SHOWN_BY: dict[str, tuple[tuple[str, ...], ...]] = {

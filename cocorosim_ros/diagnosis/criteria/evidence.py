@@ -211,7 +211,7 @@ class ExchangeCriteria:
 
 @dataclass(frozen=True)
 class SpeedCriteria:
-    """Limits beyond which the velocity stream and the track contradict each other in size (`consistency`)."""
+    """Limits beyond which a velocity stream and the track contradict each other (`consistency`)."""
 
     related: float = 0.7
     """[1] correlation below which the two tell nothing of each other. Chosen, not measured."""
@@ -219,6 +219,15 @@ class SpeedCriteria:
     """[independent readings] fewer tell nothing. Chosen, not measured."""
     alike: tuple[float, float] = (0.85, 1.18)
     """[1] quotients beyond which a current, or a wrong scale, makes two speeds differ. Chosen, not measured."""
+    drift: float = 0.1
+    """[1] share of the speed above which a drift is told. Chosen, not measured."""
+    explained: float = 0.5
+    """[1] share of what is left without a drift, below which a drift is clear. Chosen, not measured."""
+    one_heading: float = 0.8
+    """[1] length of the mean of the headings, as unit vectors, beyond which a robot has headed one way. Chosen: 0.9 and
+    more in the recordings of tauv_pool, where errors of the model look like a drift, 0.5 at most in made swims."""
+    unseen: float = 0.25
+    """[1] share of a drift below which a velocity shows the drift itself. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

@@ -255,6 +255,13 @@ class StepCriteria:
     """[logarithm] changes of a noise that may land on a higher summit. Chosen, not measured."""
     cautious: float = 0.3
     """[of the promised amplitudes] a second start, where the slope promises too much. Chosen, not measured."""
+    softest: float = 1000.0
+    """[of the noise of a reading] as which readings count at first where a scale's summit is looked for. Chosen, not
+    measured: of poses that are exact to a tenth of a millimetre and a tenth too long 300 is enough, and 30 is not."""
+    softer: tuple[float, ...] = (1.0, 2.0 / 3.0, 1.0 / 3.0)
+    """[of the logarithm of that] by which readings count less in one climb after the other. Chosen, not measured."""
+    soft_rounds: int = 3
+    """[steps] of each such climb, whose likelihood is nearly a parabola. Chosen, not measured."""
     beyond_grid: float = 0.1
     """[logarithm] by which a shape may exceed the largest value of its grid. Chosen, not measured."""
     no_information: float = 1e-10

@@ -29,7 +29,7 @@ class AgreementCriteria:
 
 @dataclass(frozen=True)
 class AxesCriteria:
-    """Evidence for exchanged axes or signs of a stream (`frames.inertial`, `through_water`, `upright`)."""
+    """Evidence for exchanged axes or signs of a stream (`frames.inertial`, `velocity_axes`, `upright`)."""
 
     margin: float = 10.0
     """[nats] by which a correction has to fit better: odds of 22,000 to 1. Chosen, not measured."""

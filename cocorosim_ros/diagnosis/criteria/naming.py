@@ -109,6 +109,8 @@ class DetectabilityCriteria:
 
     medium: float = 0.5
     """[of large] size of an effect that a recording should show. Chosen, not measured."""
+    most: float = 100.0
+    """[of large] no vehicle is so much worse than in a bad case. Chosen, not measured."""
     blind: float = 0.45
     """[share of the catalogue] that is not shown, beyond which silence tells nothing. Chosen, not measured."""
 
@@ -131,6 +133,22 @@ class SwingCriteria:
     """[periods] that a recording has to hold, so that a trend is no swing. Chosen, not measured."""
     shortest_period: float = 5.0
     """[s] faster swings are no candidates. Chosen, not measured."""
+    wave_periods: tuple[float, float] = (1.0, 20.0)
+    """[s] of waves: shorter ones are short beside a hull, longer ones are swell that no tank and no harbour has.
+    Chosen, not measured."""
+    wave_stands_out: float = 12.0
+    """[medians of the power around it] a peak of the residual's spectrum has to have for waves to be looked for. Power
+    at random is exponential, so that one of 2^12 frequencies has as much. Chosen, not measured: what could be named
+    has more than 18."""
+    wave_around: int = 40
+    """[of the frequency that a recording resolves] over which that median is taken. Chosen, not measured."""
+    wave_readings: float = 4.0
+    """[steps of the grid] a wave has to last. Chosen, not measured."""
+    finer: int = 4
+    """[frequencies] of a spectrum for each that the longest recording resolves. Chosen, not measured."""
+    most_waves: int = 2
+    """[periods] of waves that become candidates, the strongest first: each costs slopes in all directions. Chosen, not
+    measured."""
     steady: float = 15.0
     """[s] before and after a change of the force that are compared. Chosen, not measured."""
     most_periods: int = 3

@@ -11,6 +11,8 @@ class ReportCriteria:
 
     least_nats: float = 0.1
     """[nats] of an effect alone; less gets no bar. Chosen, not measured."""
+    most_laws: int = 3
+    """[laws] outside the catalogue with bars beside those that were found: many explain alike. Chosen, not measured."""
     fewest_visits: int = 3
     """[visits] of a class of a picture, below which its mean has no interval. Chosen, not measured."""
     clear_gain: float = 0.95
@@ -71,7 +73,51 @@ class ManoeuvreCriteria:
     """[m] side of the tank of the slowest robots. Chosen, not measured."""
 
 
+@dataclass(frozen=True)
+class BelievableCriteria:
+    """Sizes beyond which no number of a vehicle, its water or its instruments can be (`report.believable`).
+
+    An end of an interval, or a smallest visible size, that lies further out tells nothing.
+    """
+
+    spread: float = 1000.0
+    """[of the value] an end of an interval that stands to it as its exponential does. Chosen, not measured."""
+    ratio: float = 1000.0
+    """[1] gains and ratios. Chosen, not measured."""
+    length: float = 1.2e4
+    """[m] the deepest trench has 11 km. Chosen, not measured."""
+    time: float = 1e6
+    """[s] twelve days. Chosen, not measured."""
+    angle: float = 6.283185307179586
+    """[rad] a full turn. Chosen, not measured."""
+    mass: float = 1e9
+    """[kg] a hundred ships weigh as much. Chosen, not measured."""
+    speed: float = 100.0
+    """[m/s] a hurricane's. Chosen, not measured."""
+    acceleration: float = 1000.0
+    """[m/s^2] a hundred times that of the earth. Chosen, not measured."""
+    yaw_rate: float = 100.0
+    """[rad/s] three times what gyroscopes show. Chosen, not measured."""
+    shear: float = 10.0
+    """[m/s per m] a jet's edge has less. Chosen, not measured."""
+    slowness: float = 100.0
+    """[s/m] thrust that is gone at 1 cm/s. Chosen, not measured."""
+    clock_rate: float = 1.0
+    """[s/s] a clock that stands still. Chosen, not measured."""
+    pressure: float = 1.2e8
+    """[Pa] of the deepest trench. Chosen, not measured."""
+    pressure_rate: float = 1e6
+    """[Pa/s] a dive at 100 m/s. Chosen, not measured."""
+    force: float = 1e8
+    """[N] twenty of the largest ship's propellers. Chosen, not measured."""
+    linear_drag: float = 1e7
+    """[N s/m] ten times the largest ship's. Chosen, not measured."""
+    stiffness: float = 1e8
+    """[N/m] a steel cable of a metre. Chosen, not measured."""
+
+
 REPORT = ReportCriteria()
+BELIEVABLE = BelievableCriteria()
 MANOEUVRE = ManoeuvreCriteria()
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from cocorosim_ros.diagnosis.evidence.abstention import reasons_to_abstain, without_unusable
-from cocorosim_ros.diagnosis.evidence.consistency import speed_sentence
+from cocorosim_ros.diagnosis.evidence.consistency import speed_sentences
 from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, put_right
 from cocorosim_ros.diagnosis.evidence.frames.kinematics import contradictions
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
@@ -69,8 +69,8 @@ def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = (), right: Sequ
 
 
 def _with_speeds(recording: RecordingLog, platform: Platform) -> RecordingLog:
-    sentences = [speed_sentence(robot, platform) for robot in recording.robots]
-    return replace(recording, remarks=(*recording.remarks, *(sentence for sentence in sentences if sentence)))
+    sentences = [sentence for robot in recording.robots for sentence in speed_sentences(robot, platform)]
+    return replace(recording, remarks=(*recording.remarks, *sentences))
 
 
 def _robot(recording: RecordingLog, name: str) -> RobotLog | None:

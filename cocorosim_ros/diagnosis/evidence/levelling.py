@@ -10,10 +10,20 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT, TURN_RATE, U, V, W, Z
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
+    FELT,
+    OVER_GROUND,
+    THROUGH_WATER,
+    TURN_RATE,
+    VELOCITIES,
+    U,
+    V,
+    W,
+    Z,
+)
 from cocorosim_ros.foundation.arrays import Floats
 
-BODY_VECTORS = {"velocity": slice(U, W + 1), "imu": FELT}
+BODY_VECTORS = {**dict.fromkeys(VELOCITIES, slice(U, W + 1)), "imu": FELT}
 """Columns of the vectors along body axes, by stream."""
 
 
@@ -94,13 +104,14 @@ def _contradiction(log: RobotLog, attitude: Attitude) -> str:
 def _climbs(streams: Mapping[str, Stream], attitude: Attitude) -> tuple[Floats, Floats] | None:
     """Climb [m/s] between heights (n,), and (n, 3) its parts: of surge by pitch, of sway by roll, of heave.
 
-    None where either stream is missing, or where there are too few readings of it.
+    None where either stream is missing, or where there are too few readings of it. The velocity is that over ground
+    where there is one.
     """
-    pose, velocity = streams.get("pose"), streams.get("velocity")
+    pose, velocity = streams.get("pose"), streams.get(OVER_GROUND, streams.get(THROUGH_WATER))
     if pose is None or velocity is None:
         return None
     seen = np.isfinite(pose.value[:, Z])
-    known = np.isfinite(velocity.value[:, BODY_VECTORS["velocity"]]).all(axis=1)
+    known = np.isfinite(velocity.value[:, U : W + 1]).all(axis=1)
     if min(np.count_nonzero(seen), np.count_nonzero(known)) < TILT.fewest:
         return None
     edges = np.arange(pose.time[seen][0], pose.time[seen][-1], TILT.climb_span)

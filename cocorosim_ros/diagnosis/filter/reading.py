@@ -14,7 +14,7 @@ from cocorosim_ros.foundation.compiling.tables import compile_lines
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import changes_of
 from cocorosim_ros.world.sensors.sensor_error import TAKEN
-from cocorosim_ros.world.state.state import STATE_SIZE, YAW, YAW_RATE
+from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, YAW, YAW_RATE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.motors import Motors
 
@@ -22,7 +22,8 @@ Functions = dict[str, Any]
 
 
 _HEADING = f"row[{YAW}] + when.after * row[{YAW_RATE}]"
-_TAKEN = dict(zip(TAKEN, ("row", _HEADING, "water", "motors"), strict=True))
+_GROUND = f"row[{SURGE}:{HEAVE + 1}]"
+_TAKEN = dict(zip(TAKEN, ("row", _HEADING, "water", _GROUND, "motors"), strict=True))
 
 
 def _numbers(columns: list[int]) -> str:

@@ -51,9 +51,7 @@ def rate_words(per_week: Estimate) -> tuple[str, str]:
     """A drift and its 95 % interval as people read them: shares in percent."""
     if per_week.unit != "1":
         return estimate_words(per_week)
-    percent = Estimate(100.0 * per_week.value, 100.0 * per_week.low, 100.0 * per_week.high, "1")
-    value, interval = estimate_words(percent)
-    return f"{value}\u00a0%", f"{interval}\u00a0%"
+    return estimate_words(Estimate(100.0 * per_week.value, 100.0 * per_week.low, 100.0 * per_week.high, "%"))
 
 
 def number_words(parameter: str) -> str:

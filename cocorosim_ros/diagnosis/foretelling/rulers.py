@@ -28,10 +28,11 @@ class Channel(NamedTuple):
     moved_by: tuple[str, ...]  # kinds of readings that show its rate
 
 
+_OVER_GROUND = ("ground_velocity_u", "ground_velocity_v", "ground_velocity_w")
 CHANNELS: Mapping[str, Channel] = {
-    "position": Channel("m", (X, Y), (("pose_x", "pose_y"),), ("velocity_u", "velocity_v")),
+    "position": Channel("m", (X, Y), (("pose_x", "pose_y"),), ("velocity_u", "velocity_v", *_OVER_GROUND[:2])),
     "heading": Channel("rad", (YAW,), (("pose_yaw",), ("compass",)), ("gyro_z",)),
-    "depth": Channel("m", (Z,), (("pose_z",), ("pressure",)), ("velocity_w",)),
+    "depth": Channel("m", (Z,), (("pose_z",), ("pressure",)), ("velocity_w", *_OVER_GROUND[2:])),
 }
 PER_UNIT = {"pressure": PASCAL_PER_METRE}
 """Readings of a kind by unit of its channel, where these are not the same."""

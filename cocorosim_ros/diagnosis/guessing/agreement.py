@@ -19,13 +19,19 @@ from cocorosim_ros.diagnosis.checking.motion import (
 )
 from cocorosim_ros.diagnosis.criteria.checking import CHECKING
 from cocorosim_ros.diagnosis.criteria.guessing import GUESSING
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, VELOCITIES
 from cocorosim_ros.diagnosis.guessing.column_names import is_heading
 from cocorosim_ros.diagnosis.guessing.log_table import Guess
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 
 _DOWN = "z of the pose grows with the depth: z is down, so its axes are taken to be north-east-down."
-_POSE, _PRESSURE, _VELOCITY, _IMU = "pose", "pressure", "velocity", "imu"
+_OR_OVER_GROUND = (
+    "Nothing says that the velocity is the one through the water, for which it is taken. From a Doppler log with "
+    "bottom track, satellites or motion capture it is that over ground: then rename "
+    f"'{THROUGH_WATER}' to '{OVER_GROUND}'."
+)
+_POSE, _PRESSURE, _IMU = "pose", "pressure", "imu"
 
 
 def agreed(guesses: Sequence[Guess]) -> list[Guess]:
@@ -33,14 +39,16 @@ def agreed(guesses: Sequence[Guess]) -> list[Guess]:
     by_topic = {guess.topic: guess for guess in guesses}
     if _IMU in by_topic:
         by_topic[_IMU] = _by_gravity(by_topic[_IMU])
+    if THROUGH_WATER in by_topic:
+        by_topic[THROUGH_WATER] = by_topic[THROUGH_WATER].doubting(_OR_OVER_GROUND)
     pose = by_topic.get(_POSE)
     if pose is None or len(pose.table.time) < CHECKING.fewest:
         return list(by_topic.values())
     pose = by_topic[_POSE] = _compass_or_yaw(_by_depth(pose, by_topic.get(_PRESSURE)))
-    if _VELOCITY in by_topic:
-        found = _by_motion(by_topic[_VELOCITY], pose)
-        by_topic = {**by_topic, _VELOCITY: found} if found.numbers else _without(by_topic, found)
-    for topic, name in ((_IMU, "rate_z"), (_VELOCITY, "yaw_rate")):
+    for topic in (each for each in VELOCITIES if each in by_topic):
+        found = _by_motion(by_topic[topic], pose)
+        by_topic = {**by_topic, topic: found} if found.numbers else _without(by_topic, found)
+    for topic, name in ((_IMU, "rate_z"), *((each, "yaw_rate") for each in VELOCITIES)):
         if topic in by_topic and name in by_topic[topic].numbers:
             by_topic[topic] = _by_turning(by_topic[topic], name, by_topic[_POSE])
     return list(by_topic.values())

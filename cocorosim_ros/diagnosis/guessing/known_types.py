@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, VELOCITIES
+
 Fields = Mapping[str, str]
 
 
@@ -29,14 +31,14 @@ def _list(path: str, names: str, first: int = 0) -> dict[str, str]:
 
 _RATES, _FORCES = "rate_x rate_y rate_z", "acceleration_x acceleration_y acceleration_z"
 ROS_TYPES: Mapping[str, Mapping[str, Fields]] = {
-    "nav_msgs/msg/Odometry": {"pose": _pose("pose.pose"), "velocity": _twist("twist.twist")},
+    "nav_msgs/msg/Odometry": {"pose": _pose("pose.pose"), OVER_GROUND: _twist("twist.twist")},  # in its own frame
     "geometry_msgs/msg/PoseWithCovarianceStamped": {"pose": _pose("pose.pose")},
     "geometry_msgs/msg/PoseStamped": {"pose": _pose("pose")},
     "geometry_msgs/msg/TransformStamped": {
         "pose": {**_vector("transform.translation"), **_quaternion("transform.rotation")}
     },
-    "geometry_msgs/msg/TwistStamped": {"velocity": _twist("twist")},
-    "geometry_msgs/msg/TwistWithCovarianceStamped": {"velocity": _twist("twist.twist")},
+    "geometry_msgs/msg/TwistStamped": {THROUGH_WATER: _twist("twist")},
+    "geometry_msgs/msg/TwistWithCovarianceStamped": {THROUGH_WATER: _twist("twist.twist")},
     "sensor_msgs/msg/Imu": {
         "imu": {
             **_vector("angular_velocity", _RATES),
@@ -70,4 +72,4 @@ DIMENSIONS = {
 
 def dimension_of_number(stream: str, name: str) -> str:
     """The dimension of a number of a stream."""
-    return "speed" if stream == "velocity" and name in ("x", "y", "z") else DIMENSIONS[name]
+    return "speed" if stream in VELOCITIES and name in ("x", "y", "z") else DIMENSIONS[name]

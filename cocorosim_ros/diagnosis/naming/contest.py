@@ -15,10 +15,11 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
 from cocorosim_ros.diagnosis.fitting.screening import Screened
-from cocorosim_ros.diagnosis.fitting.starts import best_start
+from cocorosim_ros.diagnosis.fitting.starts import best_start, by_softer_readings
 from cocorosim_ros.diagnosis.fitting.unknowns import prior_precision
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_RANDOM
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.sensors.errors import SEEN_OTHERWISE
 from cocorosim_ros.world.terms.search import Scene
 
 
@@ -84,7 +85,11 @@ def begin(fit: Fit, screened: Screened, scene: Scene) -> Begun:
     def at(amplitudes: Floats) -> Fit:
         return evaluated(replace(whole, q=np.concatenate([fit.q, amplitudes, np.zeros(shapes)])))
 
-    trial = improved(best_start(at, screened.q, candidate), 3)
+    start, topic = best_start(at, screened.q, candidate), candidate.entry.topic
+    if topic and any(each.column in SEEN_OTHERWISE for each in candidate.entry.amplitudes):
+        softly = by_softer_readings(start, topic, len(fit.q), len(screened.q))
+        start = max(start, at(softly), key=lambda each: each.objective)
+    trial = improved(start, 3)
     return Begun(candidate, trial, trial.objective - fit.objective)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.catalogue.catalogue import IDS, WHERE_RECORDED
 from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
@@ -37,10 +37,12 @@ def _smallest(screened: Screened) -> dict[str, float]:
     """Smallest visible value of each parameter, in the unit of the parameter, for the first robot.
 
     It is the value that would yield the threshold if no other parameter were fitted: 1/2 information q^2 = threshold.
+    Infinite where that is far beyond a bad case: such a value would be visible, but no vehicle has it.
     """
     found: dict[str, float] = {}
     for unknown, known in zip(screened.candidate.amplitudes(), np.diag(screened.information).tolist(), strict=True):
-        value = unknown.scale * math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
+        share = math.sqrt(2.0 * NAMING.threshold / known) if known > 0.0 else math.inf
+        value = unknown.scale * share if share <= DETECTABILITY.most else math.inf
         found.setdefault(unknown.owner.parameter, value)
     return found
 
@@ -70,8 +72,9 @@ def felt_share(screened: Screened) -> float:
 
 def not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
     """Identifiers of effects whose evidence would stay below the threshold even at medium size."""
-    seen = _seen(screened)
-    return tuple(name for name in IDS if name not in seen and name != "frame_mixup")
+    seen, tried = _seen(screened), {each.candidate.entry.id for each in screened}
+    asked = (*IDS, *(name for name in WHERE_RECORDED if name in tried))
+    return tuple(name for name in asked if name not in seen and name != "frame_mixup")
 
 
 def streams_and_numbers_not_shown(screened: Sequence[Screened]) -> tuple[str, ...]:
@@ -105,7 +108,7 @@ def _is_seen(screened: Screened) -> bool:
 
 def is_blind(unseen: Sequence[str]) -> bool:
     """Tell whether so little of the catalogue could be seen that a diagnosis without effects says nothing."""
-    return len(unseen) > DETECTABILITY.blind * len(IDS)
+    return len(set(unseen) & set(IDS)) > DETECTABILITY.blind * len(IDS)
 
 
 def shows_known(naming: Naming) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
+from scipy.ndimage import median_filter
 from scipy.signal import find_peaks, periodogram
 
 from cocorosim_ros.diagnosis.criteria.naming import SWINGS
@@ -19,6 +21,14 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
 from cocorosim_ros.world.terms.search import Scene
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
+WAVE_EQUATIONS = ("world_x", "world_y", "heave")
+
+
+class Band(NamedTuple):
+    """Periods between which swings are looked for [s]."""
+
+    shortest: float
+    longest: float
 
 
 def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: float = 0.0) -> Scene:
@@ -32,6 +42,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
     duration = max(float(course.time[-1]) for course in courses)
     forces = [forces_by_equation(course.mean) for course in courses]
     periods = {name: _periods(courses, [each[name] for each in forces]) for name in forces[0]}
+    periods["waves"] = _wave_periods(courses, forces)
     return Scene(
         tuple(lower.tolist()),
         tuple(upper.tolist()),
@@ -68,19 +79,51 @@ def forces_by_equation(mean: Floats) -> dict[str, Floats]:
 def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
     """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show.
 
-    forces: one (points,) for each course. The power spectra of all courses are added.
+    forces: one (points,) for each course.
     """
-    longest = max(courses, key=lambda course: len(course.time))
-    duration = float(longest.time[-1] - longest.time[0])
-    total: Floats = np.zeros(0)
-    for course, force in zip(courses, forces, strict=True):
-        step = float(course.time[1] - course.time[0])
-        frequency, power = periodogram(force, fs=1.0 / step, nfft=4 * len(longest.time))
-        total = power if len(total) == 0 else total + power
-    wanted = (frequency > SWINGS.swings / duration) & (frequency < 1.0 / SWINGS.shortest_period)
-    peaks, _ = find_peaks(np.where(wanted, total, 0.0))
-    strongest = peaks[np.argsort(total[peaks])[::-1][: SWINGS.most_periods]]
-    return (*(1.0 / frequency[strongest]).tolist(), duration / SWINGS.swings)
+    duration = _longest(courses)
+    band = Band(SWINGS.shortest_period, duration / SWINGS.swings)
+    return (*_strongest(*_spectrum(courses, forces), band, SWINGS.most_periods), duration / SWINGS.swings)
+
+
+def _wave_periods(courses: Sequence[Smoothed], forces: Sequence[Mapping[str, Floats]]) -> tuple[float, ...]:
+    """Periods [s] at which waves may be: where the force along x, y and upwards together swings most.
+
+    The peaks have to stand out, so that nothing is looked for where the water pushes at random alone.
+    """
+    spectra = [_spectrum(courses, [each[name] for each in forces]) for name in WAVE_EQUATIONS]
+    frequency, power = spectra[0][0], np.sum([power for _, power in spectra], axis=0)
+    around = median_filter(power, size=SWINGS.finer * SWINGS.wave_around, mode="nearest")
+    shortest, longest = SWINGS.wave_periods
+    shortest = max(shortest, SWINGS.wave_readings * _step(courses[0]))
+    band = Band(shortest, min(longest, _longest(courses) / SWINGS.swings))
+    return _strongest(frequency, np.where(power > SWINGS.wave_stands_out * around, power, 0.0), band, SWINGS.most_waves)
+
+
+def _longest(courses: Sequence[Smoothed]) -> float:
+    return max(float(course.time[-1] - course.time[0]) for course in courses)
+
+
+def _step(course: Smoothed) -> float:
+    return float(course.time[1] - course.time[0])
+
+
+def _spectrum(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[Floats, Floats]:
+    """Frequencies [1/s] and the power there, added over all courses."""
+    most = max(len(course.time) for course in courses)
+    spectra = [
+        periodogram(force, fs=1.0 / _step(course), nfft=SWINGS.finer * most)
+        for course, force in zip(courses, forces, strict=True)
+    ]
+    return spectra[0][0], np.sum([power for _, power in spectra], axis=0)
+
+
+def _strongest(frequency: Floats, power: Floats, band: Band, most: int) -> tuple[float, ...]:
+    """Periods [s] of the strongest peaks in a band, strongest first."""
+    wanted = (frequency > 1.0 / band.longest) & (frequency < 1.0 / band.shortest)
+    peaks, _ = find_peaks(np.where(wanted, power, 0.0))
+    strongest = peaks[np.argsort(power[peaks])[::-1][:most]]
+    return tuple((1.0 / frequency[strongest]).tolist())
 
 
 def _changes(time: Floats, force: Floats) -> list[float]:

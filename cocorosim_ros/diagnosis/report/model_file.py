@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.report.effect_keys import (
     section_of,
     unit_in_file,
 )
-from cocorosim_ros.diagnosis.report.laws_in_words import laws_in_words
+from cocorosim_ros.diagnosis.report.effects_in_words import effects_in_words
 from cocorosim_ros.diagnosis.report.words import parameter_unit
 from cocorosim_ros.scenario.parts.platform import Effects, Platform
 from cocorosim_ros.scenario.reading.based_on import with_base
@@ -82,7 +82,7 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     _put_effects(diagnosis.effects, origin, tree, robots)
     for part in (tree, *robots.values()):
         if "effects" in part:
-            part["effects"] = laws_in_words(part["effects"])
+            part["effects"] = effects_in_words(part["effects"])
     return tree | {"robots": robots} if robots else tree
 
 

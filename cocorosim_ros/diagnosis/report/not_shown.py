@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis
+from cocorosim_ros.diagnosis.report.believable import is_possible_size
 from cocorosim_ros.diagnosis.report.number_text import quantity_words
 from cocorosim_ros.diagnosis.report.words import effect_words, parameter_unit
 
@@ -36,6 +36,6 @@ def _least(effect: str, detectable: Any) -> str:
     shown = [
         f"{name.replace('_', ' ')} {quantity_words(value, parameter_unit(effect, name))}"
         for name, value in detectable.items()
-        if math.isfinite(value)
+        if is_possible_size(effect, name, value, parameter_unit(effect, name))
     ]
     return ", ".join(shown)

@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.report.regressors import OF_BODY
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE_OF_KIND
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.world.laws.law import subject_and_product
 from cocorosim_ros.world.state.state import HEAVE, Z
 
 _Value = TypeVar("_Value")
@@ -64,6 +65,7 @@ def _without_depth(diagnosis: Diagnosis) -> Diagnosis:
         effects=tuple(map(_level, diagnosis.effects)),
         passed_over=tuple(replace(each, found=_level(each.found)) for each in diagnosis.passed_over),
         screened=tuple(_level_sizes(each) for each in diagnosis.screened if each.id not in _BY_DEPTH),
+        screened_laws=tuple(each for each in diagnosis.screened_laws if not _is_upright_law(each.id)),
         not_shown=tuple(name for name in diagnosis.not_shown if _effect_of(name) not in _BY_DEPTH),
         noise={name: each for name, each in diagnosis.noise.items() if name != _UPRIGHT_NOISE},
         residual_before=tuple(map(_level_force, diagnosis.residual_before)),
@@ -99,6 +101,11 @@ def _is_upright(number: str) -> bool:
 
 def _is_located_upright(located: Located) -> bool:
     return (located.law.of if located.law is not None else located.equation) in _UPRIGHT_EQUATIONS
+
+
+def _is_upright_law(identifier: str) -> bool:
+    equation, _ = subject_and_product(identifier)
+    return equation in _UPRIGHT_EQUATIONS
 
 
 def _is_unread(noise: str, gone: Unrecorded) -> bool:

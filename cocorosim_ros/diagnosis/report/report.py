@@ -12,11 +12,12 @@ from cocorosim_ros import __version__
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
+from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words, without_bars
 from cocorosim_ros.diagnosis.report.equation_text import typeset
-from cocorosim_ros.diagnosis.report.evidence_figures import bars_of_nats, shifts, without_bars
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
 from cocorosim_ros.diagnosis.report.marks import limit_words, marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
@@ -41,6 +42,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
+from cocorosim_ros.diagnosis.report.shift_figure import shifts
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
 from cocorosim_ros.diagnosis.report.verdict_words import nothing_missing_words, verdict_words, weighed_words
 from cocorosim_ros.diagnosis.report.words import (
@@ -69,7 +71,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         "weighed": weighed_words(diagnosis),
     }
     diagnosis = as_recorded(diagnosis, origin.platform)
-    return template.render(
+    page = template.render(
         **known,
         diagnosis=diagnosis,
         origin=origin,
@@ -82,6 +84,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         **_fit(diagnosis),
         **not_shown_context(diagnosis),
     )
+    return explained_at_first_sight(page)
 
 
 def _clause(sentence: str | None) -> str:
@@ -200,7 +203,7 @@ def _what(diagnosis: Diagnosis) -> Context:
         "passed_over": [_effect(each.found) | {"because": each.because} for each in diagnosis.passed_over],
         "nats_bars": bars_of_nats(diagnosis),
         "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),
-        "needed": math.isfinite(diagnosis.needed_nats),
+        "bars_words": bars_words(diagnosis),
     }
 
 

@@ -12,6 +12,7 @@ from rich.text import Text
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.marks import marked_words, unlike_words
+from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
     handy_scale,
@@ -29,6 +30,9 @@ def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     diagnosis = as_recorded(diagnosis)
     tables = [_effects(diagnosis), _passed_over(diagnosis), _parameters(diagnosis), _errors(diagnosis)]
     shown: list[RenderableType] = [table for table in tables if table.row_count]
+    said = (*diagnosis.warnings, *diagnosis.remarks)
+    if diagnosis.effects or diagnosis.passed_over or any("nats" in sentence for sentence in said):
+        shown.insert(0, Text(f"nats: what speaks for an effect, {NATS_IN_WORDS}"))
     if diagnosis.effects or (diagnosis.screened and diagnosis.verdict != "insufficient"):  # else those of before
         shown.append(Text(f"probability: {shown_probabilities}"))
     shown += [Text(f"take care: {warning}") for warning in diagnosis.warnings]

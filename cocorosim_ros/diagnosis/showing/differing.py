@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.against.numbers import ONE_THRUSTER, THRUST
+from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
@@ -78,5 +79,5 @@ def _as_asymmetry(effect: FoundEffect, thrusters: Sequence[str]) -> FoundEffect:
     ((name, gain),) = effect.parameters.items()
     sign = 1.0 if name == thrusters[1] else -1.0
     value, *ends = (sign * 2.0 * (each - 1.0) / (each + 1.0) for each in (gain.value, gain.low, gain.high))
-    difference = Estimate(value, min(ends), max(ends), "1")
+    difference = Estimate(value, min(ends), max(ends), "1", between("thruster_asymmetry.difference"))
     return replace(effect, id="thruster_asymmetry", parameters={"difference": difference, name: gain})

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.catalogue.eddies import EDDY
+from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
@@ -66,7 +67,9 @@ def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
     value, *ends = (unknown.alone(place, neutral) for place in (q, q - Z95 * spread, q + Z95 * spread))
     bounds = [unknown.alone(place, neutral) for place in unknown.bounds]
     limits = _limits(unknown, min(bounds), max(bounds), neutral)
-    return Estimate(value, min(ends), max(ends), unit, limits=limits, at_limit=any(unknown.at_ends(q)))
+    return Estimate(
+        value, min(ends), max(ends), unit, between(unknown.column), limits, at_limit=any(unknown.at_ends(q))
+    )
 
 
 def _limits(unknown: Unknown, least: float, most: float, neutral: float) -> tuple[float, float]:
@@ -120,10 +123,10 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         and not rivals
     )
     name = entry.name_with({each.unknown.column: each.estimate.value for each in mine})
+    told = {each.unknown.owner.parameter: each.estimate for each in mine}
     tier: Tier = "confirmed" if sure else "suspected"
     return FoundEffect(
-        entry.id, name, entry.equation, robots, tier,
-        {each.unknown.owner.parameter: each.estimate for each in mine}, effect.nats, rivals, entry.topic,
+        entry.id, name, entry.shown_equation(told), robots, tier, told, effect.nats, rivals, entry.topic,
         held_out_nats=effect.held_out.total,
         settings=_settings(fit, effect),
         simulated_as=entry.law if entry.law and (entry.law == EDDY or effect.candidate.known) else "",

@@ -181,6 +181,21 @@ def only_clock(case: Case) -> Iterator[Objection]:
             )
 
 
+def only_witness(case: Case) -> Iterator[Objection]:
+    """Object to errors, but those of stamps, of the readings of a robot's only stream: the model alone speaks for them.
+
+    The lever of a pose, for one, and a moment that turns the vehicle both move what is shown beside the heading.
+    """
+    for found, named in effects_of(case):
+        of_stamps = any(each.column in OF_TIME for each in named.candidate.entry.amplitudes)
+        if named.candidate.entry.topic and not of_stamps and _has_one_stream(case, found):
+            yield Objection(
+                f"All readings come from one stream, {found.topic}: that it errs is told by how the model moves "
+                "alone, which may be what is wrong.",
+                effect=found,
+            )
+
+
 def _tracks_of(case: Case, found: FoundEffect) -> list[Track]:
     return [track for track in case.final.tracks if track.name in found.robots]
 
@@ -218,6 +233,7 @@ STOPS: tuple[Stop, ...] = (
     coloured_innovations,
     lasting_errors,
     only_clock,
+    only_witness,
     unknown_noise,
     remainder,
 )

@@ -10,6 +10,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE
 from cocorosim_ros.diagnosis.criteria.showing import LOCATION
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import VELOCITIES
 from cocorosim_ros.diagnosis.findings import Concentration, Located, Regime
 from cocorosim_ros.diagnosis.fitting.fit import Fit, slopes
 from cocorosim_ros.diagnosis.fitting.screening import Screened
@@ -56,7 +57,7 @@ def _named(screened: Screened) -> tuple[str, str]:
     entry = screened.candidate.entry
     if entry.form is not None:
         return _law_named(entry.form)
-    equation = "clock" if entry.id == "clock_skew" else entry.channel if entry.channel != "velocity" else "pose"
+    equation = "clock" if entry.id == "clock_skew" else entry.channel if entry.channel not in VELOCITIES else "pose"
     return equation, _strongest(screened)[0].owner.parameter
 
 
@@ -67,7 +68,7 @@ def _law_named(law: Law) -> tuple[str, str]:
     'pose'.
     """
     if law.topic is not None:
-        return "pose" if law.topic == "velocity" else law.topic, law.product.text
+        return "pose" if law.topic in VELOCITIES else law.topic, law.product.text
     if law.of.startswith("world"):
         return "surge", f"{law.product.text} ({law.of})"
     return law.of, law.product.text

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.showing import UNEVEN
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import VELOCITIES
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.growing_force import GROWS_WITH, speed_and_thrust
@@ -25,7 +26,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 
 WITH = tuple(GROWS_WITH)
-OF_MOTION = tuple(number for number, name in enumerate(KIND_NAMES) if name.startswith(("pose", "velocity", "gyro")))
+OF_MOTION = tuple(number for number, name in enumerate(KIND_NAMES) if name.startswith(("pose", *VELOCITIES, "gyro")))
 
 
 class Uneven(NamedTuple):

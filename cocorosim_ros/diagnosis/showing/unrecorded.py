@@ -1,4 +1,4 @@
-"""What recordings do not show: readings that never vary, and a depth that nothing shows to change.
+"""Search for what recordings do not show: readings that never vary, and a depth that nothing shows to change.
 
 A map of a vehicle that stays at the surface writes a fixed height, and the filter keeps the vehicle there by it. It is
 no reading all the same, and what would be told of it, or of motion upwards, is told of the map.

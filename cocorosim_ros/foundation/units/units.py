@@ -85,7 +85,7 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
     "voltage": (Unit("V"), Unit("mV", "0.001")),
     "inverse voltage": (Unit("1/V"),),
     "inverse angle": (Unit("1/rad"),),
-    "inverse angular velocity": (Unit("s/rad"),),
+    "inverse angular velocity": (Unit("s/rad", shown=True),),  # as slowness
     "inverse acceleration": (Unit("s^2/m"),),
     "illuminance": (Unit("lx"), Unit("klx", "1000")),
     "pure number": (Unit("1"), Unit("%", "0.01")),
@@ -98,6 +98,10 @@ PREFIXED: Mapping[str, tuple[str, ...]] = {
 """Which prefixes reports put before a unit that begins with this symbol."""
 
 
+EQUAL: Mapping[str, str] = {"N s^2/m": "kg", "N s^2/m^2": "kg/m", "N s^2": "kg m"}
+"""Units of force over motion as people write them: a force in proportion to an acceleration is by a mass."""
+
+
 def units_in_files() -> dict[str, dict[str, str]]:
     """By dimension: factors to SI, as decimal text, of the units that files may have; the first one is SI."""
     found = {
@@ -108,11 +112,12 @@ def units_in_files() -> dict[str, dict[str, str]]:
 
 def units_shown(unit: str) -> tuple[Unit, ...]:
     """The units in which reports show a number of this SI unit, the largest first; empty if any prefix will do."""
-    return _SHOWN.get(unit, ())
+    return _SHOWN.get(EQUAL.get(unit, unit), ())
 
 
 def prefixed(unit: str) -> tuple[Unit, ...]:
     """The SI unit with every prefix that reports put before its first symbol, the largest first."""
+    unit = EQUAL.get(unit, unit)
     return tuple(Unit(prefix + unit, PREFIXES[prefix]) for prefix in PREFIXED.get(leading_symbol(unit), ("",)))
 
 

@@ -31,7 +31,7 @@ def table_entries() -> Iterator[Explanation]:
 
 def _described(kind: str, name: str, what: Description, folder: str) -> Iterator[Explanation]:
     numbers = ", ".join(f"{part.name} [{part.unit}]" for part in what.parameters)
-    facts = {"equation": what.equation, "numbers": numbers, "check": what.check}
+    facts = {"equation": what.whole_equation, "numbers": numbers, "check": what.check}
     if what.search is not None:
         facts["found by"] = f"cocorosim diagnose, in {what.search.channel}; best shown by {what.search.manoeuvre}"
     facts["defined in"] = _file(folder, name)

@@ -27,6 +27,7 @@ SENSOR_CHANNELS: dict[str, str] = {
     "gyro": "angular velocity",
     "accelerometer": "acceleration",
     "velocity": "speed",
+    "ground_velocity": "speed",
     "yaw_rate_estimate": "angular velocity",
     "neighbour_range": "length",
     "obstacle_range": "length",

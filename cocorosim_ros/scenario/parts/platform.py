@@ -35,6 +35,7 @@ from cocorosim_ros.scenario.reading.records import (
     stored,
 )
 from cocorosim_ros.scenario.reading.sources import require_sources
+from cocorosim_ros.scenario.reading.worded_numbers import worded_number
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
 Effects = Mapping[str, Mapping[str, Quantity | LawText]]
@@ -44,9 +45,13 @@ DRAG_FORMS = ("total_speed", "own_speed", "strips")
 
 def _read_effects(entry: Entry) -> Effects:
     return {
-        effect: {name: law_text(value) or read_any_quantity(value) for name, value in parameters.mapping().items()}
+        effect: {name: _read_part(f"{effect}.{name}", part) for name, part in parameters.mapping().items()}
         for effect, parameters in entry.mapping().items()
     }
+
+
+def _read_part(key: str, entry: Entry) -> Quantity | LawText:
+    return law_text(entry) or worded_number(key, entry) or read_any_quantity(entry)
 
 
 def _effects_tree(effects: Effects) -> dict[str, Any]:

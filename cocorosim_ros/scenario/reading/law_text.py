@@ -12,6 +12,8 @@ from typing import Any
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import NUMBER, SOURCE_KEYS
 
+BESIDE = ("range", "ci95")
+"""Keys of what may stand beside the value of a law in words, beyond where it is from."""
 _LAW = re.compile(rf"\s*({NUMBER})\s*\*\s*(\S.*?)\s*")
 
 
@@ -42,11 +44,12 @@ def parsed_law(value: Any) -> LawText | None:
 def law_text(entry: Entry) -> LawText | None:
     """The law of an entry, text or {value: text, source: ...}; None for what is no law in words.
 
-    Raises CocorosimError for a law with a unit or a range beside it, or without a source.
+    A range or an interval beside it is one of its number, in SI units (reading.ranges). Raises CocorosimError for a law
+    with a unit beside it, or without a source.
     """
     stated = entry.value.get("value", entry) if isinstance(entry.value, dict) else entry
     found = parsed_law(stated.value)
     if found is not None and stated is not entry:
-        section = entry.section(("value", "source"), SOURCE_KEYS)
+        section = entry.section(("value", "source"), (*SOURCE_KEYS, *BESIDE))
         section["source"].text()
     return found

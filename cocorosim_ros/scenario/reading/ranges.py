@@ -3,7 +3,7 @@
 `mass: {value: 2, unit: kg, range: [1, 4], source: ..., confidence: estimate}` says that a fit of the mass starts from
 2 kg and stays between 1 and 4 kg. `ci95: [1.9, 2.1]` says that 2 kg was measured, and is as sure as a 95 % interval
 from 1.9 to 2.1 kg: it limits nothing, but another measurement within its doubt is no change. A simulation uses the
-value alone.
+value alone. Beside a law in words they are of its number, in SI units, and stand under its key `coefficient`.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.law_text import is_law, parsed_law
 from cocorosim_ros.scenario.reading.quantity import Quantity, read_any_quantity
 
 
@@ -55,7 +56,8 @@ def _ranged(entry: Entry, kind: str, key: str) -> Iterator[tuple[str, Entry]]:
     """Key and entry of every number that has a range of that kind."""
     if isinstance(entry.value, dict):
         if kind in entry.value and "value" in entry.value:
-            yield key, entry
+            law = is_law(entry.value["value"].value)  # of which the range is one of its number
+            yield f"{key.rpartition('.')[0]}.coefficient" if law else key, entry
             return
         for name, part in entry.value.items():
             yield from _ranged(part, kind, f"{key}.{name}" if key else name)
@@ -83,7 +85,12 @@ def _read(entry: Entry, kind: str) -> Range:
 
 
 def _quantity(section: Mapping[str, Entry], number: Entry) -> Quantity:
-    return read_any_quantity(replace(number, value=f"{number.value} {section['unit'].value}"))
+    """A number in the unit of its section; of a law in words its coefficient, in SI units."""
+    law = parsed_law(section["value"].value)
+    if law is None:
+        return read_any_quantity(replace(number, value=f"{number.value} {section['unit'].value}"))
+    value = law.coefficient if number is section["value"] else number.value
+    return read_any_quantity(replace(number, value=f"{value} 1"))
 
 
 def _between(entry: Entry, *numbers: Quantity) -> Range:

@@ -20,6 +20,7 @@ Columns = Mapping[str, Floats]
 _TURNS = ("roll", "pitch", "yaw")
 _RATES = ("rate_x", "rate_y", "rate_z")
 _FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
+_VELOCITY = {**dict.fromkeys(("x", "y", "z"), "speed"), "yaw_rate": "angular velocity"}
 _UNKNOWN_AXIS = 1e6  # rad^2; the variance of an axis of an attitude that was not measured
 _ABSENT = np.array([-1.0, 0, 0, 0, 0, 0, 0, 0, 0])  # sensor_msgs/Imu: this is not measured
 
@@ -38,7 +39,8 @@ NUMBERS: dict[str, dict[str, str]] = {
         **dict.fromkeys(_TURNS, "angle"),
         **dict.fromkeys(QUATERNION, "pure number"),
     },
-    "velocity": {**dict.fromkeys(("x", "y", "z"), "speed"), "yaw_rate": "angular velocity"},
+    "velocity": _VELOCITY,
+    "ground_velocity": _VELOCITY,
 }
 
 
@@ -117,6 +119,7 @@ _CHECKS: dict[str, Callable[[set[str]], str]] = {
     "pressure": _check_one("pressure", "depth"),
     "imu": _check_imu,
     "velocity": _check_any,
+    "ground_velocity": _check_any,
 }
 
 
@@ -207,4 +210,5 @@ _BUILDERS: dict[str, Callable[[Columns, bool], StreamRows]] = {
     "pressure": _pressure,
     "imu": _imu,
     "velocity": _velocity,
+    "ground_velocity": _velocity,
 }

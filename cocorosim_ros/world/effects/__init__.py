@@ -36,6 +36,7 @@ from cocorosim_ros.world.effects.side_thrust_lever import SIDE_THRUST_LEVER
 from cocorosim_ros.world.effects.steady_current import STEADY_CURRENT
 from cocorosim_ros.world.effects.stratification import STRATIFICATION
 from cocorosim_ros.world.effects.surface_loss import SURFACE_LOSS
+from cocorosim_ros.world.effects.surface_waves import SURFACE_WAVES
 from cocorosim_ros.world.effects.tether import TETHER
 from cocorosim_ros.world.effects.thruster_asymmetry import THRUSTER_ASYMMETRY
 from cocorosim_ros.world.effects.thruster_deadband import THRUSTER_DEADBAND
@@ -84,6 +85,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "hull_emergence": HULL_EMERGENCE,
     "side_thrust_lever": SIDE_THRUST_LEVER,
     "surface_loss": SURFACE_LOSS,
+    "surface_waves": SURFACE_WAVES,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

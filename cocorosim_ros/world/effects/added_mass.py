@@ -45,7 +45,6 @@ it is in air; of a sphere, which is blunter than most hulls, it is a third of th
 
 ADDED_MASS = Effect(
     summary="added mass",
-    equation="N = -(A_v - A_u) u v, and inertia against sway and yaw",
     wrench=added_mass_wrench,
     inertia=added_inertia,
     parameters=(
@@ -55,6 +54,7 @@ ADDED_MASS = Effect(
             "added mass sideways less that forwards",
             multiplies="m^2/s^2",
             gives="N m",
+            part="N = -(A_v - A_u) u v and inertia against sway",
             search=Strength(large=0.044, least=LEAST),
             example=Example(0.04, "zig-zag"),
         ),
@@ -64,6 +64,7 @@ ADDED_MASS = Effect(
             "added moment of inertia",
             multiplies="rad/s^2",
             gives="N m",
+            part="inertia against yaw",
             search=Strength(large=6e-5),
             example=Example(6e-5, "zig-zag"),
         ),
@@ -73,6 +74,7 @@ ADDED_MASS = Effect(
             "added mass upwards less that forwards",
             multiplies="m/s^2",
             gives="N",
+            part="inertia against heave",
             search=Strength(large=0.044, least=LEAST),
             example=Example(0.04, "zig-zag"),
         ),

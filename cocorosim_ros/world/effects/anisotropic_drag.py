@@ -26,7 +26,7 @@ from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength
 
-TOTAL_SPEED, OWN_SPEED, STRIPS = 0.0, 1.0, 2.0
+TOTAL_SPEED, OWN_SPEED, STRIPS = 0.0, 1.0, 2.0  # in the order of scenario.reading.worded_numbers
 EACH_AXIS, EACH_AXIS_STRIPS = 3.0, 4.0
 ADDING, REPLACING = (TOTAL_SPEED, OWN_SPEED, STRIPS), (EACH_AXIS, EACH_AXIS_STRIPS)
 STILL = 1e-4  # rad/s, below which strips all move alike
@@ -97,7 +97,6 @@ def _lengths(scene: Scene) -> list[float]:
 
 ANISOTROPIC_DRAG = Effect(
     summary="drag that differs between axes",
-    equation="Y = -k_v U v, Z = -k_w U w with k_v, k_w unlike k_u",
     wrench=anisotropic_drag,
     parameters=(
         Number(
@@ -108,6 +107,7 @@ ANISOTROPIC_DRAG = Effect(
             sign="not negative",
             multiplies="kg m/s^2",  # k U v
             gives="N",
+            part="Y = -k_v U v with k_v unlike k_u",
             other_form=0.08,  # powers of the speed from 1.5 to 2.5, at other speeds
             search=Strength(large=2.0, least=-0.45),
             example=Example(2.0, "towing"),
@@ -120,6 +120,7 @@ ANISOTROPIC_DRAG = Effect(
             sign="not negative",
             multiplies="kg m/s^2",  # k U v
             gives="N",
+            part="Z = -k_w U w with k_w unlike k_u",
             other_form=0.08,  # powers of the speed from 1.5 to 2.5, at other speeds
             search=Strength(large=2.0, least=-0.45),
             example=Example(1.5, "towing"),
@@ -127,8 +128,9 @@ ANISOTROPIC_DRAG = Effect(
         Number(
             "form",
             "1",
-            "0: by the total speed, 1: what is added by each axis' own speed, 2: by strips, 3: all by each axis' own "
-            "speed, 4: all by own speed and strips",
+            "total_speed or 0: by the total speed, added_own_speed or 1: what is added by each axis' own speed, "
+            "added_strips or 2: by strips, own_speed or 3: all by each axis' own speed, strips or 4: all by own speed "
+            "and strips",
             sign="not negative",
             gives="1",
             search=Grid(_forms, fixed=True),

@@ -5,6 +5,7 @@ Assumes: the charge is used evenly, and the thrust follows it in a straight line
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
@@ -38,6 +39,7 @@ BATTERY_SAG = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=0.2),
+            between=(-math.inf, 1.0),  # below zero where the thrust rises
             example=Example(0.1, "log of the voltage"),
             other_form=0.12,  # discharge curves bend
         ),

@@ -47,7 +47,7 @@ HULL_COMPRESSIBILITY = Effect(
         Number(
             "gas",
             "1",
-            "0: an elastic hull, in proportion to depth; 1: a volume of gas that shrinks, by Boyle's law",
+            "elastic_hull or 0: in proportion to depth; gas or 1: a volume of gas that shrinks, by Boyle's law",
             gives="1",
             search=Grid(lambda scene: [0.0, 1.0], fixed=True),
             example=Example(0.0, "staircase of depths"),

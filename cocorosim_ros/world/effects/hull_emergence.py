@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import Z
-from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.effect import SHARE, Effect, Example, Number
 from cocorosim_ros.world.terms.groups import WEIGHT
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.search import Given, Grid, Scene, Search, Strength
@@ -46,6 +46,7 @@ HULL_EMERGENCE = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=0.5, least=0.0),
+            between=SHARE,
             example=Example(0.8, "drawing"),
         ),
         Number(

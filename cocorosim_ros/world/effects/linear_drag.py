@@ -27,7 +27,6 @@ def linear_drag(row: Floats, relative: Floats, moment: Moment, parameters: Float
 
 LINEAR_DRAG = Effect(
     summary="linear drag",
-    equation="X = -d_u u, Y = -d_v v, Z = -d_w w, N = -d_r r",
     wrench=linear_drag,
     parameters=(
         Number(
@@ -36,6 +35,7 @@ LINEAR_DRAG = Effect(
             "force per speed forwards",
             multiplies="m/s",
             gives="N",
+            part="X = -d_u u",
             other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.01, "coast-down"),
@@ -46,6 +46,7 @@ LINEAR_DRAG = Effect(
             "force per speed sideways",
             multiplies="m/s",
             gives="N",
+            part="Y = -d_v v",
             other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.012, "coast-down"),
@@ -56,6 +57,7 @@ LINEAR_DRAG = Effect(
             "force per speed upwards",
             multiplies="m/s",
             gives="N",
+            part="Z = -d_w w",
             other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.012, "coast-down"),
@@ -66,6 +68,7 @@ LINEAR_DRAG = Effect(
             "moment per yaw rate",
             multiplies="rad/s",
             gives="N m",
+            part="N = -d_r r",
             other_form=0.1,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=3e-5, least=0.0),
             example=Example(1.5e-5, "spin-down"),

@@ -71,6 +71,7 @@ NEIGHBOUR_WAKE = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=0.6),
+            between=(-1.0, 1.0),
             example=Example(0.2, "two robots in line"),
             other_form=0.15,  # jets that widen otherwise
         ),

@@ -37,7 +37,6 @@ def pump_lag(force: Floats, memory: Floats, fitting: Any, duration: float, param
 
 PUMP_LAG = Effect(
     summary="slow buoyancy pump",
-    equation="tau dZ/dt = Z_command - Z, with backlash",
     response=pump_lag,
     parameters=(
         Number(
@@ -47,6 +46,7 @@ PUMP_LAG = Effect(
             sign="not negative",
             multiplies="N/s",
             gives="N",
+            part="tau dZ/dt = Z_command - Z",
             search=Strength(large=1.0, step=0.1, least=0.0, negligible=(-PUMP_TICK, PUMP_TICK)),
             example=Example(1.5, "step response"),
         ),
@@ -57,7 +57,9 @@ PUMP_LAG = Effect(
             sign="not negative",
             multiplies="N",
             gives="N",
+            part="Z_command with a play",
             search=Strength(large=0.06, step=0.1, least=0.0, negligible=(-NO_PLAY, NO_PLAY)),
+            between=(0.0, 2.0),  # from the largest command to the least
             example=Example(0.05, "triangle"),
         ),
     ),

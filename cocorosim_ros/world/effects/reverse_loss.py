@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from cocorosim_ros.foundation.arrays import Floats
@@ -34,6 +35,7 @@ REVERSE_LOSS = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=0.2),
+            between=(-math.inf, 1.0),  # below zero where it pushes harder backwards
             example=Example(0.15, "bollard pull"),
         ),
     ),

@@ -21,7 +21,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
-from cocorosim_ros.world.terms.effect import Effect, Number
+from cocorosim_ros.world.terms.effect import SHARE, Effect, Number
 from cocorosim_ros.world.terms.moment import Moment
 
 
@@ -75,10 +75,19 @@ RUDDER = Effect(
         Number("gain", "1", "force over what the law says", neutral=1.0, gives="1"),
         Number("wake", "1", "speed that the hull takes off the water at the rudder", gives="1"),
         Number("acceleration", "1", "kappa, how much of the jet's speed is there", neutral=1.0, gives="1"),
-        Number("coverage", "1", "eta, share of the rudder that stands in the jet", neutral=1.0, gives="1"),
+        Number(
+            "coverage", "1", "eta, share of the rudder that stands in the jet", neutral=1.0, gives="1", between=SHARE
+        ),
         Number("straightening", "1", "gamma, what the hull leaves of the flow across", neutral=1.0, gives="1"),
         Number("inflow_arm", "m", "l_R, at which the rudder meets the turning flow", gives="m"),
-        Number("drag_share", "1", "d_s, what of the drag of the rudder the vehicle feels", neutral=1.0, gives="1"),
+        Number(
+            "drag_share",
+            "1",
+            "d_s, what of the drag of the rudder the vehicle feels",
+            neutral=1.0,
+            gives="1",
+            between=SHARE,
+        ),
         Number("hull_gain", "1", "a_H, force on the hull over that on the rudder", gives="1"),
         Number("hull_position", "m", "x_H, where that force acts before the centre", gives="m"),
     ),

@@ -12,7 +12,6 @@ from cocorosim_ros.world.water.currents.sheared import sheared
 
 SHEARED_CURRENT = Effect(
     summary="current that changes with place",
-    equation="V_c = V_0 + gradient * place",
     water=sheared,
     parameters=(
         Number(
@@ -20,6 +19,7 @@ SHEARED_CURRENT = Effect(
             "m/s",
             "velocity along x at the world's origin",
             gives="m/s",
+            part="V_cx = x at the origin",
             search=Strength(large=0.005),
             example=Example(0.003, "drift"),
         ),
@@ -28,6 +28,7 @@ SHEARED_CURRENT = Effect(
             "m/s",
             "velocity along y at the world's origin",
             gives="m/s",
+            part="V_cy = y at the origin",
             search=Strength(large=0.005),
             example=Example(0.0, "drift"),
         ),
@@ -37,6 +38,7 @@ SHEARED_CURRENT = Effect(
             "change of x along y",
             multiplies="m",
             gives="m/s",
+            part="dV_cx / dy = dx_dy",
             search=Strength(large=0.005),
             example=Example(0.002, "drift"),
             other_form=0.08,  # profiles bend
@@ -47,6 +49,7 @@ SHEARED_CURRENT = Effect(
             "change of x upwards",
             multiplies="m",
             gives="m/s",
+            part="dV_cx / dz = dx_dz",
             search=Strength(large=0.005),
             example=Example(0.001, "drift"),
             other_form=0.08,  # profiles bend
@@ -57,6 +60,7 @@ SHEARED_CURRENT = Effect(
             "change of y along x",
             multiplies="m",
             gives="m/s",
+            part="dV_cy / dx = dy_dx",
             search=Strength(large=0.005),
             example=Example(-0.002, "drift"),
             other_form=0.08,  # profiles bend
@@ -67,6 +71,7 @@ SHEARED_CURRENT = Effect(
             "change of y upwards",
             multiplies="m",
             gives="m/s",
+            part="dV_cy / dz = dy_dz",
             search=Strength(large=0.005),
             example=Example(0.0, "drift"),
             other_form=0.08,  # profiles bend

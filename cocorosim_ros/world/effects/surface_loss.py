@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import Z
-from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.effect import SHARE, Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.terms.search import Grid, Scene, Search, Strength
@@ -53,6 +53,7 @@ SURFACE_LOSS = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=0.3, least=0.0, most=3.0),
+            between=SHARE,
             example=Example(0.3, "bollard pull at the surface and below"),
         ),
         Number(

@@ -38,6 +38,7 @@ THRUSTER_ASYMMETRY = Effect(
             "right less left, over their mean",
             gives="1",
             search=Strength(large=0.06),
+            between=(-2.0, 2.0),  # one of the two gives nothing
             example=Example(0.03, "straight run"),
         ),
     ),

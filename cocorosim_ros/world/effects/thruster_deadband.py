@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.curve import is_thruster
-from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.effect import SHARE, Effect, Example, Number
 from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
 
@@ -41,12 +41,13 @@ THRUSTER_DEADBAND = Effect(
             sign="not negative",
             gives="1",
             search=Strength(large=0.1, step=0.5, least=0.0),
+            between=SHARE,
             example=Example(0.05, "slow ramp"),
         ),
         Number(
             "ramp",
             "1",
-            "0: beyond it the whole command counts, 1: what exceeds it",
+            "jump or 0: beyond it the whole command counts, ramp or 1: what exceeds it",
             sign="not negative",
             gives="1",
             search=Grid(lambda scene: [0.0, 1.0], fixed=True),

@@ -6,6 +6,8 @@ they are mounted the arm is how far they sit in front of the centre, negative fo
 
 from __future__ import annotations
 
+import math
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
@@ -39,6 +41,7 @@ THRUSTER_MISALIGNMENT = Effect(
             "of the push, counter-clockwise positive",
             gives="rad",
             search=Strength(large=0.08),
+            between=(-math.pi, math.pi),
             example=Example(0.05, "straight run"),
         ),
         Number(

@@ -18,7 +18,6 @@ def _periods(scene: Scene) -> list[float]:
 
 TIDAL_CURRENT = Effect(
     summary="current that swings",
-    equation="V_c = (x, y) sin(2 pi t / period + phase)",
     water=tidal,
     parameters=(
         Number(
@@ -26,6 +25,7 @@ TIDAL_CURRENT = Effect(
             "m/s",
             "amplitude along x of the world",
             gives="m/s",
+            part="V_cx = x sin(2 pi t / period + phase)",
             search=Strength(large=0.007),
             example=Example(0.004, "drift"),
         ),
@@ -34,6 +34,7 @@ TIDAL_CURRENT = Effect(
             "m/s",
             "amplitude along y of the world",
             gives="m/s",
+            part="V_cy = y sin(2 pi t / period + phase)",
             search=Strength(large=0.007),
             example=Example(0.001, "drift"),
         ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from cocorosim_ros.world.sensors.blue_light import BLUE_LIGHT
 from cocorosim_ros.world.sensors.chemical import CHEMICAL
 from cocorosim_ros.world.sensors.compass import COMPASS
+from cocorosim_ros.world.sensors.ground_velocity import GROUND_VELOCITY
 from cocorosim_ros.world.sensors.imu import IMU
 from cocorosim_ros.world.sensors.light import LIGHT
 from cocorosim_ros.world.sensors.pose import POSE
@@ -19,6 +20,7 @@ _TABLE: tuple[Sensor, ...] = (
     IMU,
     BLUE_LIGHT,
     VELOCITY,
+    GROUND_VELOCITY,
     LIGHT,
     CHEMICAL,
 )

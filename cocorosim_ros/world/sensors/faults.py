@@ -17,7 +17,7 @@ from cocorosim_ros.world.sensors.sensor_error import TAKEN
 from cocorosim_ros.world.state.state import YAW
 from cocorosim_ros.world.terms.motors import Motors
 
-_TAKEN = dict(zip(TAKEN, ("row", f"row[{YAW}]", "water", "motors"), strict=True))
+_TAKEN = dict(zip(TAKEN, ("row", f"row[{YAW}]", "water", "ground", "motors"), strict=True))
 
 
 class Faults(NamedTuple):
@@ -47,7 +47,8 @@ def _lines() -> tuple[list[str], dict[str, Callable[..., Any]]]:
     return lines, functions
 
 
-_add_errors_of = compile_lines("_add_errors_of", "readings, run, robot, time, own, row, water, motors", *_lines())
+_GIVEN = "readings, run, robot, time, own, row, water, ground, motors"
+_add_errors_of = compile_lines("_add_errors_of", _GIVEN, *_lines())
 
 
 @kernel
@@ -56,10 +57,12 @@ def add_errors(time: float, error: Floats, state: Floats, motors: Motors, readin
 
     motors: of all robots, each array with the leading axes (runs, robots).
     """
-    water = stack_array(4)
+    water, ground = stack_array(4), stack_array(3)
     for run in range(readings.compass.shape[0]):
         for robot in range(error.shape[0]):
             for axis in range(4):
                 water[axis] = readings.velocity[run, robot, axis]
+            for axis in range(3):
+                ground[axis] = readings.ground_velocity[run, robot, axis]
             own = Motors(motors.is_pump[run, robot], motors.curve[run, robot], motors.limit[run, robot])
-            _add_errors_of(readings, run, robot, time, error[robot], state[run, robot], water, own)
+            _add_errors_of(readings, run, robot, time, error[robot], state[run, robot], water, ground, own)

@@ -13,9 +13,10 @@ from cocorosim_ros.world.terms.effect import Description
 from cocorosim_ros.world.terms.search import Search
 
 Hook = Callable[..., Any]
-TAKEN = ("row", "heading", "water", "motors")
+TAKEN = ("row", "heading", "water", "ground", "motors")
 """What an error may depend on beside its own reading: the state at the grid point or tick next to the reading, the
-heading [rad] at the reading itself, the velocity through the water (4,) [m/s, rad/s; body], and terms.motors.Motors."""
+heading [rad] at the reading itself, the velocity through the water (4,) [m/s, rad/s; body] and that over ground (3,)
+[m/s; body], and terms.motors.Motors."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,8 @@ class SensorError(Description):
     draws it.
     told_by: states that other readings have to show for the error to be told (diagnosis.catalogue.shown_by), where its
     slopes do not say it. most_error: of this very error, where that is more than whatever law such an instrument may
-    follow.
+    follow. where_recorded: of an instrument that few robots have, so that a recording without its topic is not said to
+    leave the error unseen.
     """
 
     sensor: str = ""
@@ -70,6 +72,7 @@ class SensorError(Description):
     against: str = "t"
     told_by: tuple[str, ...] = ()
     most_error: MostError | None = None
+    where_recorded: bool = False
 
 
 @kernel

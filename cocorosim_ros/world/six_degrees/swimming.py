@@ -42,6 +42,7 @@ class Felt(NamedTuple):
     angular_rate: Floats  # (runs, robots, 3) [rad/s; body]
     specific_force: Floats  # (runs, robots, 3) [m/s^2; body]
     velocity: Floats  # (runs, robots, 4) u v w r through the water [m/s, rad/s; body]; NaN where not measured
+    ground_velocity: Floats  # (runs, robots, 3) u v w over ground [m/s; body]; NaN where not measured
 
 
 class Moment(NamedTuple):
@@ -63,7 +64,7 @@ def swim(state: Floats, command: Floats, school: School, around: Around, moment:
 
 @allocating_kernel
 def feel(state: Floats, command: Floats, school: School, around: Around, time: float, felt: Felt) -> None:
-    """Write what gyroscope, accelerometer and speed log of every vehicle show at `time` [s] under commands that hold.
+    """Write what gyroscope, accelerometer and speed logs of every vehicle show at `time` [s] under commands that hold.
 
     The instruments are at the origin of the body axes. Specific force: acceleration less gravity, v_dot + omega x v +
     g k, with k the world's vertical in body axes (Fossen 2011, eq. 11.6 without errors).
@@ -110,3 +111,6 @@ def _feel_all(state: Floats, command: Floats, school: School, around: Around, ti
                 for axis in range(3):
                     velocity[axis] = relative[axis]
                 velocity[3] = row[STATE_SIZE - 1]
+            if not np.isnan(felt.ground_velocity[run, number, 0]):
+                for axis in range(3):
+                    felt.ground_velocity[run, number, axis] = row[SURGE + axis]

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.terms.search import Given, Grid, Search, Strength
 
-__all__ = ["Description", "Effect", "Example", "Hook", "Number", "Parameter"]
+__all__ = ["SHARE", "Description", "Effect", "Example", "Hook", "Number", "Parameter", "joined_equation"]
 
 Hook = Callable[..., Any]
+SHARE = (0.0, 1.0)
+"""Between what a share of a whole lies."""
 
 
 class Example(NamedTuple):
@@ -28,6 +31,8 @@ class Number(Parameter):
     The parameter [its unit] times what it `multiplies` [unit] `gives` the term of the equation that it stands in
     [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it. other_form: standard
     deviation of the number, as a share of it, between causes that follow other laws of the kind than the equation.
+    between: the least and the most that it can be by its meaning: no more than all of the thrust is lost.
+    part: what it alone makes of the effect's equation, a sentence of its own or a sum's term with its sign (' + a x').
     """
 
     gives: str
@@ -35,6 +40,8 @@ class Number(Parameter):
     search: Strength | Grid | Given | None = None
     example: Example | None = None  # none where a platform file cannot name the effect
     other_form: float = 0.0
+    between: tuple[float, float] = (-math.inf, math.inf)
+    part: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,8 +49,9 @@ class Description:
     """Everything that documents, diagnosis and reports say of an effect.
 
     summary: its name in words, as reports have it. opposite: its name where its first number is negative, "" where
-    the summary holds for both signs. equation: in plain text. check: what to look at on the robot or in
-    the tank. search: how a diagnosis looks for it, None if it does not, or not under this name.
+    the summary holds for both signs. equation: in plain text, without the parts that numbers have of their own. check:
+    what to look at on the robot or in the tank. search: how a diagnosis looks for it, None if it does not, or not under
+    this name.
     """
 
     summary: str
@@ -59,6 +67,19 @@ class Description:
     def numbers(self) -> tuple[Number, ...]:
         """The parameters that are told in full: all but those of laws, whose units depend on the law."""
         return tuple(part for part in self.parameters if isinstance(part, Number))
+
+    @property
+    def whole_equation(self) -> str:
+        """The equation with the parts of all numbers."""
+        return joined_equation(self.equation, [number.part for number in self.numbers])
+
+
+def joined_equation(always: str, parts: Sequence[str]) -> str:
+    """An equation of what always holds and the parts of some numbers; either may be empty."""
+    whole = always
+    for part in filter(None, parts):
+        whole += part if part.startswith((" + ", " - ")) or not whole else f", {part}"
+    return whole
 
 
 @dataclass(frozen=True, kw_only=True)

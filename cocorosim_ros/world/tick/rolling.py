@@ -35,7 +35,7 @@ class Rolling:
 
     def feel(self, time: float, readings: Readings) -> None:
         """Write what inertial sensors and speed logs of these robots show at `time` [s] into `readings`."""
-        felt = Felt(readings.angular_rate, readings.specific_force, readings.velocity)
+        felt = Felt(readings.angular_rate, readings.specific_force, readings.velocity, readings.ground_velocity)
         feel(self.state, self._command, self._school, self._around, time, felt)
 
     def move(self, command: Floats, begin: float, stepping: Stepping, seen: Floats) -> None:

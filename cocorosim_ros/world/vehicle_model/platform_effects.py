@@ -12,6 +12,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.platform_checks import check_effects, check_sensors
+from cocorosim_ros.scenario.reading.worded_numbers import word_of
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS, LAWS
 from cocorosim_ros.world.effects.anisotropic_drag import ADDING, FORM_BY_NAME, REPLACING
 from cocorosim_ros.world.laws.laws_of_platform import effects_of, in_codes
@@ -102,10 +103,11 @@ def _check_drag_form(platform: Platform) -> None:
     allowed = [*ADDING, *REPLACING] if whole is None else [whole] if whole in REPLACING else [*ADDING]
     if form not in allowed:
         of_what = "drag" if declared is None else f"'drag_form: {declared}'"
-        numbers = " or ".join(f"{each:g}" for each in allowed)
+        words = " or ".join(str(word_of(DRAG_FORM, each)) for each in allowed)
+        found = word_of(DRAG_FORM, form) or f"{form:g}"
         raise CocorosimError(
-            f"{platform.origin}: 'effects.anisotropic_drag.form' has '{form:g}', which is no form of {of_what}; write "
-            f"{numbers}, or leave it out."
+            f"{platform.origin}: 'effects.anisotropic_drag.form' has '{found}', which is no form of {of_what}; write "
+            f"{words}, or leave it out."
         )
 
 

@@ -71,8 +71,10 @@ def test_velocities_and_forces_are_turned_into_level_axes() -> None:
     body = TURNS.inv().apply(WORLD_VELOCITY)
     level = HEADING.inv().apply(WORLD_VELOCITY)
     imu = np.column_stack([np.zeros(len(TIME)), body])
-    log, said = levelled(log_of(Attitude(TIME, ROLL, PITCH), pose=poses(), velocity=body, imu=imu))
-    np.testing.assert_allclose(log.streams["velocity"].value, level, atol=1e-12)
+    logs = {"velocity": body, "ground_velocity": body}
+    log, said = levelled(log_of(Attitude(TIME, ROLL, PITCH), pose=poses(), imu=imu, **logs))
+    for topic in logs:
+        np.testing.assert_allclose(log.streams[topic].value, level, atol=1e-12)
     np.testing.assert_allclose(log.streams["imu"].value[:, 1:], level, atol=1e-12)
     np.testing.assert_array_equal(log.streams["pose"].value, poses())
     assert len(said) == 1 and "taken as known" in said[0]
@@ -87,13 +89,14 @@ def test_the_gyroscope_gives_the_rate_of_the_heading() -> None:
     np.testing.assert_allclose(log.streams["imu"].value[2:-2, 0], 0.2, atol=2e-3)
 
 
+@pytest.mark.parametrize("topic", ["velocity", "ground_velocity"])
 @pytest.mark.parametrize(("roll", "pitch", "word"), [(1.0, -1.0, "pitch"), (-1.0, 1.0, "roll")])
-def test_a_mirrored_attitude_is_not_used(roll: float, pitch: float, word: str) -> None:
+def test_a_mirrored_attitude_is_not_used(topic: str, roll: float, pitch: float, word: str) -> None:
     """Heights tell that a sign is wrong; then nothing is turned, and that is said."""
     body = TURNS.inv().apply(WORLD_VELOCITY)
-    log, said = levelled(log_of(Attitude(TIME, roll * ROLL, pitch * PITCH), pose=poses(), velocity=body))
+    log, said = levelled(log_of(Attitude(TIME, roll * ROLL, pitch * PITCH), pose=poses(), **{topic: body}))
     assert log.attitude is None
-    np.testing.assert_array_equal(log.streams["velocity"].value, body)
+    np.testing.assert_array_equal(log.streams[topic].value, body)
     assert f"better with {word} of the opposite sign; roll and pitch are not used" in said[0]
 
 

@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
 from cocorosim_ros.world.terms.search import Scene
 
-PERIODS = {name: (60.0, 400.0) for name in ("world_x", "world_y", "heave", "yaw", "surge", "sway")}
+PERIODS = {name: (60.0, 400.0) for name in ("world_x", "world_y", "heave", "yaw", "surge", "sway", "waves")}
 SCENE = Scene((-1.0,) * 3, (1.0,) * 3, 600.0, 0.15, 0.0, PERIODS, (120.0,), {}, True)
 ROBOTS, TRACKS = ("a", "b"), ((0, 2), (1,))
 

@@ -100,6 +100,9 @@ def test_what_no_reading_shows_is_measured_against_the_course() -> None:
     moving: Any = Track(np.array([2.5]), gyro_z=0.1)
     assert against("heading", [moving]) == "course"
     assert against("depth", [moving]) is None
+    over_ground: Any = Track(np.array([2.5]), ground_velocity_u=0.1, ground_velocity_w=0.0)
+    assert against("position", [over_ground]) == against("depth", [over_ground]) == "course"
+    assert against("heading", [over_ground]) is None
     seen: Any = Track(np.array([2.5]), compass=0.1)
     assert against("heading", [moving, seen]) == "readings"
 

@@ -122,7 +122,7 @@ def test_a_bag_of_standard_messages(tmp_path: Path, converted: Converted) -> Non
     write_bag(tmp_path / "bag", {**topics, **THRUSTERS})
     recording, _ = converted(tmp_path / "bag")
     assert_circle(recording, "auv")
-    assert column(recording, "auv", "velocity", "u") == pytest.approx(SPEED)
+    assert column(recording, "auv", "ground_velocity", "u") == pytest.approx(SPEED)
     assert column(recording, "auv", "imu", "angular_rate_z") == pytest.approx(TURNING)
     assert column(recording, "auv", "pressure", "pressure") == pytest.approx(SEA)
     commands = recording.readings["auv"]["thruster_command"]
@@ -135,7 +135,7 @@ def test_z_down_is_found_by_the_pressure(tmp_path: Path, converted: Converted) -
     write_bag(tmp_path / "bag", {"/auv/odom": (ODOMETRY, odometry_down), "/auv/pressure": (FLUID, pressure)})
     recording, doubts = converted(tmp_path / "bag")
     assert_circle(recording, "auv")
-    assert column(recording, "auv", "velocity", "w") == pytest.approx(-SINKING)
+    assert column(recording, "auv", "ground_velocity", "w") == pytest.approx(-SINKING)
     assert any("z of the pose grows with the depth" in sentence for sentence in doubts)
     assert any("No command of a thruster" in sentence for sentence in doubts)
 
@@ -209,6 +209,7 @@ def test_what_the_motion_tells(tmp_path: Path, converted: Converted) -> None:
     assert column(recording, "vehicle", "imu", "angular_rate_z") == pytest.approx(expected)
     assert track.stamp_ns[-1] - track.stamp_ns[0] == pytest.approx(TIME[-1] * 1e9)
     assert any("counts clockwise" in sentence for sentence in doubts)
+    assert any("rename 'velocity' to 'ground_velocity'" in sentence for sentence in doubts)
 
 
 def test_a_heading_of_which_the_motion_tells_nothing(tmp_path: Path, converted: Converted) -> None:

@@ -118,7 +118,7 @@ def test_every_entry_of_the_catalogue_can_be_loaded_again(entry: Entry, example:
     """Whatever is found stands in the model as a number of the simulator, whose own checks it passes."""
     numbers = {part.name: _around(part.neutral + 0.5 * part.large, part.unit) for part in entry.amplitudes}
     numbers |= {part.name: _around(1.0, part.unit) for part in entry.shapes}
-    found = FoundEffect(entry.id, entry.name, entry.equation, (), "confirmed", numbers, 50.0, topic=entry.topic)
+    found = FoundEffect(entry.id, entry.name, entry.whole_equation, (), "confirmed", numbers, 50.0, topic=entry.topic)
     model = written(tmp_path, replace(example("mismatch"), effects=(found,), recalibrated=()), origin())
     assert sorted(value for effect in model.effects.values() for value in effect.values() if value != 600.0) == sorted(
         each.value for each in numbers.values()
@@ -276,6 +276,58 @@ def test_a_law_that_the_platform_had_gets_another_coefficient(example: Example, 
     model = written(tmp_path, replace(example("mismatch"), effects=(stronger,)), origin(known), "more.yaml")
     assert effects_of(model) == {"law_1": effects_of(known)["law_1"] | {"coefficient": -5e-4}}
     assert list(model.effect_quantities["law_1"]) == ["world_x"]
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [
+        """{surge: {value: "-0.5 * u * v", range: [-1, 0.25], source: guess}}""",
+        """{coefficient: {value: -500, unit: g, range: [-1000, 250], source: guess},
+     equation: {value: 0, unit: "1", source: a},
+     regressor_1: {value: U, unit: "1", source: a}, regressor_2: {value: V, unit: "1", source: a}}""",
+    ],
+    ids=["in words", "as codes"],
+)
+def test_a_law_with_a_range_is_in_words_too(declared: str, example: Example, tmp_path: Path) -> None:
+    """The platform's own law, refitted: words, the range in SI units and the interval come back; no code is left."""
+    codes = {regressor.name: str(code) for code, regressor in enumerate(REGRESSORS)}
+    for letter, name in (("U", "u"), ("V", "v")):
+        declared = declared.replace(f"value: {letter},", f"value: {codes[name]},")
+    (tmp_path / "boat.yaml").write_text(f"name: boat\nbased_on: lily\neffects:\n  law_1: {declared}\n", "utf-8")
+    boat = load_platform(tmp_path / "boat.yaml")
+    between = boat.ranges["effects.law_1.coefficient"]
+    assert (between.low, between.high, effects_of(boat)["law_1"]["coefficient"]) == (-1.0, 0.25, -0.5)
+    fitted = Recalibrated("law_1.coefficient", -0.5, Estimate(-0.7, -0.8, -0.6, "kg"), ("lily_01",))
+    found = replace(example("recalibrate"), all_recalibrated=(fitted,), recalibrated=())
+    model = written(tmp_path, found, origin(boat))
+    refitted = effects_of(boat)["law_1"] | {"coefficient": -0.7}
+    assert {name: effects_of(model)["law_1"][name] for name in refitted} == refitted
+    again = model.ranges["effects.law_1.coefficient"]
+    assert (again.low, again.high) == (-1.0, 0.25)
+    interval = model.intervals["effects.law_1.coefficient"]
+    assert (interval.low, interval.high) == (-0.8, -0.6)
+    text = (tmp_path / "model.yaml").read_text("utf-8")
+    assert "-0.7 * u * v" in text and "regressor" not in text and "coefficient" not in text
+
+
+def test_a_form_is_a_word(example: Example, tmp_path: Path) -> None:
+    """Of drag, and of a dead band: words in the file, the same numbers in the model, with where they are from."""
+    drag = FoundEffect(
+        "anisotropic_drag", "drag", "", ("lily_01",), "confirmed", {"sway_ratio": _around(2.0, "1")}, 50.0,
+        settings={"form": 2.0},
+    )  # fmt: skip
+    band = FoundEffect(
+        "thruster_deadband", "band", "", ("lily_01",), "confirmed", {"width": _around(0.1, "1")}, 50.0,
+        settings={"ramp": 1.0},
+    )  # fmt: skip
+    model = written(tmp_path, replace(example("mismatch"), effects=(drag, band)), origin())
+    assert model.effects["anisotropic_drag"] == {"sway_ratio": 2.0, "form": 2.0}
+    assert model.effects["thruster_deadband"] == {"width": 0.1, "ramp": 1.0}
+    effects = parse_yaml((tmp_path / "model.yaml").read_text("utf-8"), "model").mapping()["effects"].mapping()
+    form = {name: part.value for name, part in effects["anisotropic_drag"].mapping()["form"].mapping().items()}
+    assert form == {"value": "added_strips", "source": "diagnosis of tank_7", "confidence": "derived"}
+    again = written(tmp_path, replace(example("consistent"), all_recalibrated=()), origin(model), "again.yaml")
+    assert again.effects == model.effects
 
 
 def test_laws_of_readings_have_places_of_their_own(example: Example, tmp_path: Path) -> None:

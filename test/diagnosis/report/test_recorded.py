@@ -40,6 +40,7 @@ def of_a_hovercraft(found: Diagnosis) -> Diagnosis:
             ScreenedEffect("stratification", 1.0, {"force": 1.0}), ScreenedEffect("pump_lag", 0.0, {}),
             ScreenedEffect("linear_drag", 1.0, size),
         ),
+        screened_laws=(ScreenedEffect("unknown:heave~v", 60.0, {}), ScreenedEffect("unknown:sway~r", 50.0, {})),
         not_shown=("stratification", "pump_lag", "linear_drag"),
     )  # fmt: skip
 

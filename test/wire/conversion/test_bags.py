@@ -109,8 +109,8 @@ def test_odometry_twist_and_thrusters(tmp_path: Path, messages: Callable[[Path],
     assert [(message.at, message.content.pose.position.x) for message in poses] == [(30, 1.0), (40, 1.5)]
     assert (poses[0].content.pose.orientation.z, poses[0].content.pose.orientation.w) == (0.6, 0.8)
     assert poses[0].content.header.frame_id == "world"
-    linear = topics["/boat/velocity"][0].content.twist.linear
-    assert (topics["/boat/velocity"][0].at, linear.x, linear.y) == (7, 0.5, -0.1)
+    linear = topics["/boat/ground_velocity"][0].content.twist.linear
+    assert (topics["/boat/ground_velocity"][0].at, linear.x, linear.y) == (7, 0.5, -0.1)
     commands = [(message.at, *message.content.command) for message in topics["/boat/thruster_command"]]
     assert commands == [(80, 0.5, -0.5), (90, 0.0, -0.5)]
 

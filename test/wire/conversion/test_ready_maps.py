@@ -154,7 +154,7 @@ def test_stonefish(converted: Converted, tmp_path: Path) -> None:
     }
     topics = converted("stonefish", ROS.write(tmp_path / "log", rows))
     assert place(topics["/girona500/pose"][0]) == pytest.approx([2, 1, -3, 0])
-    assert motion(topics["/girona500/velocity"][0]) == [0.5, -0.1, -0.2, -0.3]
+    assert motion(topics["/girona500/ground_velocity"][0]) == [0.5, -0.1, -0.2, -0.3]
     assert list(topics["/girona500/thruster_command"][0].content.command) == [0.1, -0.2, 0.3, 1.0, -1.0]
 
 
@@ -173,7 +173,7 @@ def test_dave(converted: Converted, tmp_path: Path) -> None:
     )
     streams = {stream.topic: stream.rows.values for stream in made.conversion.streams}
     np.testing.assert_allclose(streams["pose"], [[1, 2, -3, 0, 0, HALF, HALF]])
-    np.testing.assert_allclose(streams["velocity"], [[0.5, 0.1, 0.2, 0.3]])
+    np.testing.assert_allclose(streams["ground_velocity"], [[0.5, 0.1, 0.2, 0.3]])
     np.testing.assert_allclose(streams["thruster_command"], [np.arange(1, 9) / 8])
 
 
@@ -190,7 +190,7 @@ def test_holoocean(converted: Converted, tmp_path: Path) -> None:
     }
     topics = converted("holoocean", ROS.write(tmp_path / "log", rows))
     assert place(topics["/auv0/pose"][0]) == pytest.approx([1, 2, -3, math.pi / 2])
-    assert motion(topics["/auv0/velocity"][0]) == pytest.approx([0.5, 0.1, 0.2, 0.3], abs=1e-15)
+    assert motion(topics["/auv0/ground_velocity"][0]) == pytest.approx([0.5, 0.1, 0.2, 0.3], abs=1e-15)
     given = topics["/auv0/thruster_command"][0]
     assert (given.at, list(given.content.command)) == (2 * 10**9, [1, -1, 0, 0, 0, 0, 0, 0.5])
 
@@ -207,7 +207,7 @@ def test_holoocean_when_tilted(converted: Converted, tmp_path: Path) -> None:
         "/holoocean/command/agent": ROS.make("holoocean_interfaces/msg/AgentCommand", ROS.header(0), np.zeros(8)),
     }
     topics = converted("holoocean", ROS.write(tmp_path / "log", rows))
-    assert motion(topics["/auv0/velocity"][0]) == pytest.approx([0.5, -0.1, 0.05, 0.3], abs=1e-14)
+    assert motion(topics["/auv0/ground_velocity"][0]) == pytest.approx([0.5, -0.1, 0.05, 0.3], abs=1e-14)
 
 
 @pytest.fixture

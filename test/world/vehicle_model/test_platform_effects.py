@@ -77,7 +77,10 @@ def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) 
 def test_a_form_of_drag_that_does_not_exist(tmp_path: Path) -> None:
     """Forms are numbered; what is no number of one is refused with the numbers there are."""
     platform = effects(tmp_path, f"anisotropic_drag: {{form: {number(2.5, '1')}}}")
-    with pytest.raises(CocorosimError, match=r"'effects\.anisotropic_drag\.form' has '2\.5'.*write 0 or 1 or 2"):
+    with pytest.raises(
+        CocorosimError,
+        match=r"'effects\.anisotropic_drag\.form' has '2\.5'.*write total_speed or added_own_speed or added_strips",
+    ):
         build_vehicles([platform])
 
 

@@ -36,13 +36,14 @@ def contradictions(motion: ShownMotion) -> Iterator[FrameCorrection]:
         because = "it turns as many times too fast as a radian has degrees, beside the gyroscope and its own course"
         yield FrameCorrection("pose", "its yaw is in degrees instead of radians", because, CERTAIN, None, np.zeros(0))
         return
-    moved = motion.through * np.exp(1j * motion.yaw)
+    logs = [(topic, moved * np.exp(1j * motion.yaw)) for topic, moved in motion.moved.items()]
+    other_velocity = "it is not the velocity of the poses in any axes"
     other_rate = "its yaw rate is not the rate at which the heading turns"
     relations = (
         ("imu", other_rate, motion.gyro, "the poses show", motion.turn),
         ("imu", other_rate, motion.gyro, "the compass shows", motion.swing),
         ("compass", "it does not turn as the poses do", motion.swing, "the poses show", motion.turn),
-        ("velocity", "it is not the velocity of the poses in any axes", moved, "the poses show", motion.course),
+        *((topic, other_velocity, moved, "the poses show", motion.course) for topic, moved in logs),
     )
     found: set[str] = set()
     for topic, wrong, seen, shows, shown in relations:

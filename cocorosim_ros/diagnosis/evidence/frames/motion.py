@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
     FELT_Y,
     HEADING,
     TURN_RATE,
+    VELOCITIES,
     YAW,
     U,
     V,
@@ -53,8 +54,8 @@ class ShownMotion:
     """Motion at n moments `width` [s] apart, each worth `weight` of an independent one; NaN without a reading.
 
     course: velocity x + iy [world]; climb: of z; yaw [rad], turn: of yaw; heading [rad], swing: of the compass; gyro;
-    pulled: x + iy of the accelerometer; through: u + iv of the velocity stream, lift: its w; sinking: rate of the
-    pressure.
+    pulled: x + iy of the accelerometer; moved: u + iv of the velocity of each of the topics VELOCITIES, lift: its w;
+    sinking: rate of the pressure.
 
     Expected under the commands, with the heading that is known best: advance: u + iv, shove: its acceleration [body],
     dive: w, spin: r; by_yaw and by_compass: courses under either heading.
@@ -70,8 +71,8 @@ class ShownMotion:
     swing: Floats
     gyro: Floats
     pulled: Complex
-    through: Complex
-    lift: Floats
+    moved: Mapping[str, Complex]
+    lift: Mapping[str, Floats]
     sinking: Floats
     advance: Complex
     shove: Complex
@@ -87,7 +88,7 @@ def motion_of(log: RobotLog, platform: Platform) -> ShownMotion:
     pose, pose_rate = bins.stream(log, "pose")
     compass, compass_rate = bins.stream(log, "compass")
     imu, _ = bins.stream(log, "imu")
-    velocity, _ = bins.stream(log, "velocity")
+    velocity = {topic: bins.stream(log, topic)[0] for topic in VELOCITIES}
     _, pressure_rate = bins.stream(log, "pressure")
     expected = expected_motion(log, platform)
     advance, shove = _in_body(bins, log, expected)
@@ -103,8 +104,8 @@ def motion_of(log: RobotLog, platform: Platform) -> ShownMotion:
         swing=compass_rate[:, HEADING],
         gyro=imu[:, TURN_RATE],
         pulled=np.asarray(imu[:, FELT_X] + 1j * imu[:, FELT_Y]),
-        through=np.asarray(velocity[:, U] + 1j * velocity[:, V]),
-        lift=velocity[:, W],
+        moved={topic: np.asarray(value[:, U] + 1j * value[:, V]) for topic, value in velocity.items()},
+        lift={topic: value[:, W] for topic, value in velocity.items()},
         sinking=pressure_rate[:, AMBIENT],
         advance=advance,
         shove=shove,
@@ -130,6 +131,8 @@ def motion_together(logs: Sequence[RobotLog], platform: Platform) -> ShownMotion
 
 
 def _behind_each_other(parts: Sequence[Any]) -> Any:
+    if isinstance(parts[0], Mapping):
+        return {topic: np.concatenate([part[topic] for part in parts]) for topic in parts[0]}
     if isinstance(parts[0], Courses):
         return Courses(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(Courses)))
     return np.concatenate(parts)

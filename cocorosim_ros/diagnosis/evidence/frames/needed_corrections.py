@@ -14,7 +14,6 @@ from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
 from cocorosim_ros.diagnosis.evidence.frames.mirrored_poses import mirrored_poses
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.orientation import Orientation, best_orientation
-from cocorosim_ros.diagnosis.evidence.frames.through_water import velocity_axes
 from cocorosim_ros.diagnosis.evidence.frames.turned import (
     SAME,
     SWAPPED,
@@ -30,8 +29,9 @@ from cocorosim_ros.diagnosis.evidence.frames.upright import (
     height_upside_down,
     lift_upside_down,
 )
+from cocorosim_ros.diagnosis.evidence.frames.velocity_axes import velocity_axes
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, YAW, Z
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, VELOCITIES, YAW, Z
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -86,7 +86,10 @@ def _units(logs: Logs, platform: Platform) -> Found:
         units.rate_in_degrees(motion),
         pressure,
         pose or units.height_unit(motion, platform),
-        units.length_unit("velocity", np.abs(motion.through), expected, motion, "the commands let"),
+        *(
+            units.length_unit(topic, np.abs(moved), expected, motion, "the commands let")
+            for topic, moved in motion.moved.items()
+        ),
         force_unit(logs, platform),
     ]
     return [correction for correction in found if correction]
@@ -110,8 +113,8 @@ def _own_axes(logs: Logs, platform: Platform) -> Found:
     poses = mirrored_poses(motion)
     if poses:
         motion = motion_together(_all_corrected(logs, [poses]), platform)
-    velocity = velocity_axes(motion, lift_upside_down(motion))
-    return [correction for correction in (poses, velocity) if correction]
+    velocities = [velocity_axes(motion, topic, lift_upside_down(motion, topic)) for topic in VELOCITIES]
+    return [correction for correction in (poses, *velocities) if correction]
 
 
 def _gyro_nats(turned: Orientation) -> float:

@@ -30,9 +30,13 @@ def height_upside_down(motion: ShownMotion) -> float:
     return _opposite(motion.climb, -motion.sinking, motion.weight) + _opposite(motion.climb, motion.dive, motion.weight)
 
 
-def lift_upside_down(motion: ShownMotion) -> float:
-    """Nats by which a w that points down fits poses and commanded heave better; negative for a w that points up."""
-    return _opposite(motion.lift, motion.climb, motion.weight) + _opposite(motion.lift, motion.dive, motion.weight)
+def lift_upside_down(motion: ShownMotion, topic: str) -> float:
+    """Nats by which a w that points down fits poses and commanded heave better; negative for a w that points up.
+
+    topic: of the velocity, one of VELOCITIES.
+    """
+    lift = motion.lift[topic]
+    return _opposite(lift, motion.climb, motion.weight) + _opposite(lift, motion.dive, motion.weight)
 
 
 def gravity_of(logs: Sequence[RobotLog], platform: Platform) -> FeltGravity | None:

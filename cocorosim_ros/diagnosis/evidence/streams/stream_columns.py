@@ -17,3 +17,6 @@ TURN_RATE, FELT_X, FELT_Y, FELT_Z = (
 FELT = slice(FELT_X, FELT_Z + 1)
 """The specific force among the columns of an IMU."""
 U, V, W = (STREAMS["velocity"].index(name) for name in ("u", "v", "w"))
+"""The columns of a velocity, through the water or over ground."""
+THROUGH_WATER, OVER_GROUND = VELOCITIES = ("velocity", "ground_velocity")
+"""Topics of velocities in body axes: that through the water and that over ground."""

@@ -8,6 +8,8 @@ from cocorosim_ros.world.sensors.errors.camera_scale import CAMERA_SCALE
 from cocorosim_ros.world.sensors.errors.clock_skew import CLOCK_SKEW
 from cocorosim_ros.world.sensors.errors.compass_distortion import COMPASS_DISTORTION
 from cocorosim_ros.world.sensors.errors.frame_mixup import FRAME_MIXUP
+from cocorosim_ros.world.sensors.errors.ground_log_misalignment import GROUND_LOG_MISALIGNMENT
+from cocorosim_ros.world.sensors.errors.ground_log_scale import GROUND_LOG_SCALE
 from cocorosim_ros.world.sensors.errors.gyro_scale import GYRO_SCALE
 from cocorosim_ros.world.sensors.errors.imu_bias import IMU_BIAS
 from cocorosim_ros.world.sensors.errors.motor_field import MOTOR_FIELD
@@ -34,6 +36,8 @@ ERRORS: dict[str, SensorError] = {
     "motor_field": MOTOR_FIELD,
     "speed_log_misalignment": SPEED_LOG_MISALIGNMENT,
     "speed_log_scale": SPEED_LOG_SCALE,
+    "ground_log_misalignment": GROUND_LOG_MISALIGNMENT,
+    "ground_log_scale": GROUND_LOG_SCALE,
     "sensor_latency": SENSOR_LATENCY,
     "clock_skew": CLOCK_SKEW,
     "frame_mixup": FRAME_MIXUP,

@@ -44,13 +44,21 @@ def slope(row: Floats, offset: float, sin: float, cos: float) -> float:
 
 COMPASS_DISTORTION = SensorError(
     summary="distorted compass",
-    equation="reading = yaw + offset + sin * sin(yaw) + cos * cos(yaw)",
+    equation="reading = yaw",
     parameters=tuple(
-        Number(name, "rad", meaning, gives="rad", search=Strength(large=0.085), example=Example(value, "full turn"))
-        for name, meaning, value in (
-            ("offset", "the same at every heading", 0.03),
-            ("sin", "times the sine of the heading", 0.1),
-            ("cos", "times the cosine of the heading", 0.0),
+        Number(
+            name,
+            "rad",
+            meaning,
+            gives="rad",
+            search=Strength(large=0.085),
+            example=Example(value, "full turn"),
+            part=part,
+        )
+        for name, meaning, value, part in (
+            ("offset", "the same at every heading", 0.03, " + offset"),
+            ("sin", "times the sine of the heading", 0.1, " + sin * sin(yaw)"),
+            ("cos", "times the cosine of the heading", 0.0, " + cos * cos(yaw)"),
         )
     ),
     sensor="compass",

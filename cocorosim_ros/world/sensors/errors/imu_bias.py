@@ -15,13 +15,13 @@ BIASES = {
 }
 IMU_BIAS = SensorError(
     summary="IMU that is off",
-    equation="reading = rate or acceleration + bias",
     parameters=tuple(
         Number(
             kind,
             unit,
             "reading less truth",
             gives=unit,
+            part=f"{kind} = truth + bias",
             search=Strength(large=large),
             example=Example(value, "at rest"),
         )

@@ -55,12 +55,12 @@ def y_by_turn(after: float, row: Floats, slope: float, seen: Floats, ahead: floa
 
 POSE_LEVER = SensorError(
     summary="pose of a point off the body's origin",
-    equation="reading = place + R(yaw) (ahead, left)",
+    equation="reading = place",
     parameters=tuple(
-        Number(name, "m", meaning, gives="m", search=Strength(large=0.02), example=Example(value, "ruler"))
-        for name, meaning, value in (
-            ("ahead", "the point before the origin", 0.03),
-            ("left", "the point to the left of the origin", -0.01),
+        Number(name, "m", meaning, gives="m", search=Strength(large=0.02), example=Example(value, "ruler"), part=part)
+        for name, meaning, value, part in (
+            ("ahead", "the point before the origin", 0.03, " + ahead (cos(yaw), sin(yaw))"),
+            ("left", "the point to the left of the origin", -0.01, " + left (-sin(yaw), cos(yaw))"),
         )
     ),
     sensor="pose",

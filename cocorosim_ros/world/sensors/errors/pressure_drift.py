@@ -16,7 +16,7 @@ def shown(value: float, truth: float, stamp: float, rate: float) -> float:
 
 PRESSURE_DRIFT = SensorError(
     summary="pressure reading that drifts",
-    equation="reading = pressure + rate t",
+    equation="reading = pressure",
     parameters=(
         Number(
             "rate",
@@ -24,6 +24,7 @@ PRESSURE_DRIFT = SensorError(
             "change of the reading in time",
             multiplies="s",
             gives="Pa",
+            part=" + rate t",
             search=Strength(large=0.7),
             example=Example(0.1, "reading before and after"),
         ),

@@ -8,13 +8,14 @@ from cocorosim_ros.world.terms.search import Search, Strength
 
 PRESSURE_OFFSET = SensorError(
     summary="pressure reading that is shifted",
-    equation="reading = pressure + offset",
+    equation="reading = pressure",
     parameters=(
         Number(
             "offset",
             "Pa",
             "reading less truth",
             gives="Pa",
+            part=" + offset",
             search=Strength(large=500.0),
             example=Example(120.0, "reading in air"),
         ),

@@ -17,18 +17,18 @@ from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
-def shown_ahead(value: float, truth: float, stamp: float, water: Floats, angle: float) -> float:
-    """Speed ahead [m/s] in place of `value`."""
+def shown_ahead(value: float, truth: float, stamp: float, velocity: Floats, angle: float) -> float:
+    """Speed ahead [m/s] in place of `value`; velocity: that which the log measures, along the body's axes."""
     sine, cosine = sine_cosine(angle)
-    speed: float = value + (cosine - 1.0) * truth + sine * water[1]
+    speed: float = value + (cosine - 1.0) * truth + sine * velocity[1]
     return speed
 
 
 @kernel
-def shown_aside(value: float, truth: float, stamp: float, water: Floats, angle: float) -> float:
-    """Speed to the left [m/s] in place of `value`."""
+def shown_aside(value: float, truth: float, stamp: float, velocity: Floats, angle: float) -> float:
+    """Speed to the left [m/s] in place of `value`, as `shown_ahead`."""
     sine, cosine = sine_cosine(angle)
-    speed: float = value + (cosine - 1.0) * truth - sine * water[0]
+    speed: float = value + (cosine - 1.0) * truth - sine * velocity[0]
     return speed
 
 
@@ -51,26 +51,31 @@ def left_by_ahead(after: float, row: Floats, slope: float, seen: Floats, angle: 
     seen[HU] -= slope * sine_cosine(angle)[0]
 
 
-SPEED_LOG_MISALIGNMENT = SensorError(
-    summary="speed log that is turned against the hull",
-    equation="reading = (u cos(angle) + v sin(angle), v cos(angle) - u sin(angle))",
-    parameters=(
-        Number(
-            "angle",
-            "rad",
-            "of the log's axes against the body's, counter-clockwise positive",
-            gives="rad",
-            search=Strength(large=0.08),
-            example=Example(0.03, "track against heading at slack water"),
+def turned_log(topic: str, summary: str, measured: str) -> SensorError:
+    """The error of the log that publishes `topic`; measured: the velocity that it takes, of sensor_error.TAKEN."""
+    return SensorError(
+        summary=summary,
+        equation="reading = (u cos(angle) + v sin(angle), v cos(angle) - u sin(angle))",
+        parameters=(
+            Number(
+                "angle",
+                "rad",
+                "of the log's axes against the body's, counter-clockwise positive",
+                gives="rad",
+                search=Strength(large=0.08),
+                example=Example(0.03, "track against heading at slack water"),
+            ),
         ),
-    ),
-    sensor="velocity",
-    changes=(
-        Change("velocity_u", ("angle",), shown_ahead, slope, takes=("water",), aside=ahead_by_left),
-        Change("velocity_v", ("angle",), shown_aside, slope, takes=("water",), aside=left_by_ahead),
-    ),
-    against="u",
-    told_by=("u", "v"),
-    search=Search(channel="velocity", group=COURSE, topic="velocity", manoeuvre="four_headings"),
-    check="Compare the track over ground with what log and heading make of it, on a straight line there and back.",
-)
+        sensor=topic,
+        changes=(
+            Change(f"{topic}_u", ("angle",), shown_ahead, slope, takes=(measured,), aside=ahead_by_left),
+            Change(f"{topic}_v", ("angle",), shown_aside, slope, takes=(measured,), aside=left_by_ahead),
+        ),
+        against="u",
+        told_by=("u", "v"),
+        search=Search(channel=topic, group=COURSE, topic=topic, manoeuvre="four_headings"),
+        check="Compare the track over ground with what log and heading make of it, on a straight line there and back.",
+    )
+
+
+SPEED_LOG_MISALIGNMENT = turned_log("velocity", "speed log that is turned against the hull", "water")

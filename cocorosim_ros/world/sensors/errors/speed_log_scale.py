@@ -11,27 +11,31 @@ from cocorosim_ros.world.terms.effect import Example, Number
 from cocorosim_ros.world.terms.groups import MEASURE
 from cocorosim_ros.world.terms.search import Search, Strength
 
-SPEED_LOG_SCALE = SensorError(
-    summary="speed log that is wrong by a factor",
-    equation="reading = scale * speed",
-    parameters=(
-        Number(
-            "scale",
-            "1",
-            "speed as read over speed through the water",
-            1.0,
-            "positive",
-            multiplies="m/s",
-            gives="m/s",
-            search=Strength(large=0.05),
-            example=Example(0.98, "measured mile"),
+
+def scaled_log(topic: str, summary: str, speed: str) -> SensorError:
+    """The error of the log that publishes `topic`; speed: what it measures, in words."""
+    return SensorError(
+        summary=summary,
+        equation="reading = scale * speed",
+        parameters=(
+            Number(
+                "scale",
+                "1",
+                f"speed as read over {speed}",
+                1.0,
+                "positive",
+                multiplies="m/s",
+                gives="m/s",
+                search=Strength(large=0.05),
+                example=Example(0.98, "measured mile"),
+            ),
         ),
-    ),
-    sensor="velocity",
-    changes=tuple(
-        Change(kind, ("scale",), multiplied, multiplied_slope) for kind in ("velocity_u", "velocity_v", "velocity_w")
-    ),
-    against="u",
-    search=Search(channel="velocity", group=MEASURE, topic="velocity", manoeuvre="four_headings"),
-    check="Run a measured distance there and back, and compare it with the log; check its speed of sound.",
-)
+        sensor=topic,
+        changes=tuple(Change(f"{topic}_{axis}", ("scale",), multiplied, multiplied_slope) for axis in "uvw"),
+        against="u",
+        search=Search(channel=topic, group=MEASURE, topic=topic, manoeuvre="four_headings"),
+        check="Run a measured distance there and back, and compare it with the log; check its speed of sound.",
+    )
+
+
+SPEED_LOG_SCALE = scaled_log("velocity", "speed log that is wrong by a factor", "speed through the water")

@@ -18,6 +18,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.state.state import X, Z
 from cocorosim_ros.world.water.current import Current
 
@@ -26,20 +27,25 @@ SIZE = 6  # numbers of a component
 
 
 @kernel
+def add_component(place: Floats, time: float, depth: float, component: Floats, total: Floats) -> None:
+    """Add the orbital velocity of one component, its numbers (SIZE,) as above; depth: infinite without a floor."""
+    amplitude, omega, k, east, north, phase = unpack(component, 6)
+    z = place[2]
+    sine, cosine = sine_cosine(east * place[0] + north * place[1] - omega * time + phase)
+    # The quotients of hyperbolic functions by exponentials that never overflow.
+    down, up = math.exp(k * z), math.exp(-k * (z + 2.0 * depth))
+    speed = amplitude * omega / -math.expm1(-2.0 * k * depth)
+    along = speed * (down + up) * cosine / k
+    total[0] += along * east
+    total[1] += along * north
+    total[2] += speed * (down - up) * sine
+
+
+@kernel
 def waves(place: Floats, time: float, parameters: Floats, total: Floats) -> None:
     """Add the orbital velocity."""
-    depth, z = parameters[DEPTH], place[2]
     for first in range(1, parameters.shape[0], SIZE):
-        amplitude, omega, k = parameters[first], parameters[first + 1], parameters[first + 2]
-        east, north, phase = parameters[first + 3], parameters[first + 4], parameters[first + 5]
-        sine, cosine = sine_cosine(east * place[0] + north * place[1] - omega * time + phase)
-        # The quotients of hyperbolic functions by exponentials that never overflow.
-        down, up = math.exp(k * z), math.exp(-k * (z + 2.0 * depth))
-        speed = amplitude * omega / -math.expm1(-2.0 * k * depth)
-        along = speed * (down + up) * cosine / k
-        total[0] += along * east
-        total[1] += along * north
-        total[2] += speed * (down - up) * sine
+        add_component(place, time, parameters[DEPTH], parameters[first : first + SIZE], total)
 
 
 @kernel

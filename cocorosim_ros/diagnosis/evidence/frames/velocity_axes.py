@@ -1,4 +1,4 @@
-"""Axes of the velocity stream: body or world, right or mirrored."""
+"""Axes of a velocity stream, through the water or over ground: body or world, right or mirrored."""
 
 from __future__ import annotations
 
@@ -21,10 +21,8 @@ from cocorosim_ros.diagnosis.evidence.frames.turned import (
     position_words,
     turned_by,
 )
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, W
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, THROUGH_WATER, W
 from cocorosim_ros.foundation.arrays import Floats
-
-TOPIC = "velocity"
 
 
 @dataclass(frozen=True)
@@ -38,13 +36,14 @@ class Change:
 UNCHANGED = Change(from_world=False, turned=SAME)
 
 
-def velocity_axes(motion: ShownMotion, lift_nats: float) -> FrameCorrection | None:
+def velocity_axes(motion: ShownMotion, topic: str, lift_nats: float) -> FrameCorrection | None:
     """The correction of a velocity stream whose axes are not forward-left-up; None if they are.
 
-    lift_nats: nats by which the third component fits better with the opposite sign.
+    topic: of the stream, one of VELOCITIES. lift_nats: nats by which the third component fits better with the opposite
+    sign.
     """
     upside_down = lift_nats > AXES.margin
-    change, nats = _best(motion)
+    change, nats = _best(motion, topic)
     changed = nats > AXES.margin and change != UNCHANGED
     if not changed and not upside_down:
         return None
@@ -60,27 +59,39 @@ def velocity_axes(motion: ShownMotion, lift_nats: float) -> FrameCorrection | No
     because = "only so it agrees with the motion that the poses show"
     total = (nats if changed else 0.0) + (lift_nats if upside_down else 0.0)
     return FrameCorrection(
-        TOPIC, ", and ".join(words), because, total, matrix, np.zeros(3), changed and change.from_world
+        topic, ", and ".join(words), because, total, matrix, np.zeros(3), changed and change.from_world
     )
 
 
-def _best(motion: ShownMotion) -> tuple[Change, float]:
-    """The best change, and its lead [nats] over leaving the stream as it is.
+def _best(motion: ShownMotion, topic: str) -> tuple[Change, float]:
+    """The best change of a velocity stream, and its lead [nats] over leaving the stream as it is.
 
     Deviations from the mean are compared, in world axes, because a current adds a constant there. Where the
     vehicle is so slow that its motions are few, readings decide, by what a change foretells of the poses' velocity.
     """
+    moved = motion.moved[topic]
     seen_from_body = np.isfinite(motion.course * motion.yaw).any()
-    shown, into_world = (motion.course, np.exp(1j * motion.yaw)) if seen_from_body else (motion.advance, 1.0 + 0.0j)
+    shown, into_world = (motion.course, np.exp(1j * motion.yaw)) if seen_from_body else _commanded(motion, topic)
     worlds = (False, True) if seen_from_body else (False,)
     candidates = changes(worlds)
-    scores = [_score(motion.through, shown, into_world, candidate) for candidate in candidates]
-    count = independent(motion.through, shown, motion.weight)
+    scores = [_score(moved, shown, into_world, candidate) for candidate in candidates]
+    count = independent(moved, shown, motion.weight)
     behind = nats_behind(np.array(scores), max(scores), count)
     simplest = int(np.flatnonzero(behind < AXES.tied)[0])
     if candidates[simplest] == UNCHANGED and seen_from_body:
-        return _exact(motion, candidates)
+        return _exact(motion, moved, candidates)
     return candidates[simplest], float(behind[0])
+
+
+def _commanded(motion: ShownMotion, topic: str) -> tuple[Complex, Complex | complex]:
+    """Velocity (n,) under the commands, and the turn from body axes into those in which it is compared.
+
+    A velocity over ground is compared in world axes, where a current is a constant; without a compass in none.
+    """
+    if topic == THROUGH_WATER:
+        return motion.advance, 1.0 + 0.0j
+    into_world = np.exp(1j * motion.heading)
+    return motion.advance * into_world, into_world
 
 
 def changes(worlds: Sequence[bool]) -> list[Change]:
@@ -88,22 +99,22 @@ def changes(worlds: Sequence[bool]) -> list[Change]:
     return [Change(world, turned) for world in worlds for turned in ALL_TURNED]
 
 
-def _exact(motion: ShownMotion, candidates: Sequence[Change]) -> tuple[Change, float]:
+def _exact(motion: ShownMotion, moved: Complex, candidates: Sequence[Change]) -> tuple[Change, float]:
     """The change that foretells the velocity of the poses nearly to their noise where the stream as it is does not."""
-    count = independent(motion.through, motion.course, noise_weight(motion))
+    count = independent(moved, motion.course, noise_weight(motion))
     if count < KINEMATICS.fewest or not is_smooth(motion.course):
         return UNCHANGED, 0.0
-    left = unexplained(motion, candidates)
+    left = unexplained(motion, moved, candidates)
     best = int(left.argmin())
     if left[best] > 1.0 - KINEMATICS.explains or left[0] < KINEMATICS.better * left[best]:
         return UNCHANGED, 0.0
     return candidates[best], float(nats_behind(1.0 - left, 1.0 - left[best], count)[0])
 
 
-def unexplained(motion: ShownMotion, candidates: Sequence[Change]) -> Floats:
-    """Shares (candidates,) of the velocity of the poses, its mean left out, by which the changed stream misses it."""
+def unexplained(motion: ShownMotion, moved: Complex, candidates: Sequence[Change]) -> Floats:
+    """Shares (candidates,) of the poses' velocity, its mean left out, by which `moved` (n,), changed, misses it."""
     into_world = np.exp(1j * motion.yaw)
-    return np.array([missed(_in_world(motion.through, into_world, each), motion.course) for each in candidates])
+    return np.array([missed(_in_world(moved, into_world, each), motion.course) for each in candidates])
 
 
 def missed(moved: Complex, course: Complex) -> float:
