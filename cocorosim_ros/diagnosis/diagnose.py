@@ -30,9 +30,10 @@ from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, sc
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
-from cocorosim_ros.diagnosis.report.sentence import sentence_of
+from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case
+from cocorosim_ros.diagnosis.showing.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.exactness import is_exact
@@ -44,10 +45,11 @@ from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.other_forms import TakenBack, told_at_last, without_other_forms
-from cocorosim_ros.diagnosis.showing.regimes import regime_remarks
+from cocorosim_ros.diagnosis.showing.regimes import unlike_regimes
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.showing.uneven_noise import growth_remarks
+from cocorosim_ros.diagnosis.showing.unrecorded import unrecorded
 from cocorosim_ros.diagnosis.showing.untold import untold_errors
 
 Progress = Callable[[str, float], None]
@@ -98,9 +100,10 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     final_courses = smoothed_tracks(naming.fit)
     against = (*unexplained(intake), *objections(Case(naming.fit, naming.named, effects, final_courses, table)))
     effects = stopped(effects, against)
+    unlike, nothing_shown = unlike_regimes(unseen), unrecorded(base.tracks)
     return Diagnosis(
         verdict,
-        sentence_of(verdict, effects, moved, passed),
+        sentence_of(verdict, effects, moved, passed, collapsed=bool(collapsed_channels(table))),
         moved,
         located,
         effects,
@@ -118,16 +121,17 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
             *intake.evidence.remarks,
             *_of_form(form),
             *noise_remarks(naming.fit),
-            *regime_remarks(unseen),
             *(() if is_exact(table) else rests_of_found(naming)),
         ),
         needed_nats=NAMING.threshold,
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
         step=min(track.timeline.grid.step for track in base.tracks),
-        warnings=tuple(each.sentence for each in against if each.effect is None),
-        untold=untold_errors(base.tracks),
+        warnings=(*(each.sentence for each in against if each.effect is None), *unlike.values()),
+        untold=untold_errors(base.tracks, nothing_shown.readings),
         passed_over=passed,
+        unlike=tuple(unlike),
+        unrecorded=nothing_shown,
         screened_laws=screened_effects(naming.laws),
     )
 
@@ -221,7 +225,7 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
     everything = ("frame_mixup", *IDS)
     return Diagnosis(
         "insufficient",
-        " ".join(reasons),
+        unable_sentence(reasons),
         (),
         (),
         (),
@@ -229,6 +233,7 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         advised((), everything, evidence.platform),
         {},
         remarks=evidence.remarks,
+        reasons=tuple(reasons),
     )
 
 

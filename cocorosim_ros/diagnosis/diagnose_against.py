@@ -37,7 +37,7 @@ from cocorosim_ros.diagnosis.naming.detectability import (
     streams_and_numbers_not_shown,
 )
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
-from cocorosim_ros.diagnosis.report.sentence import difference_sentence
+from cocorosim_ros.diagnosis.report.headline import difference_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers

@@ -36,9 +36,9 @@ NO_CLOCK = Clock("", 0)
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its 95 % interval; between: the least and the most that it can be by its meaning, as a share can.
+    """A number with its 95 % interval, which may reach further than it can by its meaning (between, as of a share).
 
-    The interval knows nothing of that and may reach further.
+    limits: between which a fit looks for it, as the range of the platform's file. at_limit: whether it stands at one.
     """
 
     value: float
@@ -46,6 +46,8 @@ class Estimate:
     high: float
     unit: str
     between: tuple[float, float] = field(default=(-math.inf, math.inf), compare=False)
+    limits: tuple[float, float] = (-math.inf, math.inf)
+    at_limit: bool = False
 
     def holds(self, value: float) -> bool:
         """Tell whether a value lies in the interval."""
@@ -274,11 +276,19 @@ class Comparison:
 
 
 @dataclass(frozen=True)
+class Unrecorded:
+    """Record of what recordings do not show, so that pages leave it out."""
+
+    readings: tuple[str, ...] = ()  # kinds that never vary, such as a height that a map fixes
+    depth: bool = False  # whether nothing shows a change of depth
+
+
+@dataclass(frozen=True)
 class Diagnosis:
     """All findings of a diagnosis."""
 
     verdict: Verdict
-    sentence: str  # the summary
+    sentence: str  # the headline
     recalibrated: tuple[Recalibrated, ...]
     mismatch: tuple[Located, ...]
     effects: tuple[FoundEffect, ...]
@@ -297,9 +307,12 @@ class Diagnosis:
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors
     drag_form: str = ""  # of quadratic drag, where the platform's file does not say it and one is clearly best
     step: float | None = None  # of the filter by which the numbers were found [s]; None where nothing was fitted
-    warnings: tuple[str, ...] = ()  # sentences: for which nothing that was found is more than suspected
+    warnings: tuple[str, ...] = ()  # sentences: why nothing is more than suspected, and on free runs in other regimes
     untold: tuple[str, ...] = ()  # sentences: errors that no other reading tells, differences that free runs doubt
     against: Comparison | None = None  # what was compared with, if it was not the platform's file
     passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since there is doubt that they are there
+    reasons: tuple[str, ...] = ()  # sentences: for which nothing could be tested
+    unlike: tuple[str, ...] = ()  # quantities, such as the speed, by which free runs go through parts unlike the fitted
+    unrecorded: Unrecorded = Unrecorded()
     screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first
     actuators: tuple[ActuatorReport, ...] = ()  # what these report of themselves

@@ -60,8 +60,8 @@ class DiagnosisResult(Shown):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What was odd about the recordings, in sentences."""
-        return self.diagnosis.remarks
+        """What was odd about the recordings, in sentences; first for which reasons nothing could be tested."""
+        return (*(each for each in self.diagnosis.reasons if each != self.sentence), *self.diagnosis.remarks)
 
     @cached_property
     def tree(self) -> dict[str, Any]:
@@ -137,17 +137,19 @@ class DiagnosisResult(Shown):
 
     def card(self) -> Card:
         """The sentence, and the numbers of what was found."""
-        from cocorosim_ros.diagnosis.report.number_text import estimate_words
+        from cocorosim_ros.diagnosis.report.marks import marked_words
+        from cocorosim_ros.diagnosis.report.recorded import as_recorded
 
+        shown = as_recorded(self.diagnosis)
         facts = {"verdict": self.verdict, "recordings": str(len(self.evidence.recordings)), "finding": self.sentence}
         rows = [
-            (found.id, ", ".join(found.robots), name, *estimate_words(estimate))
-            for found in self.effects
+            (found.id, ", ".join(found.robots), name, *marked_words(estimate))
+            for found in shown.effects
             for name, estimate in found.parameters.items()
         ]
         rows += [
-            ("recalibrated", ", ".join(found.robots), found.parameter, *estimate_words(found.estimate))
-            for found in self.recalibrated
+            ("recalibrated", ", ".join(found.robots), found.parameter, *marked_words(found.estimate))
+            for found in shown.recalibrated
         ]
         headings = ("effect", "robots", "parameter", "value", "95 % interval")
         return Card(f"diagnosis of {self.evidence.platform.name}", facts, headings, rows, self.remarks)

@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
+from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, objections, stopped
 
 
@@ -154,10 +155,10 @@ def test_predictions_that_err_to_one_side(sound: Case) -> None:
         return replace(sound, final=replace(sound.final, passes=(replace(passed, innovation=innovation),)))
 
     slow = np.convolve(rng.standard_normal(count + 9), np.ones(10) / math.sqrt(10.0), "valid")  # correlation 0.9
-    assert len(sentences(hard_stops.coloured_innovations, case(slow))) == 1
-    assert sentences(hard_stops.coloured_innovations, case(0.1 * slow)) == []  # as of an exact simulation
-    assert sentences(hard_stops.coloured_innovations, case(rng.standard_normal(count))) == []
-    assert len(sentences(hard_stops.coloured_innovations, case(3.0 * rng.standard_normal(count)))) == 1
+    assert len(sentences(coloured_innovations, case(slow))) == 1
+    assert sentences(coloured_innovations, case(0.1 * slow)) == []  # as of an exact simulation
+    assert sentences(coloured_innovations, case(rng.standard_normal(count))) == []
+    assert len(sentences(coloured_innovations, case(3.0 * rng.standard_normal(count)))) == 1
 
 
 def test_a_random_force_that_grows_with_speed(sound: Case) -> None:

@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import can_drive
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.diagnosis.report.manoeuvre_scenario import PROGRAMMES, RAMPED, scenario_of
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -20,7 +22,13 @@ def test_every_manoeuvre_has_a_programme() -> None:
     assert set(PROGRAMMES) == set(MANOEUVRES)
 
 
-CASES = [*((name, "lily") for name in MANOEUVRES), *(("zig_zag", name) for name in ("hovercraft_epfl", "haizhe_auv"))]
+CASES = [*((name, "lily") for name in MANOEUVRES), ("zig_zag", "hovercraft_epfl"), ("steps", "haizhe_auv")]
+DRIVEN = [
+    (platform, name)
+    for platform in ("hovercraft_epfl", "haizhe_auv", "slocum_glider", "kvlcc2_hsva", "milliampere_ferry", "tauv_pool")
+    for name in MANOEUVRES
+    if can_drive(load_platform(platform), name)
+]
 
 
 @pytest.mark.parametrize(("name", "platform"), CASES)
@@ -45,6 +53,33 @@ def test_it_can_be_driven(name: str, platform: str, tmp_path: Path) -> None:
     if platform == "lily" and name not in RAMPED:
         wanted = np.clip([row.ahead - row.turn, row.ahead + row.turn, row.rise], -1.0, 1.0)
         np.testing.assert_allclose(simulation.command[0], np.tile(wanted, (len(scenario.robots), 1)))
+
+
+@pytest.mark.parametrize(("platform", "name"), DRIVEN)
+def test_what_is_advised_moves_an_actuator(platform: str, name: str) -> None:
+    """At least one actuator has a share in a motion that the programme asks for: no scenario lies still throughout."""
+    (swarm,) = yaml.safe_load(scenario_of(name, load_platform(platform), platform))["swarm"]
+    settings = swarm["overrides"]
+    used = {
+        motion
+        for motion in ("ahead", "turn", "rise")
+        if any(key.startswith("row_") and key.endswith(motion) and float(value) for key, value in settings.items())
+        and any(key.startswith("actuator_") and key.endswith(motion) and value for key, value in settings.items())
+    }
+    assert used, settings
+
+
+def test_a_ship_turns_under_way() -> None:
+    """Its rudder does nothing at rest, so that rows that turn drive ahead too; a vehicle that turns at rest stays."""
+
+    def ahead_while_turning(platform: str) -> set[float]:
+        (swarm,) = yaml.safe_load(scenario_of("slow_turns", load_platform(platform), platform))["swarm"]
+        rows = swarm["overrides"]
+        turning = [key for key, value in rows.items() if key.startswith("row_") and key.endswith("turn") and value]
+        return {float(rows[key.replace("turn", "ahead")]) for key in turning}
+
+    assert ahead_while_turning("kvlcc2_hsva") == {0.5}
+    assert ahead_while_turning("lily") == {0.0}
 
 
 def test_a_programme_fits_the_table() -> None:

@@ -10,6 +10,11 @@ from typing import Any
 import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.eddies import ALONG_X
+from cocorosim_ros.diagnosis.catalogue.law_forms import single
+from cocorosim_ros.diagnosis.catalogue.law_words import READING_WORDS, identifier_words, law_words
+from cocorosim_ros.diagnosis.catalogue.laws import LAWS_OF, SWINGING
+from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
 from cocorosim_ros.diagnosis.findings import (
     Comparison,
     Estimate,
@@ -19,18 +24,33 @@ from cocorosim_ros.diagnosis.findings import (
     Recalibrated,
     Rival,
 )
-from cocorosim_ros.diagnosis.report.sentence import detail_lines, difference_sentence, sentence_of
+from cocorosim_ros.diagnosis.report.headline import difference_sentence, sentence_of, unable_sentence
+from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
-from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
-from cocorosim_ros.world.effects import EFFECTS
-from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.diagnosis.showing.doubt import NOT_FORETOLD, SIZE_MAY_BE_NOTHING
+from cocorosim_ros.diagnosis.showing.other_forms import SHORTLY_OF_NO_NAME
+from cocorosim_ros.world.laws.law import Law
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
+SWING = single("sin_t")
 DRAG = Recalibrated("yaw_drag", 1.14e-4, Estimate(1.25e-4, 1.2e-4, 1.3e-4, "N m s^2"), ("lily_01",))
+LAWS = [
+    *(Law(equation, product) for equation, products in LAWS_OF.items() for product in products),
+    *(Law(equation, SWING) for equation in SWINGING),
+    *(Law(reading, product) for reading, products in SENSOR_LAWS_OF.items() for product in products),
+    ALONG_X,
+]
+LAWS_AS_TEXT = {(law.of, law.text) for law in LAWS}
 LAG = FoundEffect(
     "thruster_lag", "a lag of the thrust", "", ("lily_01",), "confirmed",
     {"time_constant": Estimate(0.3143, 0.3012, 0.3274, "s")}, 90.0, (Rival("sensor_latency", 1.2),),
 )  # fmt: skip
-SUMMARIES = [each.summary for each in (*EFFECTS.values(), *ERRORS.values())]
+NAMED = [
+    *(replace(LAG, id=each.id, name=name) for each in ENTRIES for name in (each.name, each.opposite) if name),
+    *(replace(LAG, id=law.text, name=law_words(law), law=law) for law in LAWS),
+]
+"""An effect of each entry of the catalogue, by both of its names, and of each law that is looked for outside it."""
 ROBOTS = tuple(f"lily_{number:02}" for number in range(1, 12))
 
 
@@ -41,7 +61,16 @@ def plain(text: str) -> str:
 
 def found(*effects: FoundEffect, **parts: Any) -> Any:
     """A diagnosis as the lines look at it."""
-    rest: dict[str, Any] = {"verdict": "mismatch", "recalibrated": (), "fit": {}, "against": None, "passed_over": ()}
+    rest: dict[str, Any] = {
+        "verdict": "mismatch",
+        "recalibrated": (),
+        "fit": {},
+        "against": None,
+        "passed_over": (),
+        "reasons": (),
+        "unlike": (),
+        "sentence": "",
+    }
     return SimpleNamespace(effects=effects, **{**rest, **parts})
 
 
@@ -55,39 +84,77 @@ def test_the_headline_names_the_effect_and_the_lines_its_size_rival_and_gain() -
     ]
 
 
+def is_headline(told: str) -> bool:
+    """One sentence of at most 25 words."""
+    return len(told.split()) <= 25 and told.endswith(".") and ". " not in told
+
+
 @pytest.mark.parametrize("count", [1, 2, 3, 5, 12])
 @pytest.mark.parametrize("tier", ["confirmed", "suspected", "mixed"])
 @pytest.mark.parametrize("robots", [(), ROBOTS[:1], ROBOTS[:3], ROBOTS], ids=len)
 def test_no_headline_has_more_than_25_words(count: int, tier: str, robots: tuple[str, ...]) -> None:
-    """Whatever effects of the catalogue are found together, of however many robots; one name at least is told."""
-    for first in range(len(SUMMARIES)):
+    """Whatever effects and laws are found together, of however many robots, and however one of them is in doubt."""
+    shifted = [replace(DRAG, parameter=f"number_{index}") for index in range(count)]
+    for first in range(len(NAMED)):
         effects = [
             replace(
-                LAG,
-                name=SUMMARIES[(first + index) % len(SUMMARIES)],
+                NAMED[(first + 7 * index) % len(NAMED)],
                 robots=robots,
                 tier=("confirmed", "suspected")[index % 2] if tier == "mixed" else tier,
             )
             for index in range(count)
         ]
-        shifted = [replace(DRAG, parameter=f"number_{index}") for index in range(count)]
+        ids = [each.id for each in effects]
         for told in (
             sentence_of("mismatch", effects, []),
             sentence_of("recalibrate", [], shifted),
             difference_sentence("mismatch", effects, shifted, "unknown:surge~1"),
+            sentence_of("mismatch", effects, [], collapsed=True),
             difference_sentence("mismatch", effects, []),
+            difference_sentence("mismatch", [], [], "", ids),
+            difference_sentence("mismatch", [], [], "", [], [ids[:2], ids[1:3], ids]),
+            difference_sentence("mismatch", effects[:1], [], "unknown:surge~1", ids, [ids[:2]]),
         ):
-            assert len(told.split()) <= 25, told
-            assert told.endswith(".") and told.count(".") == 1, told
-        assert effects[0].name in sentence_of("mismatch", effects, [])
+            assert is_headline(told), told
+        for shortly in (SIZE_MAY_BE_NOTHING, NOT_FORETOLD, SHORTLY_OF_NO_NAME):
+            told = sentence_of("mismatch", [], [], [PassedOver(each, True, (), shortly) for each in effects])
+            assert is_headline(told), told
 
 
-@pytest.mark.parametrize("verdict", ["consistent", "insufficient"])
-def test_silence_is_short_too(verdict: Any) -> None:
-    """No effect, no number: one sentence of at most 25 words."""
-    for told in (sentence_of(verdict, [], []), difference_sentence(verdict, [], [])):
-        assert len(told.split()) <= 25
-        assert told.count(".") == 1
+def test_a_headline_is_shortened_step_by_step() -> None:
+    """First fewer names, then the shortest words for them, and at last the number of what was found."""
+    long = replace(LAG, id="unknown:surge~u", name="word " * 30)
+    assert sentence_of("mismatch", [LAG, long], []) == (
+        "Missing from the model of lily_01: a lag of the thrust; and 1 more."
+    )
+    assert sentence_of("mismatch", [long], []) == ("Missing from the model of lily_01: an unexplained force forwards.")
+    wordy = replace(long, id="word_" * 30)
+    assert sentence_of("mismatch", [wordy, wordy], []) == ("Missing from the model of lily_01: 2 effects, named below.")
+
+
+def test_reasons_stand_below_the_headline_where_nothing_could_be_tested() -> None:
+    """A single short one is the headline itself, and is not said twice."""
+    long = "tank: lily_01 " + "never " * 30 + "moves."
+    assert is_headline(unable_sentence([long])) and is_headline(unable_sentence(["A.", "B."]))
+    assert unable_sentence(["It never moves."]) == "It never moves."
+    assert long in detail_lines(found(verdict="insufficient", reasons=(long,), sentence=unable_sentence([long])))
+    assert detail_lines(found(verdict="insufficient", reasons=("A.",), sentence="A.")) == ()
+
+
+def test_laws_are_said_in_words_that_tell_them_apart() -> None:
+    """No letters of the equations, no underscores; different laws have different words, as entries are told by them."""
+    words = [law_words(law) for law in LAWS]
+    assert len(set(words)) == len(set(LAWS_AS_TEXT))
+    letters = {*REGRESSOR_CODE, "X", "Y", "Z", "N"} - {"1", "x", "y", "speed", "thrust", "pump"}
+    for told in (*words, *(identifier_words(law.text) for law in LAWS)):
+        assert not letters & set(told.replace(",", " ").split()) and not set("_*^|~") & set(told), told
+    assert law_words(Law.parse("unknown:sway~u*r")) == (
+        "an unexplained force to the left in proportion to the speed forwards times the turn rate"
+    )
+    assert law_words(Law.parse("unknown:velocity~r", "velocity_v")) == (
+        "an unexplained error of the speed log to the left in proportion to the turn rate"
+    )
+    assert set(READING_WORDS) == set(KINDS) and len(set(READING_WORDS.values())) == len(KINDS)
 
 
 def test_what_has_no_name_is_likened_to_something() -> None:
@@ -126,6 +193,31 @@ def test_what_is_only_suspected_is_not_said_to_be_missing() -> None:
     )
 
 
+def test_errors_of_instruments_are_not_missing_physics() -> None:
+    """A pose that comes late is said of the readings; beside a force the model lacks something."""
+    late = replace(LAG, id="sensor_latency", name="pose that comes late", topic="pose")
+    wrong = replace(late, id="unknown:velocity~r", name="an error", law=Law.parse("unknown:velocity~r", "velocity_v"))
+    assert sentence_of("mismatch", [late, wrong], []).startswith("The readings of lily_01 err: pose that comes late; ")
+    doubtful = [replace(each, tier="suspected") for each in (late, wrong)]
+    assert sentence_of("mismatch", doubtful, []).startswith("Perhaps the readings of lily_01 err: ")
+    assert sentence_of("mismatch", [late, LAG], []).startswith("Missing from the model of lily_01: ")
+
+
+def test_a_collapsed_fit_knows_nothing() -> None:
+    """Whatever it has found; what cannot be tested stays that."""
+    doubtful = replace(LAG, tier="suspected")
+    assert sentence_of("mismatch", [doubtful], [], collapsed=True) == (
+        "The fit has collapsed, so that nothing is sure; perhaps a lag of the thrust."
+    )
+    for verdict in ("consistent", "recalibrate", "mismatch"):
+        assert "is not known" in sentence_of(verdict, [], [DRAG], collapsed=True)
+    assert "do not excite" in sentence_of("insufficient", [], [], collapsed=True)
+    mixed = replace(LAG, id="frame_mixup", name="axes that are mixed up", correction="in degrees")  # before any fit
+    assert (
+        sentence_of("mismatch", [mixed], [], collapsed=True) == "The readings of lily_01 err: axes that are mixed up."
+    )
+
+
 def test_what_may_as_well_be_nothing_is_not_told_as_a_number() -> None:
     """Parts whose intervals hold zero are left out, unless that is all of them; a ratio does nothing at one."""
     size = {"surge": Estimate(0.02, 0.018, 0.022, "N s/m"), "sway": Estimate(0.001, -0.004, 0.006, "N s/m")}
@@ -160,7 +252,7 @@ def test_shifted_numbers_stand_beside_the_nominal_ones() -> None:
 def test_a_correction_stands_in_words() -> None:
     """A mix-up has words instead of numbers."""
     mixed = FoundEffect("frame_mixup", "axes that are mixed up", "", (), "confirmed", {}, 9.0, correction="in degrees")
-    assert sentence_of("mismatch", [mixed], []) == "Missing from the model: axes that are mixed up."
+    assert sentence_of("mismatch", [mixed], []) == "The readings err: axes that are mixed up."
     assert detail_lines(found(mixed)) == ("axes that are mixed up, confirmed: in degrees",)
 
 

@@ -28,7 +28,7 @@ def eddy_entry(scene: Scene) -> Entry:
     large = _AROUND * EDDIES.fast * EDDIES.cores[-1] * reach
     return Entry(
         ALONG_X.text,
-        "a law outside the catalogue: water that turns about a place, along x in proportion to y and along y to x",
+        "water that turns about a place",
         "V_c = c / (2 pi d) (1 - exp(-d^2 / core^2)) around (x, y) at the distance d",
         "surge",
         (Amplitude(f"{EDDY}.circulation", "coefficient", "m^2/s", large),),

@@ -20,6 +20,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
+from cocorosim_ros.diagnosis.catalogue.law_words import law_words
 from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE, LAWS
 from cocorosim_ros.world.effects.pump_lag import PUMP_TICK
 from cocorosim_ros.world.laws.law import Factor, Law, Product
@@ -137,7 +138,7 @@ def law_entry(place: str, law: Law, scene: Scene) -> Entry:
     negligible = _negligible(size, scene, law)
     return Entry(
         law.text,
-        f"a law outside the catalogue: {force} in proportion to {product.text}",
+        law_words(law),
         f"{force} = c {product.text}",
         "surge" if law.of.startswith("world") else law.of,
         (Amplitude(f"{place}.coefficient", "coefficient", law.unit, size, negligible=negligible),),

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.catalogue.law_forms import given, typical_size
+from cocorosim_ros.diagnosis.catalogue.law_words import law_words
 from cocorosim_ros.world.laws.law import Law, Product
-from cocorosim_ros.world.laws.readings import READING, readings_of
+from cocorosim_ros.world.laws.readings import READING
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.terms.search import Scene
 
@@ -36,10 +37,9 @@ def _entry(place: str, law: Law, scene: Scene) -> Entry:
     """Make the entry of one law; its large coefficient is that of a typical error as in a bad case."""
     reading, product = READING[law.of], law.product
     large = KINDS[reading.name].large_error / typical_size(product, scene)
-    words = reading.topic if len(readings_of(reading.topic)) == 1 else f"{reading.topic} ({reading.name})"
     return Entry(
         law.text,
-        f"a law outside the catalogue: {words} in error in proportion to {product.text}",
+        law_words(law),
         f"{reading.name} = truth + c {product.text}",
         reading.topic,
         (Amplitude(f"{place}.coefficient", "coefficient", law.unit, large),),

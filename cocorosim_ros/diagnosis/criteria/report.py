@@ -59,6 +59,10 @@ class ManoeuvreCriteria:
     """[s] ten minutes are good for a diagnosis. Chosen, not measured."""
     least_rise: float = 0.1
     """[of a thruster's push] upwards; less does not carry a vehicle to another depth. Chosen, not measured."""
+    least_arm: float = 0.005
+    """[of the hull's length] lever of a thruster that turns a vehicle. Chosen, not measured."""
+    under_way: float = 0.5
+    """[of full thrust] ahead with which a vehicle turns that turns under way alone. Chosen, not measured."""
     long: float = 1800.0
     """[s] of a manoeuvre that shows what changes slowly. Chosen, not measured."""
     depth: float = 4.0

@@ -80,7 +80,7 @@ def found_in(job: Job) -> dict[str, Any]:
         "sentence": found.sentence,
         "diagnosis": diagnosis_tree(found),
         "numbers": diagnosis_tree(replace(found, recalibrated=found.all_recalibrated))["recalibrated"],
-        "remarks": list(found.remarks),
+        "remarks": [*found.reasons, *found.remarks],
     }
 
 

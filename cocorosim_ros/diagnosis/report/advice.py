@@ -9,12 +9,12 @@ from cocorosim_ros.diagnosis.findings import Concentration, Regime
 MANOEUVRES: dict[str, str] = {
     "coast_down": "drive at three speeds and let it coast to rest after each",
     "zig_zag": "zig-zag at three speeds, turning both ways",
-    "four_headings": "drive to all four headings over the whole tank, and drift with the motors off",
-    "along_wall": "repeat the same straight run close to a wall and in the middle of the tank",
+    "four_headings": "drive to all four headings over the whole area, and drift with the motors off",
+    "along_wall": "repeat the same straight run close to a wall and far from any",
     "follow_neighbour": "follow another robot closely, then repeat the run alone",
-    "steps": "step the commands of the thrusters up and down many times, with a fast gyro",
-    "ramps_through_zero": "ramp each thruster slowly through zero while the other is off",
-    "thrust_staircase": "climb a staircase of thrust with equal commands left and right",
+    "steps": "step the commands of the thrusters up and down many times",
+    "ramps_through_zero": "ramp each thruster by itself slowly over its whole range",
+    "thrust_staircase": "climb a staircase of thrust, all thrusters alike",
     "reverse_steps": "drive forwards and backwards on the same line with equal commands",
     "repeat_at_end": "drive the same programme at the beginning and at the end of a long recording",
     "depth_staircase": "hold five depths from the surface to the floor, twice up and down",
@@ -22,7 +22,7 @@ MANOEUVRES: dict[str, str] = {
     "slow_turns": "turn slowly through full circles both ways",
     "surface_touch": "touch the surface at the beginning and at the end",
     "rest": "lie still for a minute before and after",
-    "ruler": "put a ruler, or two marks of known distance, into the water at the depth of the run",
+    "ruler": "put a ruler, or two marks of known distance, where the vehicle drives",
 }
 """Manoeuvres by name, each as an instruction: they show what a recording leaves open."""
 

@@ -20,6 +20,7 @@ from cocorosim_ros.diagnosis.findings import (
     ScreenedEffect,
 )
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
+from cocorosim_ros.diagnosis.report.marks import limit_words
 from cocorosim_ros.diagnosis.showing.probability import probabilities_of
 
 
@@ -46,6 +47,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
         "passed_over": [_passed_over(each) for each in diagnosis.passed_over],
         "screened": {each.id: _screened(each) for each in diagnosis.screened},
+        **({"reasons": list(diagnosis.reasons)} if diagnosis.reasons else {}),
         **_against(diagnosis.against),
         **_actuators(diagnosis.actuators),
     }
@@ -144,7 +146,8 @@ def _named(found: FoundEffect) -> dict[str, Any]:
 
 def _estimate(estimate: Estimate) -> dict[str, Any]:
     interval = [_finite(estimate.low), _finite(estimate.high)]
-    return {"value": _finite(estimate.value), "ci95": interval, "unit": estimate.unit}
+    limits = {"limits": [_finite(end) for end in estimate.limits]} if limit_words(estimate) else {}
+    return {"value": _finite(estimate.value), "ci95": interval, "unit": estimate.unit, **limits}
 
 
 def _held_out(found: HeldOut) -> dict[str, Any]:

@@ -18,9 +18,10 @@ def junit_xml(diagnosis: Diagnosis, platform: str, failing: Collection[Verdict])
     effect that was found fails a test of its own if 'mismatch' is failing, each moved number if 'recalibrate' is.
     """
     suite = ElementTree.Element("testsuite", {"name": f"cocorosim diagnose {platform}"})
-    _case(suite, platform, "verdict", diagnosis.sentence, failed=diagnosis.verdict in failing)
+    told = " ".join(dict.fromkeys((diagnosis.sentence, *diagnosis.reasons)))
+    _case(suite, platform, "verdict", told, failed=diagnosis.verdict in failing)
     if diagnosis.verdict == "insufficient" and diagnosis.verdict not in failing:
-        ElementTree.SubElement(suite[0], "skipped", {"message": diagnosis.sentence})
+        ElementTree.SubElement(suite[0], "skipped", {"message": told})
     for effect in diagnosis.effects:
         words = f"{effect.equation}; {effect.tier}; {_numbers(effect.parameters)}"
         _case(suite, platform, f"effect {effect.id}", words, failed="mismatch" in failing)

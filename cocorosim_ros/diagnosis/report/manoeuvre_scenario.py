@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from cocorosim_ros.diagnosis.catalogue.manoeuvres import drives, turns_at_rest
 from cocorosim_ros.diagnosis.criteria.report import MANOEUVRE, REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
@@ -130,15 +131,27 @@ def _overrides(name: str, platform: Platform) -> dict[str, str]:
     for number, shares in enumerate(_shares(platform), 1):
         for motion, share in zip(("ahead", "turn", "rise"), shares, strict=True):
             found[f"actuator_{number}_{motion}"] = f"{share:g}"
-    for number, row in enumerate(PROGRAMMES[name][:ROWS], 1):
+    for number, row in enumerate(_rows(name, platform), 1):
         found[f"row_{number}_time"] = f"{row.seconds:g} s"
         found |= {f"row_{number}_{motion}": f"{getattr(row, motion):g}" for motion in ("ahead", "turn", "rise")}
     return found
 
 
+def _rows(name: str, platform: Platform) -> list[Row]:
+    """Rows of a programme as a vehicle can drive them: one that turns under way alone turns while it drives ahead."""
+    rows = list(PROGRAMMES[name][:ROWS])
+    if turns_at_rest(platform) or not drives(platform):
+        return rows
+    return [row._replace(ahead=MANOEUVRE.under_way) if row.turn and not row.ahead else row for row in rows]
+
+
 def _shares(platform: Platform) -> list[tuple[float, float, float]]:
-    """Commands -1, 0 or 1, by actuator, that make the robot go ahead, turn counter-clockwise, and rise."""
+    """Commands -1, 0 or 1, by actuator, that make the robot go ahead, turn counter-clockwise, and rise.
+
+    A vehicle all of whose thrusters push upwards or downwards steps, ramps and climbs with these: it has no others.
+    """
     shares = []
+    ahead_is_up = not drives(platform)
     for actuator, wrench in zip(platform.actuators, platform.actuator_wrenches(), strict=True):
         if isinstance(actuator, BuoyancyPump):
             shares.append((0.0, 0.0, 1.0))
@@ -147,6 +160,6 @@ def _shares(platform: Platform) -> list[tuple[float, float, float]]:
             shares.append((0.0, 1.0 if isinstance(actuator, (Rudder, Fin)) else 0.0, 0.0))
             continue
         ahead, rise = (math.copysign(1.0, part) if abs(part) > REPORT.along_axis else 0.0 for part in wrench[[0, 2]])
-        turn = math.copysign(1.0, wrench[3]) if wrench[3] else 0.0
-        shares.append((float(ahead), turn, float(rise)))
+        turn = math.copysign(1.0, wrench[3]) if abs(wrench[3]) > MANOEUVRE.least_arm * platform.hull.length else 0.0
+        shares.append((1.0 if ahead_is_up else float(ahead), turn, float(rise)))
     return shares

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words, without_bars
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
+from cocorosim_ros.diagnosis.report.marks import limit_words, marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
@@ -30,6 +32,7 @@ from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_
 from cocorosim_ros.diagnosis.report.place_figure import over_place
 from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
+from cocorosim_ros.diagnosis.report.recorded import as_recorded
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY, residual_of, said_law
 from cocorosim_ros.diagnosis.report.residual_figures import (
     Pair,
@@ -42,6 +45,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.shift_figure import shifts
 from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
+from cocorosim_ros.diagnosis.report.verdict_words import nothing_missing_words, verdict_words, weighed_words
 from cocorosim_ros.diagnosis.report.words import (
     BECAUSE,
     CHANNEL_WORDS,
@@ -50,9 +54,7 @@ from cocorosim_ros.diagnosis.report.words import (
     check_words,
     control_words,
     effect_words,
-    nothing_missing_words,
     odds_words,
-    verdict_words,
 )
 from cocorosim_ros.study.pictures.page import page_template
 from cocorosim_ros.world.terms.regressors import REGRESSOR
@@ -63,14 +65,20 @@ Context = dict[str, Any]
 def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
     """The page as text."""
     template = page_template(Path(__file__).parent, "report.html.jinja")
+    known = {
+        "verdict": verdict_words(diagnosis),
+        "nothing_missing": nothing_missing_words(diagnosis),
+        "probability": told_probabilities(diagnosis),
+        "weighed": weighed_words(diagnosis),
+    }
+    diagnosis = as_recorded(diagnosis, origin.platform)
     page = template.render(
+        **known,
         diagnosis=diagnosis,
         origin=origin,
         version=__version__,
-        verdict=verdict_words(diagnosis),
         details=detail_lines(diagnosis),
         control=control_words(diagnosis.against),
-        probability=told_probabilities(diagnosis),
         manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),
         **_what(diagnosis),
@@ -109,7 +117,8 @@ def _regressor_words(regressor: str) -> str:
 
 def _readings_left_out(diagnosis: Diagnosis) -> list[str]:
     """A sentence for each stream that an effect was found of and that has no picture."""
-    hidden = [f"/{each.robot}/{each.topic}" for each in diagnosis.readings[REPORT.most_readings :]]
+    every = Counter(f"/{each.robot}/{each.topic}" for each in diagnosis.readings[REPORT.most_readings :])
+    hidden = [f"{topic} of {count} more recordings" if count > 1 else topic for topic, count in every.items()]
     drawn = {(each.robot, each.topic) for each in diagnosis.readings}
     said = [f"Not drawn, to be brief: what {', '.join(hidden)} show less what the model expects."] if hidden else []
     for found in diagnosis.effects:
@@ -191,9 +200,9 @@ def _left_out(pair: Pair, mine: Sequence[Located], drawn_streams: Collection[str
 
 def _what(diagnosis: Diagnosis) -> Context:
     return {
-        "effects": [_effect(each) for each in diagnosis.effects],
+        "effects": [_effect(each) | _reasons(each, diagnosis.warnings) for each in diagnosis.effects],
+        "unlike": unlike_words(diagnosis.unlike),
         "passed_over": [_effect(each.found) | {"because": each.because} for each in diagnosis.passed_over],
-        "nothing_missing": nothing_missing_words(diagnosis),
         "nats_bars": bars_of_nats(diagnosis),
         "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),
         "bars_words": bars_words(diagnosis),
@@ -207,13 +216,16 @@ def _effect(found: FoundEffect) -> Context:
         "name": found.name,
         "topic": found.topic,
         "equation": typeset(found.equation) if found.equation else "",
-        "numbers": [(name, estimate_words(each)) for name, each in found.parameters.items() if name not in doubtful],
-        "doubtful": [f"{name.replace('_', ' ')} ({estimate_words(found.parameters[name])[1]})" for name in doubtful],
+        "numbers": [
+            (name, (*estimate_words(each), limit_words(each)))
+            for name, each in found.parameters.items()
+            if name not in doubtful
+        ],
+        "doubtful": [f"{name.replace('_', ' ')} ({marked_words(found.parameters[name])[1]})" for name in doubtful],
         "correction": found.correction,
         "robots": ", ".join(found.robots),
         "tier": found.tier,
         "tier_words": BECAUSE if found.because else TIERS[found.tier],
-        "because": found.because,
         "nats": plain_number(found.nats),
         "held_out_nats": plain_number(found.held_out_nats) if math.isfinite(found.held_out_nats) else "",
         "check": check_words(found.id),
@@ -226,6 +238,12 @@ def _effect(found: FoundEffect) -> Context:
             for each in found.ambiguous_with
         ],
     }
+
+
+def _reasons(found: FoundEffect, warnings: Sequence[str]) -> Context:
+    """Reasons for which an effect is suspected: its own, and how many stand at the top of the page for all."""
+    own = [reason for reason in found.because if reason not in warnings]
+    return {"because": own, "shared": len(found.because) - len(own)}
 
 
 def _fit(diagnosis: Diagnosis) -> Context:
@@ -277,6 +295,7 @@ def _parameter(found: Recalibrated) -> Context:
         "nominal": in_unit_of(found.nominal, found.estimate),
         "value": value,
         "interval": interval,
+        "mark": limit_words(found.estimate),
         "moved": math.isfinite(low + high) and not found.estimate.holds(found.nominal),
         "robots": ", ".join(found.robots),
     }

@@ -12,20 +12,23 @@ from rich.text import Text
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
+from cocorosim_ros.diagnosis.report.marks import marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
 from cocorosim_ros.diagnosis.report.number_text import (
     NONE,
-    estimate_words,
     handy_scale,
     in_unit_of,
     plain_number,
     with_unit,
 )
 from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
+from cocorosim_ros.diagnosis.report.recorded import as_recorded
 
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     """Tables of effects, moved parameters and held-out errors, empty ones left out; probabilities, and warnings."""
+    shown_probabilities = told_probabilities(diagnosis)
+    diagnosis = as_recorded(diagnosis)
     tables = [
         _effects(diagnosis),
         _passed_over(diagnosis),
@@ -38,7 +41,7 @@ def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
     if diagnosis.effects or diagnosis.passed_over or any("nats" in sentence for sentence in said):
         shown.insert(0, Text(f"nats: what speaks for an effect, {NATS_IN_WORDS}"))
     if diagnosis.effects or (diagnosis.screened and diagnosis.verdict != "insufficient"):  # else those of before
-        shown.append(Text(f"probability: {told_probabilities(diagnosis)}"))
+        shown.append(Text(f"probability: {shown_probabilities}"))
     shown += [Text(f"take care: {warning}") for warning in diagnosis.warnings]
     if diagnosis.manoeuvres:
         shown.append(Text(f"next: {manoeuvre_words(diagnosis.manoeuvres)}"))
@@ -51,7 +54,7 @@ def _effects(diagnosis: Diagnosis) -> Table:
     for found in diagnosis.effects:
         rivals = ", ".join(f"{rival.id} (\u2212{plain_number(rival.nats_behind, 2)})" for rival in found.ambiguous_with)
         first = [f"{_name(found)}, {found.tier}", ", ".join(found.robots)]
-        numbers = [(name, *estimate_words(each)) for name, each in found.parameters.items()]
+        numbers = [(name, *marked_words(each)) for name, each in found.parameters.items()]
         if found.correction is not None:
             numbers.append(("correction", found.correction, ""))
         _add(table, first, numbers, [plain_number(found.nats), rivals or NONE])
@@ -65,7 +68,7 @@ def _passed_over(diagnosis: Diagnosis) -> Table:
     )
     for passed in diagnosis.passed_over:
         found = passed.found
-        numbers = [(name, *estimate_words(each)) for name, each in found.parameters.items()]
+        numbers = [(name, *marked_words(each)) for name, each in found.parameters.items()]
         _add(table, [_name(found), ", ".join(found.robots)], numbers, [plain_number(found.nats), passed.shortly])
     return table
 
@@ -82,7 +85,7 @@ def _parameters(diagnosis: Diagnosis) -> Table:
     table = _table("recalibrated", ("parameter", "robots", before, "fitted", "95 % interval"))
     for found in diagnosis.recalibrated:
         nominal = in_unit_of(found.nominal, found.estimate)
-        cells = (found.parameter, ", ".join(found.robots), nominal, *estimate_words(found.estimate))
+        cells = (found.parameter, ", ".join(found.robots), nominal, *marked_words(found.estimate))
         table.add_row(*(Text(cell) for cell in cells))
     return table
 
@@ -93,8 +96,9 @@ def _errors(diagnosis: Diagnosis) -> Table:
     for channel, found in diagnosis.fit.items():
         numbers = (found.nominal, found.recalibrated, found.augmented, found.noise_floor)
         scale = handy_scale(max((each for each in numbers if math.isfinite(each)), default=0.0), found.unit)
+        against = "; ".join(part for part in (found.against, unlike_words(diagnosis.unlike)) if part)
         cells = (with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers)
-        table.add_row(*(Text(cell) for cell in (channel, *cells, found.against)))
+        table.add_row(*(Text(cell) for cell in (channel, *cells, against)))
     return table
 
 

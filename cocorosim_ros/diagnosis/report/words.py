@@ -4,60 +4,14 @@ from __future__ import annotations
 
 import math
 
+from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words, short_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis
+from cocorosim_ros.diagnosis.findings import Comparison
 from cocorosim_ros.diagnosis.tracks.columns import NOISE_WORDS
 from cocorosim_ros.world.effects import EFFECTS
-from cocorosim_ros.world.laws.law import is_law, subject_and_product
+from cocorosim_ros.world.laws.law import is_law
 from cocorosim_ros.world.sensors.errors import ERRORS, units_of
 
-VERDICTS = {
-    "consistent": (
-        "Nothing is missing",
-        "The recording is what the model of this platform expects, within its noise: no number of the platform has "
-        "moved, and no effect of the catalogue explains anything.",
-    ),
-    "recalibrate": (
-        "Recalibrate",
-        "The physics is complete, but numbers of the platform differ from its file. With the fitted numbers of "
-        "model.yaml the simulation follows the recording.",
-    ),
-    "mismatch": (
-        "Physics is missing",
-        "No choice of the platform's own numbers explains the recording; the effects below do.",
-    ),
-    "insufficient": (
-        "This recording cannot tell",
-        "The file can be read, but it does not hold the information that a diagnosis needs; nothing is said for or "
-        "against the model.",
-    ),
-}
-WITHOUT_NAME = (
-    "Something is missing",
-    "No choice of the platform's own numbers explains the recording, and no effect does beyond doubt: those that "
-    "explain something may as well be nothing, each by itself, or foretell nothing.",
-)
-"""Words of a mismatch without a name."""
-DIFFERENCES = {
-    "consistent": (
-        "Nothing differs",
-        "These recordings are what the vehicle of the compared ones would do, within noise and spread.",
-    ),
-    "recalibrate": (
-        "Numbers have changed",
-        "Numbers of the vehicle differ from those of the compared recordings; no further effect does.",
-    ),
-    "mismatch": (
-        "Something differs",
-        "No change of the vehicle's own numbers explains the difference from the compared recordings; effects do.",
-    ),
-    "insufficient": VERDICTS["insufficient"],
-}
-"""Words of the verdicts about recordings that are compared with others of the same vehicle."""
-DIFFERS_WITHOUT_NAME = (
-    "Something differs",
-    "The compared recordings differ from these, but by nothing with a sure size.",
-)
 TIERS = {
     "confirmed": "confirmed: it also improves data that its fit did not see",
     "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
@@ -85,10 +39,7 @@ CHECKS = {
 
 def effect_words(identifier: str) -> str:
     """An identifier of the catalogue, with a stream or a number after a colon, or of a law outside it, as words."""
-    if is_law(identifier):
-        equation, product = subject_and_product(identifier)
-        return f"unknown law of {equation.replace('_', ' ')} in proportion to {product.text.replace('*', chr(0xB7))}"
-    return identifier.replace("_", " ").replace(":", ", ")
+    return identifier_words(identifier) if is_law(identifier) else short_words(identifier)
 
 
 def check_words(identifier: str) -> str:
@@ -110,15 +61,6 @@ def parameter_unit(effect: str, parameter: str) -> str:
     return known.get(parameter, "1")
 
 
-def verdict_words(diagnosis: Diagnosis) -> tuple[str, str]:
-    """Heading and sentence of a verdict."""
-    if diagnosis.verdict == "mismatch" and not diagnosis.effects and diagnosis.passed_over:
-        return WITHOUT_NAME
-    if diagnosis.verdict == "mismatch" and not diagnosis.effects and diagnosis.against is not None:
-        return DIFFERS_WITHOUT_NAME
-    return (VERDICTS if diagnosis.against is None else DIFFERENCES)[diagnosis.verdict]
-
-
 def control_words(against: Comparison | None) -> str:
     """Sentence about the recordings that others are compared with: whether one half of them differs from the other."""
     if against is None:
@@ -135,16 +77,3 @@ def odds_words(nats: float) -> str:
         return "\u2013"
     factor = math.exp(min(nats, REPORT.most_told_nats))
     return f"{factor:.2g} times less likely" if factor < REPORT.told_odds else "much less likely"
-
-
-def nothing_missing_words(diagnosis: Diagnosis) -> str:
-    """The reason, as a sentence, for a diagnosis without effects."""
-    if diagnosis.verdict == "insufficient":
-        return "Nothing could be tested, because the recording holds too little information."
-    if diagnosis.passed_over:
-        return "No effect is named: those below explain something, but none beyond doubt."
-    if diagnosis.against is not None and diagnosis.verdict == "mismatch":
-        return "No difference is beyond doubt: what these recordings cannot tell is said with what they do not show."
-    if diagnosis.against is not None:
-        return "No effect of the catalogue, and no law outside it, differs from the compared recordings."
-    return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."

@@ -64,7 +64,11 @@ def _is_number(effect: NamedEffect) -> bool:
 
 
 def _times(estimate: Estimate, before: float, unit: str) -> Estimate:
-    return Estimate(estimate.value * before, estimate.low * before, estimate.high * before, unit)
+    least, most = estimate.limits
+    return replace(
+        estimate, value=estimate.value * before, low=estimate.low * before, high=estimate.high * before, unit=unit,
+        limits=(least * before, most * before),
+    )  # fmt: skip
 
 
 def _as_asymmetry(effect: FoundEffect, thrusters: Sequence[str]) -> FoundEffect:

@@ -65,7 +65,18 @@ def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
     """Value and 95 % interval of an unknown whose q has the standard deviation `spread`."""
     neutral = float(NEUTRAL[COLUMN[unknown.column]])
     value, *ends = (unknown.alone(place, neutral) for place in (q, q - Z95 * spread, q + Z95 * spread))
-    return Estimate(value, min(ends), max(ends), unit, between(unknown.column))
+    bounds = [unknown.alone(place, neutral) for place in unknown.bounds]
+    limits = _limits(unknown, min(bounds), max(bounds), neutral)
+    return Estimate(
+        value, min(ends), max(ends), unit, between(unknown.column), limits, at_limit=any(unknown.at_ends(q))
+    )
+
+
+def _limits(unknown: Unknown, least: float, most: float, neutral: float) -> tuple[float, float]:
+    """Limits of a number; of an effect's, no end at which the effect is absent: it is told as holding zero."""
+    if unknown.owner.effect == PLATFORM:
+        return least, most
+    return -math.inf if least == neutral else least, math.inf if most == neutral else most
 
 
 def recalibrated(numbers: Sequence[Fitted]) -> tuple[tuple[Recalibrated, ...], tuple[Recalibrated, ...]]:

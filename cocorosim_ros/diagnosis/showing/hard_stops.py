@@ -20,7 +20,8 @@ from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lastin
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
 from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
-from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
+from cocorosim_ros.diagnosis.showing.collapse import collapsed_channels
+from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.tracks.columns import (
@@ -31,7 +32,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     READING_COLUMNS,
     WHITE,
 )
-from cocorosim_ros.diagnosis.tracks.passes import Pass, Smoothed
+from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
@@ -108,16 +109,12 @@ def uneven_pushes(case: Case) -> Iterator[Objection]:
 
 def collapsed_base(case: Case) -> Iterator[Objection]:
     """Object to a recalibrated model that foretells unseen data clearly worse than the platform as given."""
-    for channel in EXACT:
-        row = case.table.get(channel)
-        if row is None or not row.recalibrated > HARD_STOPS.worse * row.nominal:
-            continue
-        low, _ = row.intervals.get("recalibrated", (row.recalibrated, row.recalibrated))
-        if low > row.nominal and is_beyond_steps(channel, row.recalibrated):
-            yield Objection(
-                f"The recalibrated model foretells the {channel} worse than the platform as given does: by "
-                f"{row.recalibrated:.3g} for {row.nominal:.3g} {row.unit}; its fit has collapsed."
-            )
+    for channel in collapsed_channels(case.table):
+        row = case.table[channel]
+        yield Objection(
+            f"The recalibrated model foretells the {channel} worse than the platform as given does: by "
+            f"{row.recalibrated:.3g} for {row.nominal:.3g} {row.unit}; its fit has collapsed."
+        )
 
 
 def strayed_course(case: Case) -> Iterator[Objection]:
@@ -143,33 +140,6 @@ def _left(track: Track, course: Smoothed, row: Floats) -> Iterator[str]:
         noise = _noise(track, kind, row)
         if off > HARD_STOPS.strayed * noise:
             yield f"{name} by {off:.3g} {KINDS[name].unit}, {off / noise:.3g} times their noise"
-
-
-def coloured_innovations(case: Case) -> Iterator[Objection]:
-    """Object to predictions that err again and again to the same side, or much farther than the filter expects.
-
-    What errs by a small share of what the filter expects is not looked at, however regular it is.
-    """
-    for track, passed in zip(case.final.tracks, case.final.passes, strict=True):
-        coloured = list(_coloured(track, passed))
-        if coloured:
-            yield Objection(
-                f"What the model foretells of {track.name} errs not at random: {'; '.join(coloured)}.", (track.name,)
-            )
-
-
-def _coloured(track: Track, passed: Pass) -> Iterator[str]:
-    """Kinds of readings whose innovations are not white, each with their size and correlation."""
-    for kind in np.unique(track.timeline.kind).tolist():
-        chosen = (track.timeline.kind == kind) & passed.believed
-        if np.count_nonzero(chosen) < HARD_STOPS.fewest:
-            continue
-        sizes = passed.innovation[chosen] / np.sqrt(passed.variance[chosen])
-        scale = float(np.sqrt(np.mean(sizes**2)))
-        related = float(np.mean(sizes[1:] * sizes[:-1])) / scale**2 if scale > 0.0 else 0.0
-        one_sided = related > HARD_STOPS.correlated and scale > HARD_STOPS.material
-        if one_sided or scale > HARD_STOPS.scale:
-            yield f"{KIND_NAMES[kind]} by {scale:.2g} times what the filter expects, correlation {related:.2f}"
 
 
 def lasting_errors(case: Case) -> Iterator[Objection]:

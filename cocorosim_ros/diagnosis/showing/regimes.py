@@ -24,17 +24,17 @@ class Quantity(NamedTuple):
 QUANTITIES = (Quantity("speed", "m/s"), Quantity("turn rate", "rad/s"), Quantity("thrust", "N"), Quantity("depth", "m"))
 
 
-def regime_remarks(unseen: Unseen) -> tuple[str, ...]:
-    """Say by what the held-out parts differ from the fitted ones, a sentence for each quantity that does."""
+def unlike_regimes(unseen: Unseen) -> dict[str, str]:
+    """Say by what the held-out parts differ from the fitted ones: a sentence, by name of the quantity that does."""
     held = _values(unseen, [split.held for split in unseen.splits])
     seen = _values(unseen, [split.seen for split in unseen.splits])
     if not held.size or not seen.size:
-        return ()
-    return tuple(
-        remark
+        return {}
+    return {
+        quantity.name: remark
         for quantity, unlike, fitted in zip(QUANTITIES, held.T, seen.T, strict=True)
         if (remark := _remark(quantity, unlike, fitted))
-    )
+    }
 
 
 def _remark(quantity: Quantity, held: Floats, seen: Floats) -> str:

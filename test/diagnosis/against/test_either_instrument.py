@@ -9,7 +9,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.against.either_instrument import apart, of_either
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect
-from cocorosim_ros.diagnosis.report.sentence import difference_sentence
+from cocorosim_ros.diagnosis.report.headline import difference_sentence
 
 LOG, CAMERA, LATE, COMMANDS = (
     ("speed_log_scale", "velocity"), ("camera_scale", "pose"), ("sensor_latency", "pose"), ("command_delay", None)

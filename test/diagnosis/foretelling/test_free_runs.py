@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.nameless_force import foretold, turn_back
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
-from cocorosim_ros.diagnosis.showing.regimes import QUANTITIES, regime_remarks
+from cocorosim_ros.diagnosis.showing.regimes import QUANTITIES, unlike_regimes
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
@@ -129,11 +129,13 @@ def test_parts_of_another_regime_are_said(without_camera: Fit) -> None:
     (course,), (split,) = unseen.courses, unseen.splits
     alike = replace(course, mean=np.zeros_like(course.mean))
     thrust = f"median {QUANTITIES[2].name}"
-    assert all(thrust in remark for remark in regime_remarks(replace(unseen, courses=(alike,))))
+    assert all(thrust in remark for remark in unlike_regimes(replace(unseen, courses=(alike,))).values())
     deep = np.zeros_like(course.mean)
     for span in split.held:
         deep[span.first : span.end, Z] = -2.0
     (said,) = (
-        remark for remark in regime_remarks(replace(unseen, courses=(replace(course, mean=deep),))) if "depth" in remark
+        remark
+        for name, remark in unlike_regimes(replace(unseen, courses=(replace(course, mean=deep),))).items()
+        if name == "depth"
     )
     assert "median depth is 2 m" in said and "between 0 and 0 m" in said.replace("-0", "0")

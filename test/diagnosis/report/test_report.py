@@ -151,7 +151,14 @@ def test_a_mismatch_is_told_with_numbers_and_rivals(pages: Pages) -> None:
     [
         ("consistent", ["Nothing has to be done", "No effect of the catalogue", "Nowhere: what the fitted model"]),
         ("nameless", ["Without a name", "52.3", "may as well be nothing", "not in model.yaml", "Record again, longer"]),
-        ("recalibrate", ["The physics is complete", "so there are no rivals", "diagnose the next recording"]),
+        (
+            "recalibrate",
+            [
+                "No effect of the catalogue explains anything, but numbers",
+                "so there are no rivals",
+                "diagnose the next recording",
+            ],
+        ),
         ("insufficient", ["holds too little information", "drive at three speeds", "zero throughout"]),
     ],
 )
