@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
-from cocorosim_ros.diagnosis.catalogue.law_words import STREAM_WORDS
+from cocorosim_ros.diagnosis.catalogue.law_words import stream_words
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.sensors import SENSORS
@@ -138,7 +138,7 @@ def _of_stream(identifier: str, error: SensorError, streams: OfEveryStream, numb
 
     number: the error's number for that stream, which platform files call by the topic, such as `compass` [s].
     """
-    words = streams.summary(STREAM_WORDS.get(number.name, number.name))
+    words = streams.summary(stream_words(number.name))
     one = replace(error, summary=words, parameters=(number,))
     entry = entry_of(identifier, one, streams.search(number.name))
     return replace(entry, amplitudes=tuple(replace(each, name=streams.number) for each in entry.amplitudes))

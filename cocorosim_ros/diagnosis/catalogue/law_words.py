@@ -20,10 +20,12 @@ READING_WORDS = {
     "velocity_u": "the speed log ahead",
     "velocity_v": "the speed log to the left",
     "velocity_w": "the speed log upwards",
+    "ground_velocity_u": "the speed over ground ahead",
+    "ground_velocity_v": "the speed over ground to the left",
+    "ground_velocity_w": "the speed over ground upwards",
 }
 """Readings in words, by kind."""
-STREAM_WORDS = {"imu": "stream of the inertial sensor"}
-"""Streams in words, by topic; the others are called by their topics."""
+_STREAM_WORDS = {"imu": "stream of the inertial sensor"}
 _REGRESSOR_WORDS = {"r": "the turn rate"}
 _POWERS = {2.0: "the square of", 3.0: "the cube of"}
 
@@ -41,7 +43,7 @@ def short_law_words(law: Law) -> str:
 def identifier_words(identifier: str) -> str:
     """Words for the identifier of a law, which says of a stream but not of which of its readings."""
     subject, product = subject_and_product(identifier)
-    kind = _force(subject) if subject in EQUATION else _subject(STREAM_WORDS.get(subject, subject))
+    kind = _force(subject) if subject in EQUATION else _subject(stream_words(subject))
     return f"{kind} {_proportion(product)}"
 
 
@@ -50,12 +52,17 @@ def short_words(identifier: str) -> str:
     if not is_law(identifier):
         return identifier.replace("_", " ").replace(":", ", ")
     subject, _ = subject_and_product(identifier)
-    return _force(subject) if subject in EQUATION else _subject(STREAM_WORDS.get(subject, subject))
+    return _force(subject) if subject in EQUATION else _subject(stream_words(subject))
 
 
 def product_words(product: Product) -> str:
     """Words for a product of powers of regressors."""
     return " times ".join(_factor_words(factor) for factor in product.factors)
+
+
+def stream_words(topic: str) -> str:
+    """Words for a stream, by topic."""
+    return _STREAM_WORDS.get(topic, topic.replace("_", " "))
 
 
 def regressor_words(name: str) -> str:
