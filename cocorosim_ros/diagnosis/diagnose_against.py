@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.differences import Judged, name_differences
 from cocorosim_ros.diagnosis.against.doubt_sentences import REFUSED, TRACE, VAGUE, doubts, names_of, of_unsettled
 from cocorosim_ros.diagnosis.against.either_instrument import apart, of_either
+from cocorosim_ros.diagnosis.against.halves import changed_halfway
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of, with_streams_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
@@ -22,6 +23,7 @@ from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.diagnose import abstained
+from cocorosim_ros.diagnosis.evidence.cleaning import is_noteworthy
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
@@ -39,13 +41,15 @@ from cocorosim_ros.diagnosis.naming.detectability import (
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.report.headline import difference_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
-from cocorosim_ros.diagnosis.showing.case import Case
+from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
+from cocorosim_ros.diagnosis.showing.learned_vehicle import objection_to_learned
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
+from cocorosim_ros.diagnosis.showing.other_vehicle import as_another_vehicle
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -68,12 +72,12 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
     """Name what differs between recordings that were made comparable."""
     intake, well = taken_in(bad, good)
     if well.reasons or intake.reasons:
-        return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), good)
+        return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), well)
     progress("learning the vehicle", 0.05)
     thrusters = _thrusters(bad.platform)
-    learned = learned_once(well.evidence, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    once = learned_once(well.evidence, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
     progress("fitting both together", 0.4)
-    learned, joint, taken_back = _joined(learned, intake)
+    learned, joint, taken_back = _joined(once.vehicle, intake)
     turned = in_its_axes(learned, joint, intake)
     if turned is not intake:
         intake = turned
@@ -81,7 +85,7 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
         taken_back += more
     if runs_away(joint):
         reason = f"The vehicle of --against cannot be run through these recordings of '{bad.platform.name}'."
-        return _with_files(abstained(bad, (reason,)), good)
+        return _with_files(abstained(bad, (reason,)), well)
     alike = Alike(with_streams_of(learned, joint))
     progress("comparing the recordings of --against with each other", 0.5)
     control = _control(learned, alike, thrusters)
@@ -89,9 +93,10 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
     naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
     progress("writing down", 0.95)
     naming = replace(naming, screened=alike.all_weighed(naming.screened))
-    against = _against(good, learned, control, naming)
+    against = replace(_against(well, learned, control, naming), taken_back=taken_back)
     clocks = tuple(other_clocks(intake.evidence, well.evidence))
-    told = _told(naming, judged, intake, replace(against, taken_back=taken_back), clocks)
+    objection = objection_to_learned(learned, well, changed_halfway(once.base, thrusters))
+    told = _told(naming, judged, intake, against, clocks, objection)
     # The numbers of the model file are those of the learned vehicle, found with its steps and in its form of drag.
     form = word_of_form(learned) if bad.platform.drag_form is None else ""
     return replace(told, drag_form=form, step=min(track.timeline.grid.step for track in learned.tracks))
@@ -133,25 +138,42 @@ def _judged(fit: Fit, numbers: tuple[int, ...], alike: Alike, thrusters: tuple[s
     return Judged(numbers, alike, thrusters, unseen_parts(fit, among=numbers))
 
 
-def _against(good: Evidence, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
+def _against(well: Intake, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
     spreads = {effect.candidate.entry.id: effect.candidate.spread for effect in naming.named}
     every, _ = recalibrated(fitted(learned))
-    origins = tuple(recording.origin for recording in good.recordings)
     named = {effect.candidate.entry.id for effect in naming.named}
     refused = dict.fromkeys(each.effect.candidate.entry.id for each in naming.refused)
     in_doubt = tuple(name for name in refused if name not in named)
     seen = sizes_seen(naming.screened)
-    return Comparison(origins, learned_effects(learned), control, spreads, every, seen_from=seen, in_doubt=in_doubt)
+    return replace(
+        _of_files(well), learned=learned_effects(learned), control=control, spreads=spreads, before=every,
+        seen_from=seen, in_doubt=in_doubt,
+    )  # fmt: skip
 
 
-def _with_files(diagnosis: Diagnosis, good: Evidence) -> Diagnosis:
-    return replace(diagnosis, against=Comparison(tuple(each.origin for each in good.recordings), (), ()))
+def _of_files(well: Intake) -> Comparison:
+    """Make a comparison with recordings of which nothing is known yet but what was odd about them."""
+    remarks = _of_good([remark for remark in well.evidence.remarks if is_noteworthy(remark)])
+    return Comparison(tuple(each.origin for each in well.evidence.recordings), (), (), remarks=remarks)
+
+
+def _with_files(diagnosis: Diagnosis, well: Intake) -> Diagnosis:
+    against = _of_files(well)
+    return replace(diagnosis, remarks=(*diagnosis.remarks, *against.remarks), against=against)
 
 
 def _told(
-    naming: Naming, judged: Judged, intake: Intake, against: Comparison, clocks: tuple[FoundEffect, ...]
+    naming: Naming,
+    judged: Judged,
+    intake: Intake,
+    against: Comparison,
+    clocks: tuple[FoundEffect, ...],
+    to_learned: tuple[Objection, ...],
 ) -> Diagnosis:
-    """Write the differences as findings: numbers of the platform by themselves, the rest as effects."""
+    """Write the differences as findings: numbers of the platform by themselves, the rest as effects.
+
+    clocks: differences of clocks. to_learned: objections to the learned vehicle.
+    """
     numbers = fitted(naming.fit)
     moved, vague = _clearly_moved(differing_numbers(naming, numbers))
     effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *clocks, *differing_effects(naming, numbers))
@@ -164,7 +186,8 @@ def _told(
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(unseen_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
-    stops = (*unexplained(intake), *objections(Case(final, naming.named, effects, courses[1], table)))
+    case = Case(final, naming.named, effects, courses[1], table)
+    stops = (*to_learned, *as_another_vehicle(moved, effects), *unexplained(intake), *objections(case))
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
     traces, unsettled = (names_of(naming, each) for each in (naming.traces, naming.unsettled))
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
@@ -193,7 +216,7 @@ def _told(
         readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
         free_runs=runs,
         gathered=gathered_evidence(base, final),
-        remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back)),
+        remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back), *against.remarks),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
         warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),

@@ -263,6 +263,7 @@ class Comparison:
     have been named [unit of the number; share of a factor].
     in_doubt: effects and numbers with evidence enough, but without a name: free runs through unseen data gain nothing
     by them, or their size may as well be nothing.
+    remarks: what was odd about these recordings, as sentences that begin with --against.
     """
 
     recordings: tuple[str, ...]
@@ -273,6 +274,7 @@ class Comparison:
     taken_back: tuple[str, ...] = ()
     seen_from: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     in_doubt: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

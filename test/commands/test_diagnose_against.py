@@ -13,6 +13,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.reading.config_files import find_config
 
 Command = Callable[..., SimpleNamespace]
 
@@ -100,3 +101,27 @@ def test_the_same_recording_on_both_sides_is_refused(
     done = cocorosim("diagnose", bags[0], "--against", bags[0], "--platform", "lily", "--out", tmp_path / "out")
     assert done.status == 2
     assert "says the same as" in done.err
+
+
+def test_recordings_of_another_hull_are_refused(
+    cocorosim: Command, run_of_20_seconds: SimpleNamespace, tmp_path: Path
+) -> None:
+    """Runs of the simulator say what they were made with: a Lily twice as wide is none, before anything is fitted."""
+    made = "unit: m, source: made, confidence: estimate"
+    hull = (
+        f"hull: {{length: {{value: 0.13, {made}}}, width: {{value: 0.2, {made}}}, height: {{value: 0.07, {made}}}}}\n"
+    )
+    (tmp_path / "wide.yaml").write_text(f"name: wide\nbased_on: lily\n{hull}")
+    text = find_config("scenarios", "five_lilys").read_text("utf-8").replace("platform: lily", "platform: wide.yaml")
+    (tmp_path / "wide_lilys.yaml").write_text(text)
+    good = tmp_path / "good"
+    assert (
+        cocorosim("run", tmp_path / "wide_lilys.yaml", "--in-process", "--duration", "12 s", "--out", good).status == 0
+    )
+    bad = run_of_20_seconds.bag
+    done = cocorosim("diagnose", bad, "--against", good, "--platform", "lily", "--out", tmp_path / "out")
+    assert done.status == 2
+    assert f"--against has {good}, made with 'wide' (0.13 x 0.2 x 0.07 m, 0.44 kg) as lily_01" in " ".join(
+        done.err.split()
+    )
+    assert not (tmp_path / "out").exists()

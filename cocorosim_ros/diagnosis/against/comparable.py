@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.against import ALIKE, SAME_VEHICLE
-from cocorosim_ros.diagnosis.evidence.frames.correction import put_right
-from cocorosim_ros.diagnosis.evidence.intake import Intake, take_in
+from cocorosim_ros.diagnosis.against.same_vehicle import check_same_vehicle
+from cocorosim_ros.diagnosis.criteria.against import ALIKE
+from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, put_right
+from cocorosim_ros.diagnosis.evidence.intake import Intake, Mixup, take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.diagnosis.tracks.lateness import clocks_of
 from cocorosim_ros.foundation.arrays import Flags
@@ -20,9 +21,11 @@ def comparable(bad: Evidence, good: Evidence) -> tuple[Evidence, Evidence]:
     """Keep the robots and streams that both sides have; remarks of the recordings to be judged say what is left out.
 
     A single robot is compared with a single one, whatever their names. Raises CocorosimError where nothing can be
-    compared: other robots, no common stream, or commands of another size.
+    compared: other robots, no common stream, another vehicle by the scenarios of the recordings, or commands of another
+    size.
     """
-    good = _renamed(bad, good)
+    pairs = _pairs(bad, good)
+    good = _renamed(good, pairs)
     streams = {name: _streams(good, name) for name in _names(good)}
     shared = [name for name in _names(bad) if name in streams]
     if not shared:
@@ -36,7 +39,7 @@ def comparable(bad: Evidence, good: Evidence) -> tuple[Evidence, Evidence]:
             f"{_listed(set().union(*(_streams(bad, name) for name in shared)))}; nothing can be compared without a "
             "common stream."
         )
-    _check_commands(bad, good)
+    check_same_vehicle(bad, good, pairs)
     kept = tuple(_with_streams(recording, streams) for recording in bad.recordings)
     return replace(bad, recordings=kept), good
 
@@ -44,21 +47,27 @@ def comparable(bad: Evidence, good: Evidence) -> tuple[Evidence, Evidence]:
 def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
     """Bring both sides into frames and units of the contract, the judged one first by the corrections of the other.
 
-    So the mix-ups of the judged side are those that the other does not have. Which of two streams is mirrored may show
-    only beside the other side.
+    So the mix-ups of the judged side are those that the other does not have; remarks say what both have. Which of two
+    streams is mirrored may show only beside the other side.
     """
     well = take_in(good, bad.recordings)
-    recordings = tuple(
-        replace(
-            recording,
-            robots=tuple(
-                put_right(log, [mixup.correction for mixup in well.mixups if log.name in mixup.robots])
-                for log in recording.robots
-            ),
-        )
-        for recording in bad.recordings
-    )
+    recordings = tuple(_put_right_alike(recording, well.mixups) for recording in bad.recordings)
     return take_in(replace(bad, recordings=recordings), good.recordings, well.evidence.recordings), well
+
+
+def _put_right_alike(recording: RecordingLog, mixups: Sequence[Mixup]) -> RecordingLog:
+    """Correct a recording by what those of GOOD need, and say so."""
+    robots, remarks = [], list(recording.remarks)
+    for log in recording.robots:
+        needed = [mixup.correction for mixup in mixups if log.name in mixup.robots]
+        robots.append(put_right(log, needed))
+        remarks += [
+            f"{log.name}/{each.topic}: {each.wrong} in the recordings of --against; "
+            + ("here it was put right alike." if each.matrix is not None else "here it is not used either.")
+            for each in needed
+            if each.topic in (COMMAND, *log.streams)
+        ]
+    return replace(recording, robots=tuple(robots), remarks=tuple(remarks))
 
 
 def in_parts(good: Evidence) -> Evidence:
@@ -93,17 +102,28 @@ def _names(evidence: Evidence) -> list[str]:
     return sorted({robot.name for recording in evidence.recordings for robot in recording.robots})
 
 
-def _renamed(bad: Evidence, good: Evidence) -> Evidence:
-    """Give a single robot of GOOD the name of the single robot that is compared with it."""
+def _pairs(bad: Evidence, good: Evidence) -> dict[str, str]:
+    """Names in GOOD of the robots of BAD, by their names there: the same, or the only one of each side."""
     mine, theirs = _names(bad), _names(good)
-    if len(mine) != 1 or len(theirs) != 1 or mine == theirs:
+    if len(mine) == len(theirs) == 1:
+        return {mine[0]: theirs[0]}
+    return {name: name for name in mine if name in theirs}
+
+
+def _renamed(good: Evidence, pairs: Mapping[str, str]) -> Evidence:
+    """Give a robot of GOOD the name of the one that is compared with it; a remark says so where it has another."""
+    names = {theirs: mine for mine, theirs in pairs.items() if mine != theirs}
+    if not names:
         return good
-    return replace(
-        good,
-        recordings=tuple(
-            replace(each, robots=tuple(replace(log, name=mine[0]) for log in each.robots)) for each in good.recordings
-        ),
+    first, *others = (
+        replace(each, robots=tuple(replace(log, name=names.get(log.name, log.name)) for log in each.robots))
+        for each in good.recordings
     )
+    remarks = (
+        f"'{theirs}' is taken for '{mine}' of the recordings to be judged, since each side has one robot."
+        for theirs, mine in names.items()
+    )
+    return replace(good, recordings=(replace(first, remarks=(*first.remarks, *remarks)), *others))
 
 
 def _streams(evidence: Evidence, name: str) -> set[str]:
@@ -128,25 +148,6 @@ def _with_streams(recording: RecordingLog, streams: dict[str, set[str]]) -> Reco
         kept = {topic: stream for topic, stream in log.streams.items() if topic not in missing}
         robots.append(replace(log, streams=kept))
     return replace(recording, robots=tuple(robots), remarks=tuple(remarks))
-
-
-def _check_commands(bad: Evidence, good: Evidence) -> None:
-    mine, theirs = _command_size(bad), _command_size(good)
-    low, high = sorted((mine, theirs))
-    if high > SAME_VEHICLE.command_ratio * low > 0.0:
-        raise CocorosimError(
-            f"--against has commands up to {theirs:.3g} of full, and the recordings to be judged up to {mine:.3g} "
-            f"({SAME_VEHICLE.command_quantile:.0%} are below); give recordings of the same vehicle in similar use."
-        )
-
-
-def _command_size(evidence: Evidence) -> float:
-    """Amount of the strongest actuator's command that few commands exceed; of all recordings together."""
-    rows = [log.command for recording in evidence.recordings for log in recording.robots if len(log.command)]
-    if not rows:
-        return 0.0
-    commands = np.abs(np.concatenate(rows))
-    return float(np.nanquantile(commands, SAME_VEHICLE.command_quantile, axis=0).max())
 
 
 def _listed(names: Sequence[str] | set[str]) -> str:

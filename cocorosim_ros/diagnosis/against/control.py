@@ -90,13 +90,24 @@ class Alike:
 
     def _by_track(self, candidate: Candidate, values: dict[str, float]) -> list[Told]:
         """List what each track tells of the candidate's amplitudes, as if it were alone."""
+        return list(self.told_by_track(candidate, values).values())
+
+    def told_by_track(self, candidate: Candidate, values: dict[str, float]) -> dict[int, Told]:
+        """Map the number of each track to what it tells of the candidate's amplitudes, as if it were alone.
+
+        values: shapes of the candidate, by column.
+        """
         numbers = self._having(candidate)
         if not numbers:
-            return []
+            return {}
         whole = _as_one(candidate, numbers)
         moved = self._screen.slopes(whole, values, whole.amplitudes())
-        found = [self._orthogonal(number, moved[number]) for number in numbers]
-        return [each for each in found if np.isfinite(each.matrix).all() and np.isfinite(each.score).all()]
+        found = {number: self._orthogonal(number, moved[number]) for number in numbers}
+        return {
+            number: each
+            for number, each in found.items()
+            if np.isfinite(each.matrix).all() and np.isfinite(each.score).all()
+        }
 
     def _within_a_step(self, screened: Screened) -> float:
         """Nats twice over that a delay of a step of the filter would yield, by what a delay that was tried yields.

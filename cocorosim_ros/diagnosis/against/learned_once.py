@@ -6,6 +6,7 @@ import hashlib
 import pickle
 import threading
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.against.comparable import in_parts
 from cocorosim_ros.diagnosis.against.learning import learned_vehicle
@@ -17,27 +18,34 @@ from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.tracks.lately import Lately
 
 
+class Learned(NamedTuple):
+    """A vehicle that was learned, and the fit of the platform's own numbers from which learning began."""
+
+    vehicle: Fit
+    base: Fit
+
+
 class _Kept(threading.local):
     """The last learned vehicle of each thread, by the content of its recordings."""
 
     def __init__(self) -> None:
-        self.vehicles: Lately[Fit] = Lately(1)
+        self.vehicles: Lately[Learned] = Lately(1)
 
 
 _KEPT = _Kept()
 
 
-def learned_once(good: Evidence, thrusters: Sequence[str], progress: Callable[[str, float], None]) -> Fit:
+def learned_once(good: Evidence, thrusters: Sequence[str], progress: Callable[[str, float], None]) -> Learned:
     """Learn the vehicle of recordings; of the same recordings as the time before it is known already.
 
     Learning takes most of a comparison, and many recordings are compared with the same. thrusters: names, in order.
     """
 
-    def learn() -> Fit:
+    def learn() -> Learned:
         base = base_fit(in_parts(good))
         if good.platform.drag_form is None:
             base, _ = with_best_form(base, RECALIBRATION.most_rounds)
-        return learned_vehicle(base, thrusters, progress)
+        return Learned(learned_vehicle(base, thrusters, progress), base)
 
     return _KEPT.vehicles.once(_content(good), learn)
 

@@ -55,12 +55,18 @@ def thruster_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[
 
 def _factor(identifier: str, column: str, channel: str, group: str, name: str = "") -> Entry:
     """Make the entry of a number that is a factor of what it is in other recordings."""
-    words = f"thrust of {name}" if name else identifier.replace("_", " ")
+    words = number_words(identifier)
     least, most = CHANGES.bounds
     amplitude = Amplitude(
         column, name or identifier, "1", CHANGES.large_factor, neutral=1.0, factor=True, least=least, most=most
     )
     return Entry(identifier, f"{words} that differs", f"{words} = factor * before", channel, (amplitude,), group=group)
+
+
+def number_words(identifier: str) -> str:
+    """Words for a number that may differ, such as 'thrust of left' and 'yaw drag', by the identifier of its entry."""
+    kind, _, thruster = identifier.partition(":")
+    return f"thrust of {thruster}" if kind == ONE_THRUSTER else identifier.replace("_", " ")
 
 
 def delay_entry() -> Entry:

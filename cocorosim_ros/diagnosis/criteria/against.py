@@ -40,14 +40,36 @@ class AlikeCriteria:
 
 
 @dataclass(frozen=True)
+class HalvesCriteria:
+    """Difference of a number between the halves of recordings, from which a vehicle has changed (`against.halves`)."""
+
+    sure: float = 0.05
+    """[probability] of such a difference of any number by chance. The usual 5 %. Chosen, not measured."""
+    large: float = 0.25
+    """[logarithm] of a number, from which it is another vehicle's: a quarter more or less. A well one differs from day
+    to day too. Chosen, not measured."""
+    fewest: int = 2
+    """[parts] of each half that tell the number: fewer have no scatter. Known of the variance."""
+
+
+@dataclass(frozen=True)
 class SameVehicleCriteria:
-    """Signs that two sets of recordings are of different vehicles (`against.comparable`)."""
+    """Signs that two sets of recordings are of different vehicles (`against.same_vehicle`, `showing.other_vehicle`)."""
 
     command_quantile: float = 0.95
     """[probability] of commands that are compared by size, so that single pulses do not count. Chosen, not measured."""
     command_ratio: float = 5.0
     """[1] quotient of the sizes of commands on both sides, from which they are not of one use of one vehicle: laws that
     were learned at one fifth of the thrust say little. Chosen, not measured."""
+    declared_ratio: float = 1.25
+    """[1] quotient of the lengths of a hull, or of masses, in the scenarios of recordings, from which these are of two
+    vehicles. One that carries something is the same still. Chosen, not measured."""
+    number_ratio: float = 1.5
+    """[1] factor by which a number of the vehicle has to differ with its whole 95 % interval to speak for another one.
+    Chosen, not measured."""
+    kinds: int = 2
+    """[kinds of numbers: thrust, drag, inertia, buoyancy] that have to differ so much at once: one cause changes
+    numbers of one kind, but for mass, which is in all. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -112,5 +134,6 @@ AXES_OF_VEHICLE = AxesOfVehicleCriteria()
 CHANGES = ChangeCriteria()
 LEARNING = LearningCriteria()
 ALIKE = AlikeCriteria()
+HALVES = HalvesCriteria()
 SAME_VEHICLE = SameVehicleCriteria()
 COMPARISON = ComparisonCriteria()

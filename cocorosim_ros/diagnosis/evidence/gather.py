@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.findings import Clock
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.bag_summary import METADATA_NAME
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 
@@ -95,7 +96,8 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
         raise CocorosimError(f"{path}: {error}") from error
     remarks += report_remarks
     remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]
-    return RecordingLog(str(path), duration, tuple(robots), tuple(remarks))
+    made_from = bag.summary.metadata.get(METADATA_NAME, {}).get("scenario", "")
+    return RecordingLog(str(path), duration, tuple(robots), tuple(remarks), made_from)
 
 
 def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:

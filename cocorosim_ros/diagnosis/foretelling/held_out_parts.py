@@ -75,8 +75,13 @@ def _blocks(track: Track, seconds: float) -> int:
 def _whole(points: int, place: int) -> Split:
     """Hold out a whole recording wherever the number of those that should be held out grows by one."""
     grows = int((place + 1) * FREE_RUNS.held_out + 1e-9) > int(place * FREE_RUNS.held_out + 1e-9)
+    return whole(points) if grows else Split((), (Span(0, points),))
+
+
+def whole(points: int) -> Split:
+    """Hold out a whole recording of so many grid points, but for its beginning, where little is known of the start."""
     begin = round(min(FREE_RUNS.places) * points)
-    return Split((Span(begin, points - begin),), ()) if grows else Split((), (Span(0, points),))
+    return Split((Span(begin, points - begin),), ())
 
 
 def _spread(points: int, count: int, place: float) -> Split:

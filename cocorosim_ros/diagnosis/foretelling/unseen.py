@@ -19,11 +19,12 @@ from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
 from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
-from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks
+from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks, whole
 from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import STATE_SIZE
@@ -82,6 +83,19 @@ def unseen_parts(base: Fit, seconds: float | None = None, among: Collection[int]
     return Unseen(
         base, splits, seconds, rows, courses, starts_of(tracks, rows), explained_forces(tracks, courses, rows)
     )
+
+
+def whole_tracks(fit: Fit) -> Unseen:
+    """Take whole tracks, but for their beginnings, as what free runs go through by the very numbers of a fit.
+
+    A fit whose numbers stand for something else foretells not even what it has seen. There is no noise floor's model.
+    """
+    tracks, rows = fit.tracks, fit.filled
+    splits = tuple(whole(track.timeline.grid.points) for track in tracks)
+    return Unseen(
+        fit, splits, seconds_of_free_runs(fit), rows, smoothed_under(tracks, rows), starts_of(tracks, rows),
+        [NO_PUSH] * len(tracks),
+    )  # fmt: skip
 
 
 class Model(NamedTuple):

@@ -71,6 +71,7 @@ def _against(against: Comparison | None) -> dict[str, Any]:
         "against_spread": {name: _finite(each) for name, each in against.spreads.items()},
         "against_in_doubt": list(against.in_doubt),
         "against_seen_from": {name: dict(numbers) for name, numbers in against.seen_from.items()},
+        "against_remarks": list(against.remarks),
     }
 
 

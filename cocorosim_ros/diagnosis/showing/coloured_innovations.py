@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.foundation.arrays import Floats
 
 
 class Coloured(NamedTuple):
@@ -30,10 +31,19 @@ def coloured_innovations(case: Case) -> Iterator[Objection]:
     What errs by a small share of what the filter expects is not looked at, however regular it is.
     """
     for robot, numbers in tracks_by_robot(case.final.tracks).items():
-        found = {number: list(_coloured(case.final.tracks[number], case.final.passes[number])) for number in numbers}
+        found = {
+            number: list(_coloured([case.final.tracks[number]], [case.final.passes[number]])) for number in numbers
+        }
         coloured = {number: kinds for number, kinds in found.items() if kinds}
         if coloured:
             yield Objection(_sentence(robot, [case.final.tracks[number] for number in numbers], coloured), (robot,))
+
+
+def coloured_at_once(robot: str, tracks: Sequence[Track], passes: Sequence[Pass]) -> Iterator[Objection]:
+    """Object to predictions of a robot that err not at random on some tracks together; passes: of each track."""
+    found = list(_coloured(tracks, passes))
+    if found:
+        yield Objection(_sentence(robot, tracks[:1], {0: found}), (robot,))
 
 
 def _sentence(robot: str, tracks: Sequence[Track], coloured: dict[int, list[Coloured]]) -> str:
@@ -53,15 +63,22 @@ def _sentence(robot: str, tracks: Sequence[Track], coloured: dict[int, list[Colo
     return f"What the model foretells of {robot} errs not at random{where}{most}: {told}."
 
 
-def _coloured(track: Track, passed: Pass) -> Iterator[Coloured]:
-    """Kinds of readings of a recording whose innovations are not white."""
-    for kind in np.unique(track.timeline.kind).tolist():
-        chosen = (track.timeline.kind == kind) & passed.believed
-        if np.count_nonzero(chosen) < HARD_STOPS.fewest:
+def _coloured(tracks: Sequence[Track], passes: Sequence[Pass]) -> Iterator[Coloured]:
+    """Kinds of readings whose innovations, on some tracks together, are not white."""
+    for kind in np.unique(np.concatenate([track.timeline.kind for track in tracks])).tolist():
+        by_track = [_sizes(track, passed, kind) for track, passed in zip(tracks, passes, strict=True)]
+        sizes = np.concatenate(by_track)
+        if len(sizes) < HARD_STOPS.fewest:
             continue
-        sizes = passed.innovation[chosen] / np.sqrt(passed.variance[chosen])
         scale = float(np.sqrt(np.mean(sizes**2)))
-        related = float(np.mean(sizes[1:] * sizes[:-1])) / scale**2 if scale > 0.0 else 0.0
+        beside = np.concatenate([own[1:] * own[:-1] for own in by_track])
+        related = float(np.mean(beside)) / scale**2 if scale > 0.0 else 0.0
         one_sided = related > HARD_STOPS.correlated and scale > HARD_STOPS.material
         if one_sided or scale > HARD_STOPS.scale:
             yield Coloured(KIND_NAMES[kind], scale, related)
+
+
+def _sizes(track: Track, passed: Pass, kind: int) -> Floats:
+    """Innovations (n,) of a kind that were believed, over their standard deviations."""
+    chosen = (track.timeline.kind == kind) & passed.believed
+    return np.asarray(passed.innovation[chosen] / np.sqrt(passed.variance[chosen]))

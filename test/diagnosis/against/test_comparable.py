@@ -44,11 +44,50 @@ def test_a_stream_that_was_not_recorded_before_is_left_out(pair: tuple[Any, Any]
 
 
 def test_one_robot_is_compared_with_one_whatever_its_name(pair: tuple[Any, Any]) -> None:
-    """The vehicle may have been called otherwise then."""
+    """The vehicle may have been called otherwise then; this is said, and of the same name nothing is."""
     from cocorosim_ros.diagnosis.against.comparable import comparable
 
     _, good = comparable(pair[0], changed(pair[1], name="before"))
     assert good.recordings[0].robots[0].name == pair[0].recordings[0].robots[0].name
+    (remark,) = good.recordings[0].remarks
+    assert remark.startswith("'before' is taken for 'lily_01' of the recordings to be judged")
+    assert comparable(*pair)[1].recordings[0].remarks == ()
+
+
+def in_hectopascals(log: Any) -> Any:
+    """Streams of a log whose pressure is a hundredth of what it should be."""
+    pressure = log.streams["pressure"]
+    return {**log.streams, "pressure": replace(pressure, value=pressure.value / 100.0)}
+
+
+def test_a_mixup_of_both_sides_is_no_difference_and_is_said_of_both(pair: tuple[Any, Any]) -> None:
+    """Pressure in hectopascals here and there: both are put right, each side says so, and none is told to differ."""
+    from cocorosim_ros.diagnosis.against.comparable import taken_in
+
+    intake, well = taken_in(*(changed(side, streams=in_hectopascals) for side in pair))
+    assert intake.mixups == ()
+    (there,) = well.evidence.remarks
+    assert there.startswith("lily_01/pressure: ") and there.endswith("it was put right.")
+    (here,) = intake.evidence.remarks
+    assert here.startswith("lily_01/pressure: ") and "hectopascals" in here
+    assert here.endswith("in the recordings of --against; here it was put right alike.")
+    pressure = intake.evidence.recordings[0].robots[0].streams["pressure"].value
+    assert np.allclose(pressure, pair[0].recordings[0].robots[0].streams["pressure"].value)
+
+
+def test_a_stream_that_cannot_be_put_right_is_left_out_on_both_sides(pair: tuple[Any, Any]) -> None:
+    """What is not used there is missing here, with a remark; other robots' streams stay."""
+    from cocorosim_ros.diagnosis.against.comparable import _put_right_alike
+    from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection
+    from cocorosim_ros.diagnosis.evidence.intake import Mixup
+
+    (recording,) = pair[0].recordings
+    hopeless = FrameCorrection("imu", "it is no rate of the yaw", "they were compared", 50.0, None, np.zeros(4))
+    left = _put_right_alike(recording, [Mixup(("lily_01",), hopeless)])
+    assert set(recording.robots[0].streams) - set(left.robots[0].streams) == {"imu"}
+    (remark,) = left.remarks
+    assert remark == "lily_01/imu: it is no rate of the yaw in the recordings of --against; here it is not used either."
+    assert _put_right_alike(recording, [Mixup(("lily_02",), hopeless)]) == recording
 
 
 def test_no_common_stream_is_refused(pair: tuple[Any, Any]) -> None:

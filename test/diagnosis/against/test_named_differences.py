@@ -79,6 +79,11 @@ def compared(swim: Any, bad: Any) -> Any:
     return diagnose_against(bad, recordings(swim, vehicle(WELL), GOOD), lambda words, share: None)
 
 
+def said_of_good(diagnosis: Any) -> list[str]:
+    """Warnings and remarks about the recordings of --against."""
+    return [each for each in (*diagnosis.warnings, *diagnosis.remarks) if "--against" in each]
+
+
 def stretched(log: Any) -> Any:
     """A log whose camera shows all lengths too long by 6 %."""
     pose = log.streams["pose"]
@@ -131,7 +136,7 @@ def test_what_has_changed_is_named(swim: Any, case: str) -> None:
     assert abs(found.value - truth) <= found.high - found.low
     assert diagnosis.effects[0].tier == "confirmed"
     assert diagnosis.verdict == "mismatch"
-    assert diagnosis.against.control == ()
+    assert (diagnosis.against.control, said_of_good(diagnosis)) == ((), [])
     assert diagnosis.sentence.startswith("Compared with when it was well, these differ: ")
 
 
@@ -139,7 +144,7 @@ def test_nothing_differs_between_recordings_of_one_vehicle(swim: Any) -> None:
     """What the platform's file lacks is in both halves, and so it is not named."""
     diagnosis = compared(swim, recordings(swim, vehicle(WELL), BAD))
     assert (diagnosis.verdict, diagnosis.effects, diagnosis.recalibrated) == ("consistent", (), ())
-    assert diagnosis.against.control == ()
+    assert (diagnosis.against.control, said_of_good(diagnosis)) == ((), [])
     assert "linear_drag" in diagnosis.against.learned
 
 

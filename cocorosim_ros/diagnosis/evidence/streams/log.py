@@ -65,12 +65,16 @@ class RobotLog:
 
 @dataclass(frozen=True)
 class RecordingLog:
-    """One bag: its robots, its duration [s], and remarks about it, as sentences."""
+    """One bag: its robots, its duration [s], and remarks about it, as sentences.
+
+    made_from: text of the scenario that it was made from; empty where it tells none.
+    """
 
     origin: str
     duration: float
     robots: tuple[RobotLog, ...]
     remarks: tuple[str, ...] = ()
+    made_from: str = ""
 
 
 @dataclass(frozen=True)
