@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -42,3 +43,22 @@ def test_columns_without_a_number_are_not_there() -> None:
     """Neither steady nor varying; where nothing has a depth, nothing shows it."""
     flat = track(pose=[MOVING, MOVING, ABSENT, MOVING])
     assert unrecorded([flat]) == unrecorded([track(compass=[MOVING])]) == Unrecorded((), depth=True)
+
+
+def test_a_diagnosis_says_that_the_height_is_fixed(swim: Any) -> None:
+    """A Lily whose poses have the height of a map: that is no reading, and nothing is said of errors of it."""
+    from cocorosim_ros.diagnosis.diagnose import diagnose
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    evidence = swim(load_platform("lily"), 60.0)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    pose = log.streams["pose"]
+    fixed = pose.value.copy()
+    fixed[:, 2] = 0.0
+    level = replace(log, streams={"pose": replace(pose, value=fixed)})
+    evidence = replace(evidence, recordings=(replace(recording, robots=(level,)),))
+    found = diagnose(evidence, lambda words, share: None)
+    assert found.unrecorded == Unrecorded(("pose_z",), depth=True)
+    assert not any("height" in sentence for sentence in found.untold)
+    assert any("the pose along x" in sentence for sentence in found.untold)
