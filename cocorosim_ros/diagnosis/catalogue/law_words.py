@@ -3,27 +3,11 @@
 from __future__ import annotations
 
 from cocorosim_ros.world.laws.law import Factor, Law, Product, is_law, subject_and_product
+from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-READING_WORDS = {
-    "pose_x": "the pose along x",
-    "pose_y": "the pose along y",
-    "pose_z": "the height of the pose",
-    "pose_yaw": "the heading of the pose",
-    "compass": "the compass",
-    "pressure": "the pressure",
-    "gyro_z": "the gyroscope",
-    "accel_x": "the accelerometer along the hull",
-    "accel_y": "the accelerometer across the hull",
-    "accel_z": "the upright accelerometer",
-    "velocity_u": "the speed log ahead",
-    "velocity_v": "the speed log to the left",
-    "velocity_w": "the speed log upwards",
-    "ground_velocity_u": "the speed over ground ahead",
-    "ground_velocity_v": "the speed over ground to the left",
-    "ground_velocity_w": "the speed over ground upwards",
-}
+READING_WORDS = {name: kind.words for name, kind in KINDS.items()}
 """Readings in words, by kind."""
 _STREAM_WORDS = {"imu": "stream of the inertial sensor"}
 _REGRESSOR_WORDS = {"r": "the turn rate"}

@@ -33,7 +33,9 @@ COMPASS = Sensor(
     columns=(Column("heading", "heading", "rad"), Column("variance", "variance", "rad^2")),
     kinds=(
         Kind("compass", "heading", "rad", heading, by_heading, ("compass", None), angle=True,
-             noise_words="a reading of the compass", least_noise=1e-3, least_motion=0.02, large_error=0.05,
+             noise_words="a reading of the compass",
+             words="the compass",
+             least_noise=1e-3, least_motion=0.02, large_error=0.05,
              error_follows=("thrust", "yaw_command", *PUMP, *PLACE, "t", "u", "v", "w", "speed", "|r|", "|r|*r",
                             "|thrust|*sin_yaw", "|thrust|*cos_yaw", "sin_yaw*cos_yaw", "cos_yaw*cos_yaw"),
              most_error=MostError(0.5), shows=TURN),  # iron in the hull; more is another frame

@@ -53,7 +53,9 @@ PRESSURE = Sensor(
     columns=(Column("pressure", "fluid_pressure", "Pa"), Column("variance", "variance", "Pa^2")),
     kinds=(
         Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True,
-             noise_words="a reading of the pressure", least_noise=1.0, least_motion=50.0, large_error=200.0,
+             noise_words="a reading of the pressure",
+             words="the pressure",
+             least_noise=1.0, least_motion=50.0, large_error=200.0,
              error_follows=(*MOTORS, *PUMP, *PLACE, "u", "v", "r", "speed", "u*u", "speed*speed", "z*z", "r*r",
                             "|w|", "|w|*w", "t*t"),
              shows=("z", "w"),

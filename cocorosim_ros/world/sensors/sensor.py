@@ -65,6 +65,7 @@ class Kind:
     of_water: bool = False  # depends on the velocity through the water
     noise: str = ""  # readings that are equally good share the number of their noise, under this name; '': alone
     noise_words: str = ""  # of that number, in the report
+    words: str = field(kw_only=True)  # for the reading, as a mechanic says them
     least_noise: float = field(kw_only=True)  # [unit] what the filter's steps err by, however exact a reading is
     most_error: MostError = field(kw_only=True)  # beyond it a difference is no error of this instrument
     least_motion: float | None = None  # [unit] smaller motion is none, however exact; None: motion is not told by it
