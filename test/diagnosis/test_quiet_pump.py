@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.filter.layout import COMPASS, POSE_Z
+from cocorosim_ros.diagnosis.filter.layout import COMPASS, POSE_Z, UPRIGHT
 from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
@@ -27,7 +27,8 @@ def fits(force: Any, nats: Any, kind: int = POSE_Z, before: float = RANDOM_FORCE
     rows[:, 0, COLUMN["random.heave_force"]] = math.log(before), math.log(RANDOM_FORCE)
     stamps = STEP * np.arange(len(force))
     grid = Grid(0.0, STEP, len(force))
-    timeline = SimpleNamespace(kind=np.full(len(force), kind), stamp=stamps, grid=grid)
+    upright = np.full(len(force), kind in UPRIGHT)
+    timeline = SimpleNamespace(is_upright=upright, kind=np.full(len(force), kind), stamp=stamps, grid=grid)
     actuation = SimpleNamespace(drive=lambda row: force, pump_force=lambda drive: drive)
     track = SimpleNamespace(timeline=timeline, actuation=actuation)
     one = SimpleNamespace(innovation=np.sqrt(2.0 * nats), variance=np.ones(len(force)))

@@ -89,7 +89,7 @@ def test_the_same_water_may_move_one_robot_more(swim: Swim) -> None:
     found = noise_of(recalibration.base_fit(replace(calm, recordings=(*calm.recordings, other))))
     for column in ("random.force", "random.heave_force", "random.moment"):
         quiet, loud = found[column]
-        assert loud / quiet == pytest.approx(4.0, rel=0.35)
+        assert loud / quiet == pytest.approx(4.0, rel=0.4)  # of a minute each
 
 
 def test_a_vehicle_without_yaw_control_is_turned_by_water(swim: Swim) -> None:
