@@ -13,7 +13,7 @@ import math
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.foundation.compiling.stack import unset_stack_array
+from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import MOVING_WATER
@@ -32,7 +32,7 @@ def surface_waves(place: Floats, time: float, parameters: Floats, total: Floats)
     omega = 2.0 * math.pi / period
     k = omega * omega / GRAVITY
     north, east = sine_cosine(direction)
-    component = unset_stack_array(6)
+    component = stack_array(6)
     component[0], component[1], component[2] = speed / omega, omega, k
     component[3], component[4], component[5] = k * east, k * north, phase
     add_component(place, time, math.inf, component, total)
