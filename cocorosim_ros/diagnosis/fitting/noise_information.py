@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.noise_blocks import in_passes
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import nudged, prior_precision, prior_slope
 from cocorosim_ros.diagnosis.tracks.passes import Pass
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -26,43 +26,41 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
     """
     unknowns = [fit.noise[index] for index in chosen]
     score, matrix = prior_slope(unknowns, fit.q_noise[chosen]), np.diag(prior_precision(unknowns))
+    filled = fit.filled
 
     def of_track(number: int) -> tuple[Floats, Floats]:
-        mine = [place for place, unknown in enumerate(unknowns) if number in unknown.tracks]
-        moved, swollen = np.zeros((2, len(unknowns), len(fit.passes[number].innovation)))
-        for pair in in_passes([unknowns[place].column for place in mine]):
-            _write_slopes(fit, number, {mine[place]: chosen[mine[place]] for place in pair}, moved, swollen)
-        return _summed(fit.passes[number], moved.T, swollen.T)
+        row = filled[number]
+        others = [
+            nudged(row, unknown, float(fit.q_noise[index]), STEPS.noise_difference)
+            if number in unknown.tracks
+            else None
+            for index, unknown in zip(chosen, unknowns, strict=True)
+        ]
+        return _of_track(fit.tracks[number], fit.passes[number], others)
 
     for added_score, added_matrix in of_each_track(of_track, len(fit.tracks)):
         score, matrix = score + added_score, matrix + added_matrix
     return score, matrix
 
 
-def _write_slopes(fit: Fit, number: int, pair: Mapping[int, int], moved: Floats, swollen: Floats) -> None:
-    """Write what one noise, or two of different blocks, change in a track, by one pass with these a step off.
+def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tuple[Floats, Floats]:
+    """Score (n,) and information (n, n) of noise from one track, without priors.
 
-    pair: numbers of the noises in the fit by their rows in `moved` and `swollen`, that of the level block first.
-    moved, swollen (n, m): derivatives of the innovations, and of their variances relative to these.
+    rows: for each noise the track's row with that noise a step off; None for noise that is not of this track.
     """
-    track, passed = fit.tracks[number], fit.passes[number]
-    row = fit.filled[number]
-    for index in pair.values():
-        row = nudged(row, fit.noise[index], float(fit.q_noise[index]), STEPS.noise_difference)
-    other = track.filter.full(row, with_gains=False)
-    change = passed.change_to(other, track.timeline.is_angle) / STEPS.noise_difference
-    growth = (other.variance - passed.variance) / (STEPS.noise_difference * passed.variance)
-    is_upright = track.timeline.is_upright
-    blocks = (~is_upright, is_upright) if len(pair) > 1 else (True,)
-    for place, is_mine in zip(pair, blocks, strict=True):
-        np.copyto(moved[place], change, where=is_mine)
-        np.copyto(swollen[place], growth, where=is_mine)
-
-
-def _summed(passed: Pass, moved: Floats, swollen: Floats) -> tuple[Floats, Floats]:
-    """Score (n,) and information (n, n) of noise from the slopes (m, n) of one track, without priors."""
+    mean, relative = np.zeros((2, len(rows), len(passed.innovation)))
+    for column, row in enumerate(rows):
+        if row is None:
+            continue
+        other = track.filter.full(row, with_gains=False)
+        growth = relative[column]  # written in place: these arrays are large
+        np.divide(passed.change_to(other, track.timeline.is_angle), STEPS.noise_difference, out=mean[column])
+        np.subtract(other.variance, passed.variance, out=growth)
+        growth /= STEPS.noise_difference
+        growth /= passed.variance
     excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
     one = np.ones_like(passed.variance)
+    moved, swollen = mean.T, relative.T
     score = -weighted_products(moved, passed.innovation[:, None], passed.variance)[:, 0]
     score += 0.5 * weighted_products(swollen, excess[:, None], one)[:, 0]
     matrix = weighted_products(moved, moved, passed.variance)
