@@ -135,7 +135,7 @@ def test_the_errors_are_simulated_and_found(diagnosed: SimpleNamespace) -> None:
     assert found.keys() == {"pressure_scale", "sensor_latency"}
     gain, late = found["pressure_scale"], found["sensor_latency"]
     assert gain["name"] == "pressure gauge with a wrong gain"
-    assert (late["name"], late["topic"]) == ("speed_log that comes late", "speed_log")
+    assert (late["name"], late["topic"]) == ("speed log that comes late", "speed_log")
     for number, truth, size, beside in (
         (gain["parameters"]["scale"], SCALE, SCALE - 1.0, 0.0),
         (late["parameters"]["latency"], LATE, LATE, CLOCK_TICK),
