@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.feedback import Feedback
+from cocorosim_ros.diagnosis.evidence.topic_rows import unreadable
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.wire.cdr.named_numbers import NamedNumbers, read_named_numbers
+from cocorosim_ros.wire.cdr.named_numbers import read_named_numbers
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.stamped_numbers import Stamps
 from cocorosim_ros.wire.topics.actuator_feedback import QUANTITIES, feedback_name, reported
@@ -36,7 +37,7 @@ def read_feedback_rows(topic: str, messages: Sequence[bytes], actuators: Sequenc
     """
     names = [feedback_name(actuator, quantity) for actuator in actuators for quantity in QUANTITIES]
     read = read_named_numbers(messages, names)
-    remarks = [*_check_names(topic, read.names, actuators), *_unreadable(topic, read)]
+    remarks = [*_check_names(topic, read.names, actuators), *unreadable(topic, read.readable)]
     series, backwards = [], False
     for name, values in zip(names, read.numbers.T, strict=True):
         given = np.flatnonzero(read.readable & np.isfinite(values))
@@ -74,8 +75,3 @@ def _check_names(topic: str, found: Sequence[str], actuators: Sequence[str]) -> 
             f"{feedback_name('left', 'rotation')}; it is not used."
         )
     return remarks
-
-
-def _unreadable(topic: str, read: NamedNumbers) -> list[str]:
-    bad = int(np.count_nonzero(~read.readable))
-    return [f"{topic}: {bad} of {len(read.readable)} messages could not be read and were left out."] if bad else []

@@ -122,10 +122,11 @@ def _rows(topic: str, found: _Found, actuators: tuple[str, ...]) -> TopicRows:
         readable, stamps, values, remarks = read.readable, read.stamp_ns, recorded.columns(read.numbers), ()
         if recorded.orientation is not None:
             attitude, said = tilt_of(topic, recorded.orientation(read.numbers))
-    remarks = (*remarks, *_unreadable(topic, readable), *([said] if said else []))
+    remarks = (*remarks, *unreadable(topic, readable), *([said] if said else []))
     return TopicRows(robot, name, stamps, log_ns, values, attitude, remarks).chosen(readable)
 
 
-def _unreadable(topic: str, readable: Flags) -> Sequence[str]:
+def unreadable(topic: str, readable: Flags) -> Sequence[str]:
+    """Say how many messages of a topic could not be read: a sentence, none if all could; readable (n,)."""
     bad = np.count_nonzero(~readable)
     return [f"{topic}: {bad} of {len(readable)} messages could not be read and were left out."] if bad else []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +24,13 @@ FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw"
 WAVE_EQUATIONS = ("world_x", "world_y", "heave")
 
 
+class Spectrum(NamedTuple):
+    """Power of a force by frequency [1/s], both (frequencies,)."""
+
+    frequency: Floats
+    power: Floats
+
+
 class Band(NamedTuple):
     """Periods between which swings are looked for [s]."""
 
@@ -41,8 +48,9 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + SWINGS.least_extent)
     duration = max(float(course.time[-1]) for course in courses)
     forces = [forces_by_equation(course.mean) for course in courses]
-    periods = {name: _periods(courses, [each[name] for each in forces]) for name in forces[0]}
-    periods["waves"] = _wave_periods(courses, forces)
+    spectra = {name: _spectrum(courses, [each[name] for each in forces]) for name in forces[0]}
+    periods = {name: _periods(courses, spectrum) for name, spectrum in spectra.items()}
+    periods["waves"] = _wave_periods(courses, [spectra[name] for name in WAVE_EQUATIONS])
     return Scene(
         tuple(lower.tolist()),
         tuple(upper.tolist()),
@@ -77,28 +85,25 @@ def forces_by_equation(mean: Floats) -> dict[str, Floats]:
     return {**forces, "surge": in_body[:, X], "sway": in_body[:, Y]}
 
 
-def _periods(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[float, ...]:
-    """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show.
-
-    forces: one (points,) for each course.
-    """
+def _periods(courses: Sequence[Smoothed], spectrum: Spectrum) -> tuple[float, ...]:
+    """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show."""
     duration = _longest(courses)
     band = Band(SWINGS.shortest_period, duration / SWINGS.swings)
-    return (*_strongest(*_spectrum(courses, forces), band, SWINGS.most_periods), duration / SWINGS.swings)
+    return (*_strongest(spectrum, band, SWINGS.most_periods), duration / SWINGS.swings)
 
 
-def _wave_periods(courses: Sequence[Smoothed], forces: Sequence[Mapping[str, Floats]]) -> tuple[float, ...]:
-    """Periods [s] at which waves may be: where the force along x, y and upwards together swings most.
+def _wave_periods(courses: Sequence[Smoothed], spectra: Sequence[Spectrum]) -> tuple[float, ...]:
+    """Periods [s] at which waves may be: where the forces with these spectra together swing most.
 
     The peaks have to stand out, so that nothing is looked for where the water pushes at random alone.
     """
-    spectra = [_spectrum(courses, [each[name] for each in forces]) for name in WAVE_EQUATIONS]
-    frequency, power = spectra[0][0], np.sum([power for _, power in spectra], axis=0)
+    power = np.sum([each.power for each in spectra], axis=0)
     around = median_filter(power, size=SWINGS.finer * SWINGS.wave_around, mode="nearest")
     shortest, longest = SWINGS.wave_periods
     shortest = max(shortest, SWINGS.wave_readings * _step(courses[0]))
     band = Band(shortest, min(longest, _longest(courses) / SWINGS.swings))
-    return _strongest(frequency, np.where(power > SWINGS.wave_stands_out * around, power, 0.0), band, SWINGS.most_waves)
+    standing = np.where(power > SWINGS.wave_stands_out * around, power, 0.0)
+    return _strongest(Spectrum(spectra[0].frequency, standing), band, SWINGS.most_waves)
 
 
 def _longest(courses: Sequence[Smoothed]) -> float:
@@ -109,18 +114,19 @@ def _step(course: Smoothed) -> float:
     return float(course.time[1] - course.time[0])
 
 
-def _spectrum(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> tuple[Floats, Floats]:
-    """Frequencies [1/s] and the power there, added over all courses."""
+def _spectrum(courses: Sequence[Smoothed], forces: Sequence[Floats]) -> Spectrum:
+    """Add the spectra of a force over all courses; forces: one (points,) for each."""
     most = max(len(course.time) for course in courses)
     spectra = [
-        periodogram(force, fs=1.0 / _step(course), nfft=SWINGS.finer * most)
+        Spectrum(*periodogram(force, fs=1.0 / _step(course), nfft=SWINGS.finer * most))
         for course, force in zip(courses, forces, strict=True)
     ]
-    return spectra[0][0], np.sum([power for _, power in spectra], axis=0)
+    return Spectrum(spectra[0].frequency, np.sum([each.power for each in spectra], axis=0))
 
 
-def _strongest(frequency: Floats, power: Floats, band: Band, most: int) -> tuple[float, ...]:
+def _strongest(spectrum: Spectrum, band: Band, most: int) -> tuple[float, ...]:
     """Periods [s] of the strongest peaks in a band, strongest first."""
+    frequency, power = spectrum
     wanted = (frequency > 1.0 / band.longest) & (frequency < 1.0 / band.shortest)
     peaks, _ = find_peaks(np.where(wanted, power, 0.0))
     strongest = peaks[np.argsort(power[peaks])[::-1][:most]]

@@ -12,10 +12,11 @@ import math
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.pose import Rates, When
+from cocorosim_ros.world.sensors.rates_of_state import by_level_rate, rate_after
 from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY
-from cocorosim_ros.world.terms.blocks import HORIZONTAL, HU, HV, VERTICAL, VW
+from cocorosim_ros.world.terms.blocks import HU, HV, VERTICAL, VW
 
 # mypy: disable-error-code="no-any-return"
 
@@ -29,31 +30,27 @@ def measure(sight: Sight, ground_velocity: Floats) -> None:
 
 @kernel
 def _ahead(when: When, row: Floats, rates: Rates, water: Floats) -> float:
-    return row[SURGE] + when[1] * rates[0][SURGE] + 0.5 * when[2] * rates[1][SURGE]
+    return rate_after(SURGE, when, row, rates)
 
 
 @kernel
 def _left(when: When, row: Floats, rates: Rates, water: Floats) -> float:
-    return row[SWAY] + when[1] * rates[0][SWAY] + 0.5 * when[2] * rates[1][SWAY]
+    return rate_after(SWAY, when, row, rates)
 
 
 @kernel
 def _up(when: When, row: Floats, rates: Rates, water: Floats) -> float:
-    return row[HEAVE] + when[1] * rates[0][HEAVE] + 0.5 * when[2] * rates[1][HEAVE]
+    return rate_after(HEAVE, when, row, rates)
 
 
 @kernel
 def _by_ahead(after: float, row: Floats, slope: float, rates: Floats, seen: Floats) -> None:
-    for column in range(HORIZONTAL):
-        seen[column] = slope * (after * rates[HU * HORIZONTAL + column])
-    seen[HU] += slope
+    by_level_rate(HU, after, slope, rates, seen)
 
 
 @kernel
 def _by_left(after: float, row: Floats, slope: float, rates: Floats, seen: Floats) -> None:
-    for column in range(HORIZONTAL):
-        seen[column] = slope * (after * rates[HV * HORIZONTAL + column])
-    seen[HV] += slope
+    by_level_rate(HV, after, slope, rates, seen)
 
 
 @kernel

@@ -12,6 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.sensors.influences import HEADING, MOTORS, PUMP, TURN
 from cocorosim_ros.world.sensors.pose import Rates, When
+from cocorosim_ros.world.sensors.rates_of_state import by_level_rate, rate_after
 from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
 from cocorosim_ros.world.state.pressure import GRAVITY
@@ -54,7 +55,7 @@ def measure(sight: Sight, angular_rate: Floats, specific_force: Floats) -> None:
 
 @kernel
 def _gyro(when: When, row: Floats, rates: Rates, water: Floats) -> float:
-    return row[YAW_RATE] + when[1] * rates[0][YAW_RATE] + 0.5 * when[2] * rates[1][YAW_RATE]
+    return rate_after(YAW_RATE, when, row, rates)
 
 
 @kernel
@@ -74,9 +75,7 @@ def _up(when: When, row: Floats, rates: Rates, water: Floats) -> float:
 
 @kernel
 def _by_gyro(after: float, row: Floats, slope: float, rates: Floats, seen: Floats) -> None:
-    for column in range(HORIZONTAL):
-        seen[column] = slope * (after * rates[HR * HORIZONTAL + column])
-    seen[HR] += slope
+    by_level_rate(HR, after, slope, rates, seen)
 
 
 @kernel
