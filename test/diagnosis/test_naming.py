@@ -27,22 +27,14 @@ def diagnosed(
     swim: Any, hidden: dict[str, dict[str, float]], seed: int, seconds: float = SECONDS, disturbance: float = 0.005
 ) -> Any:
     """The diagnosis of a swim with these effects, by a base that lacks them, and the progress that was told."""
-    from dataclasses import replace
+    from hidden_effects import hiding
 
     from cocorosim_ros.diagnosis.diagnose import diagnose
     from cocorosim_ros.scenario.parts.platform import load_platform
-    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
-    from cocorosim_ros.world.effects import EFFECTS
 
     plain = load_platform("lily")
-    units = {name: {part.name: part.unit for part in EFFECTS[name].parameters} for name in hidden}
-    effects = {
-        name: {key: Quantity(value, units[name][key], dimension_of(units[name][key])) for key, value in part.items()}
-        for name, part in hidden.items()
-    }
-    platform = replace(plain, effect_quantities=effects)
     said: list[str] = []
-    evidence = swim(platform, seconds, seed=seed, base=plain, disturbance=disturbance)
+    evidence = swim(hiding(plain, hidden), seconds, seed=seed, base=plain, disturbance=disturbance)
     return diagnose(evidence, lambda words, share: said.append(words)), said
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hidden_effects import hiding
 
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
 from cocorosim_ros.diagnosis.filter.layout import COMPASS, KIND_NAMES, PRESSURE
@@ -205,24 +206,14 @@ def test_motors_that_turn_the_compass_are_no_distorted_compass(swim: Any) -> Non
     assert diagnosis.fit["compass"].augmented < diagnosis.fit["compass"].recalibrated
 
 
-def hiding(effect: str, numbers: dict[str, float]) -> Any:
-    """A Lily with an effect."""
-    from cocorosim_ros.scenario.parts.platform import load_platform
-    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
-    from cocorosim_ros.world.effects import EFFECTS
-
-    units = {part.name: "1" if part.unit == "*" else part.unit for part in EFFECTS[effect].parameters}
-    hidden = {name: Quantity(value, units[name], dimension_of(units[name])) for name, value in numbers.items()}
-    return replace(load_platform("lily"), effect_quantities={effect: hidden})
-
-
 def test_dry_friction_is_no_linear_drag(swim: Any) -> None:
     """A yaw moment against the sense of turning is named as such, alone, with evidence of a credible size."""
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     hidden = {"coefficient": -1e-5, "equation": 3.0, "power_1": 0.0, "round_1": 0.02}
     hidden["regressor_1"] = float(REGRESSOR_CODE["r"])
-    diagnosis = diagnosed(swim(hiding("law_1", hidden), SECONDS, seed=4, base=load_platform("lily")))
+    lily = load_platform("lily")
+    diagnosis = diagnosed(swim(hiding(lily, {"law_1": hidden}), SECONDS, seed=4, base=lily))
     assert [part.id for part in diagnosis.effects] == ["unknown:yaw~|r|^-1*r"]
     assert diagnosis.effects[0].nats < 5000.0
 
@@ -232,7 +223,8 @@ def test_an_eddy_is_no_sheared_current(swim: Any) -> None:
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     hidden = {"x": 0.5, "y": 0.2, "circulation": 0.05, "core": 0.5}
-    diagnosis = diagnosed(swim(hiding("eddy", hidden), 2.0 * SECONDS, seed=5, base=load_platform("lily")))
+    lily = load_platform("lily")
+    diagnosis = diagnosed(swim(hiding(lily, {"eddy": hidden}), 2.0 * SECONDS, seed=5, base=lily))
     assert [part.id for part in diagnosis.effects] == ["unknown:world_x~y"]
     (found,) = diagnosis.effects
     assert found.simulated_as == "eddy"

@@ -10,11 +10,11 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from hidden_effects import hiding
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
 from cocorosim_ros.scenario.parts.platform import load_platform
-from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
 
 SECONDS = 60.0
 CURRENT = (0.012, -0.02)  # m/s; a Lily makes 0.075 m/s at most
@@ -26,8 +26,7 @@ BOTH_LOGS = ("compass", "imu", "velocity", "ground_velocity")
 def carried(swim_with_logs: Any, seeds: tuple[int, ...], current: tuple[float, float], topics: tuple[str, ...]) -> Any:
     """Evidence of a swim for each seed in a current, with these streams alone."""
     plain = load_platform("lily")
-    hidden = {name: Quantity(value, "m/s", dimension_of("m/s")) for name, value in zip("xy", current, strict=True)}
-    moved = replace(plain, effect_quantities={"steady_current": hidden} if any(current) else {})
+    moved = hiding(plain, {"steady_current": dict(zip("xy", current, strict=True))}) if any(current) else plain
     found = []
     for seed in seeds:
         evidence = swim_with_logs(moved, SECONDS, seed, plain, current)

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from hidden_effects import hiding
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.diagnose import diagnose
@@ -18,7 +19,6 @@ from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
-from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
 
 SECONDS = 150.0
 
@@ -47,15 +47,6 @@ def towing() -> Any:
     return replace(plain, hull=replace(plain.hull, cable_diameter=0.004))
 
 
-def hiding(platform: Any, effect: str, numbers: dict[str, float]) -> Any:
-    """The platform with an effect."""
-    from cocorosim_ros.world.effects import EFFECTS
-
-    units = {part.name: part.unit for part in EFFECTS[effect].parameters}
-    hidden = {name: Quantity(value, units[name], dimension_of(units[name])) for name, value in numbers.items()}
-    return replace(platform, effect_quantities={effect: hidden})
-
-
 CABLE = {"coefficient": 1.2, "diameter": 0.004, "x": 1.0, "y": 0.5}
 CASES = [
     pytest.param(lily, "density_gradient", {"gradient": 2e-3}, {"gradient": 2e-3}, 31, id="density_gradient"),
@@ -75,7 +66,7 @@ def test_it_is_named_with_its_number(
     """It alone; the truth lies in the 95 % interval, which is narrower than the number itself."""
     platform = make()
     found = diagnose(
-        swim(hiding(platform, effect, hidden), SECONDS, seed=seed, base=platform), lambda words, share: None
+        swim(hiding(platform, {effect: hidden}), SECONDS, seed=seed, base=platform), lambda words, share: None
     )
     assert [each.id for each in found.effects] == [effect]
     for name, true in numbers.items():
@@ -92,7 +83,7 @@ def test_nothing_is_named_where_nothing_is_wrong(swim: Any, make: Any, seed: int
 
 def test_denser_water_and_a_hull_that_swells_are_named_together(swim: Any) -> None:
     """One robot's recording cannot tell them: the other one is among what it is confused with."""
-    hidden = hiding(lily(), "density_gradient", {"gradient": 2e-3})
+    hidden = hiding(lily(), {"density_gradient": {"gradient": 2e-3}})
     found = diagnose(swim(hidden, SECONDS, seed=31, base=lily()), lambda words, share: None)
     assert "hull_compressibility" in [rival.id for rival in found.effects[0].ambiguous_with]
 
@@ -100,7 +91,7 @@ def test_denser_water_and_a_hull_that_swells_are_named_together(swim: Any) -> No
 def test_a_cable_in_long_bends_is_told_as_more_drag(swim: Any) -> None:
     """Of 20 m about 1.5 m from the anchor, it has the hull's law: 1/8 rho C_d d l = 0.5 kg/m more, without a name."""
     platform = replace(towing(), hull=replace(towing().hull, cable_length=20.0))
-    slack = hiding(platform, "tether_drag", {**CABLE, "coefficient": 0.05, "length": 20.0})
+    slack = hiding(platform, {"tether_drag": {**CABLE, "coefficient": 0.05, "length": 20.0}})
     found = diagnose(swim(slack, SECONDS, seed=31, base=platform), lambda words, share: None)
     (moved,) = found.recalibrated
     assert (found.verdict, found.effects, moved.parameter) == ("recalibrate", (), "drag")

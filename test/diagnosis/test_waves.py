@@ -6,30 +6,21 @@ import math
 from typing import Any
 
 import pytest
+from hidden_effects import hiding
 
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 TRAIN = {"speed": 0.004, "period": 8.0, "direction": 2.0, "phase": 0.5}
 
 
 def swum(swim: Any, hidden: dict[str, dict[str, float]], seed: int) -> Evidence:
     """Evidence of a swim of three minutes with these effects, by a platform that lacks them."""
-    from dataclasses import replace
-
-    from cocorosim_ros.scenario.parts.platform import load_platform
-    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
-    from cocorosim_ros.world.effects import EFFECTS
-
     plain = load_platform("lily")
-    units = {name: {part.name: part.unit for part in EFFECTS[name].parameters} for name in hidden}
-    effects = {
-        name: {key: Quantity(value, units[name][key], dimension_of(units[name][key])) for key, value in part.items()}
-        for name, part in hidden.items()
-    }
-    evidence: Evidence = swim(replace(plain, effect_quantities=effects), 180.0, seed=seed, base=plain, disturbance=0.01)
+    evidence: Evidence = swim(hiding(plain, hidden), 180.0, seed=seed, base=plain, disturbance=0.01)
     return evidence
 
 

@@ -31,17 +31,12 @@ def weakened(actuators: Any, shares: dict[str, float]) -> Any:
 
 def vehicle(hidden: dict[str, dict[str, float]], left: float = 1.0) -> Any:
     """A Lily with these effects, whose left thruster has so much of its thrust."""
-    from cocorosim_ros.scenario.parts.platform import load_platform
-    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
-    from cocorosim_ros.world.effects import EFFECTS
+    from hidden_effects import hiding
 
-    plain = load_platform("lily")
-    units = {name: {part.name: part.unit for part in EFFECTS[name].parameters} for name in hidden}
-    effects = {
-        name: {key: Quantity(value, units[name][key], dimension_of(units[name][key])) for key, value in part.items()}
-        for name, part in hidden.items()
-    }
-    return replace(plain, effect_quantities=effects, actuators=weakened(plain.actuators, {"left": left}))
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    plain = hiding(load_platform("lily"), hidden)
+    return replace(plain, actuators=weakened(plain.actuators, {"left": left}))
 
 
 def recordings(swim: Any, platform: Any, seeds: tuple[int, ...], altered: Callable[[Any], Any] | None = None) -> Any:
