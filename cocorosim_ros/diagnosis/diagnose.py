@@ -24,6 +24,8 @@ from cocorosim_ros.diagnosis.fitting.growing_force import with_growing_force
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
+from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
+from cocorosim_ros.diagnosis.foretelling.exactness import is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
@@ -33,10 +35,8 @@ from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case
-from cocorosim_ros.diagnosis.showing.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
-from cocorosim_ros.diagnosis.showing.exactness import is_exact
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped

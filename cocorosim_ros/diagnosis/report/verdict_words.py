@@ -7,7 +7,7 @@ from typing import NamedTuple
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
-from cocorosim_ros.diagnosis.showing.collapse import collapsed_channels
+from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.showing.probability import probabilities_of
 from cocorosim_ros.diagnosis.showing.suspect_sets import SOMETHING_ELSE
 

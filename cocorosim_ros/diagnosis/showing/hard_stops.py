@@ -18,9 +18,9 @@ from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lasting_errors
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
+from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
-from cocorosim_ros.diagnosis.showing.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise

@@ -5,12 +5,12 @@ from __future__ import annotations
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.foretelling.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.pruning import without_least
-from cocorosim_ros.diagnosis.showing.exactness import is_beyond_steps, is_exact
 
 
 def that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from cocorosim_ros.diagnosis.findings import HeldOut
-from cocorosim_ros.diagnosis.showing.exactness import is_exact
+from cocorosim_ros.diagnosis.foretelling.exactness import is_exact
 
 
 def row(nominal: float, recalibrated: float) -> HeldOut:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import HeldOut
-from cocorosim_ros.diagnosis.showing.exactness import EXACT, is_beyond_steps
+from cocorosim_ros.diagnosis.foretelling.exactness import EXACT, is_beyond_steps
 
 
 def collapsed_channels(table: Mapping[str, HeldOut]) -> tuple[str, ...]:
