@@ -27,6 +27,7 @@ from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns
+from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, restrained
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
@@ -34,7 +35,7 @@ from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
-from cocorosim_ros.diagnosis.showing.case import Case
+from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
@@ -77,7 +78,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     if evidence.platform.drag_form is None:
         base, form = with_best_form(base, RECALIBRATION.most_rounds)
     progress("choosing what no fit sees", 0.2)
-    base, unseen, naming = _named_evenly(base, progress)
+    steady = restrained(base)
+    base, unseen, naming = _named_evenly(steady, progress)
     progress("locating what was missing", 0.7)
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
@@ -98,12 +100,13 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
     final_courses = smoothed_tracks(naming.fit)
-    against = (*unexplained(intake), *objections(Case(naming.fit, naming.named, effects, final_courses, table)))
+    case = Case(naming.fit, naming.named, effects, final_courses, table)
+    against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = stopped(effects, against)
     unlike, nothing_shown = unlike_regimes(unseen), unrecorded(base.tracks)
     return Diagnosis(
         verdict,
-        sentence_of(verdict, effects, moved, passed, collapsed=bool(collapsed_channels(table))),
+        sentence_of(verdict, effects, moved, passed, collapsed=bool(steady.held or collapsed_channels(table))),
         moved,
         located,
         effects,
@@ -133,6 +136,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         unlike=tuple(unlike),
         unrecorded=nothing_shown,
         screened_laws=screened_effects(naming.laws),
+        held=steady.held,
     )
 
 
@@ -141,14 +145,15 @@ def noise_remarks(fit: Fit) -> tuple[str, ...]:
     return (*growth_remarks(fit), *memory_remarks(fit))
 
 
-def _named_evenly(base: Fit, progress: Progress) -> tuple[Fit, Unseen, Naming]:
+def _named_evenly(steady: Restrained, progress: Progress) -> tuple[Fit, Unseen, Naming]:
     """Name effects, on top of a model whose noise is as the recordings show it: of readings, and of the water.
 
     White errors of readings take slow ones for evidence of what acts slowly; a random force that is the same at all
     times takes errors that grow with speed for evidence of what acts at speed. Both are asked of the model with all
     its effects, since one that is missing shows there too; only then the search begins again.
     """
-    unseen, naming = _named(base, progress, Shares(0.25, 0.35, 0.4))
+    base = steady.base
+    unseen, naming = _named(base, progress, Shares(0.25, 0.35, 0.4), steady.unseen)
     coloured = with_coloured_readings(base, naming.fit)
     if coloured is not None:
         base = coloured
@@ -167,14 +172,14 @@ class Shares(NamedTuple):
     end: float
 
 
-def _named(base: Fit, progress: Progress, done: Shares) -> tuple[Unseen, Naming]:
+def _named(base: Fit, progress: Progress, done: Shares, unseen: Unseen | None = None) -> tuple[Unseen, Naming]:
     """Name effects, with free runs that are as long as the found vehicle coasts.
 
     A recalibrated model that lacks an effect may coast for a third of the time, as a blimp does whose drag has to stand
     for that sideways. So where the found model coasts for another time, the search begins again with free runs of
-    its length: one that began with the found model would take these too.
+    its length: one that began with the found model would take these too. unseen: measure of the base, if it is known.
     """
-    unseen = unseen_parts(base)
+    unseen = unseen_parts(base) if unseen is None else unseen
     naming = name_effects(base, _between(progress, done.begin, done.once), unseen)
     if naming.named and (seconds := seconds_of_free_runs(naming.fit)) != unseen.seconds:
         unseen = unseen_parts(base, seconds)
@@ -253,6 +258,8 @@ def _shifted(base: Fit) -> bool:
     in standard deviations of both (Wald's test).
     """
     surely = float(chi2.ppf(1.0 - VERDICT.sure, len(base.unknowns)))
+    if not base.unknowns:
+        return False
     if 2.0 * (base.objective - nominal_fit(base).objective) <= surely:
         return False
     stated = np.array([unknown.stated for unknown in base.unknowns])

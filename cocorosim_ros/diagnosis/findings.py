@@ -318,3 +318,4 @@ class Diagnosis:
     unrecorded: Unrecorded = Unrecorded()
     screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first
     actuators: tuple[ActuatorReport, ...] = ()  # what these report of themselves
+    held: tuple[str, ...] = ()  # numbers kept as the platform's file gives them: fitted, they foretell worse

@@ -50,6 +50,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         **({"reasons": list(diagnosis.reasons)} if diagnosis.reasons else {}),
         **_against(diagnosis.against),
         **_actuators(diagnosis.actuators),
+        **({"kept_as_given": list(diagnosis.held)} if diagnosis.held else {}),
     }
 
 

@@ -79,6 +79,12 @@ COLLAPSED = Words(
     "its own fault; whether physics is missing is not known.",
     _NO_MODEL,
 )
+HELD = Words(
+    "The fit has collapsed: little is known",
+    "Fitted numbers of the platform foretold unseen data worse than the platform as given, so they are kept as the file "
+    "gives them. What is found beside them may stand for something else; whether physics is missing is not known.",
+    "Look at what the numbers that are kept stand for: the platform's file may lack a cause there, or be wrong in one.",
+)
 WITHOUT_NAME = Words(
     "Something is missing",
     f"{_NOT_BY_NUMBERS}, and no effect does beyond doubt: those that explain something may as well be nothing, each by "
@@ -123,6 +129,8 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
         return INSUFFICIENT
     if collapsed_channels(diagnosis.fit):
         return COLLAPSED
+    if diagnosis.held:
+        return HELD
     if diagnosis.verdict == "mismatch":
         return _of_mismatch(diagnosis) if diagnosis.effects else WITHOUT_NAME
     return CONSISTENT if diagnosis.verdict == "consistent" else RECALIBRATE
