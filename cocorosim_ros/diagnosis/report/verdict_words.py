@@ -81,8 +81,8 @@ COLLAPSED = Words(
 )
 HELD = Words(
     "The fit has collapsed: little is known",
-    "Fitted numbers of the platform foretold unseen data worse than the platform as given, so they are kept as the file "
-    "gives them. What is found beside them may stand for something else; whether physics is missing is not known.",
+    "Fitted numbers of the platform foretold unseen data worse than the platform as given, so the file's are "
+    "kept. What is found beside them may stand for something else; whether physics is missing is not known.",
     "Look at what the numbers that are kept stand for: the platform's file may lack a cause there, or be wrong in one.",
 )
 WITHOUT_NAME = Words(
