@@ -95,7 +95,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     missing = any(each.stands for each in passed)
-    verdict = _verdict(effects, moved, missing=missing, blind=is_blind(silent) and not shows_known(naming))
+    blind = bool(steady.held) or (is_blind(silent) and not shows_known(naming))
+    verdict = _verdict(effects, moved, missing=missing, blind=blind)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)

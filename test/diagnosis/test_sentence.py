@@ -204,14 +204,14 @@ def test_errors_of_instruments_are_not_missing_physics() -> None:
 
 
 def test_a_collapsed_fit_knows_nothing() -> None:
-    """Whatever it has found; what cannot be tested stays that."""
+    """Whatever it has found, and however little the recordings excite the vehicle."""
     doubtful = replace(LAG, tier="suspected")
     assert sentence_of("mismatch", [doubtful], [], collapsed=True) == (
         "The fit has collapsed, so that nothing is sure; perhaps a lag of the thrust."
     )
-    for verdict in ("consistent", "recalibrate", "mismatch"):
+    for verdict in ("consistent", "recalibrate", "mismatch", "insufficient"):
         assert "is not known" in sentence_of(verdict, [], [DRAG], collapsed=True)
-    assert "do not excite" in sentence_of("insufficient", [], [], collapsed=True)
+    assert "do not excite" in sentence_of("insufficient", [], [])
     mixed = replace(LAG, id="frame_mixup", name="axes that are mixed up", correction="in degrees")  # before any fit
     assert (
         sentence_of("mismatch", [mixed], [], collapsed=True) == "The readings of lily_01 err: axes that are mixed up."

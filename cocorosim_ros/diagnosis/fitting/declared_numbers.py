@@ -33,9 +33,9 @@ def declared_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
     ]
 
 
-def declared_columns(unknowns: Sequence[Unknown]) -> frozenset[str]:
-    """Columns of the effects' numbers among the unknowns of a platform."""
-    return frozenset(each.column for each in unknowns if each.owner.effect == PLATFORM and "." in each.column)
+def declared_columns(tracks: Sequence[Track]) -> frozenset[str]:
+    """Columns of the effects' numbers that the platforms of some tracks give with a range."""
+    return frozenset(each.column for each in declared_unknowns(tracks) if "." in each.column)
 
 
 def is_steered_alone(vehicle: VehicleModel) -> bool:

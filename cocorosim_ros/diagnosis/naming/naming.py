@@ -110,8 +110,8 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
 
 
 def _undeclared(base: Fit) -> list[Entry]:
-    """Choose the entries of the catalogue of which no number is one of the platform's own that are fitted anyway."""
-    declared = declared_columns(base.unknowns)
+    """Choose the entries of the catalogue of which no number is one of the platform's own, fitted or held as given."""
+    declared = declared_columns(base.tracks)
     return [entry for entry in ENTRIES if not declared & {amplitude.column for amplitude in entry.amplitudes}]
 
 

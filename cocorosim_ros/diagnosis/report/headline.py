@@ -39,11 +39,11 @@ def sentence_of(
     passed: what gets no name; told only where nothing has one. collapsed: whether the recalibrated model foretells
     unseen data worse than the platform as given.
     """
-    if verdict == "insufficient":
-        return "These recordings do not excite the vehicle enough to tell what its model lacks."
     of_fit = [each for each in effects if each.correction is None]  # axes are put right before any fit
     if collapsed and (of_fit or not effects):
         return _of_collapsed(of_fit)
+    if verdict == "insufficient":
+        return "These recordings do not excite the vehicle enough to tell what its model lacks."
     if verdict == "consistent":
         return "The model explains the recordings: nothing is missing that they could show."
     if verdict == "recalibrate":

@@ -125,12 +125,12 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
     """Words of a verdict, by what is known of the names that were found."""
     if diagnosis.against is not None:
         return _of_difference(diagnosis)
+    if diagnosis.held:
+        return HELD
     if diagnosis.verdict == "insufficient":
         return INSUFFICIENT
     if collapsed_channels(diagnosis.fit):
         return COLLAPSED
-    if diagnosis.held:
-        return HELD
     if diagnosis.verdict == "mismatch":
         return _of_mismatch(diagnosis) if diagnosis.effects else WITHOUT_NAME
     return CONSISTENT if diagnosis.verdict == "consistent" else RECALIBRATE

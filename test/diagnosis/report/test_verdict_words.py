@@ -105,6 +105,14 @@ def test_a_collapsed_fit_is_said_first(example: Example, verdict: str) -> None:
     assert "Physics is missing" not in page and "should find nothing" not in page and "Nothing was found" not in page
 
 
+@pytest.mark.parametrize("verdict", ["mismatch", "nameless", "recalibrate", "insufficient"])
+def test_numbers_that_are_kept_as_given_are_said_first(example: Example, verdict: str) -> None:
+    """Little is known, whatever was found beside them; the found model may be used, since it foretells no worse."""
+    found = example("recalibrate" if verdict == "insufficient" else verdict)
+    words = verdict_words(replace(found, verdict=verdict if verdict != "nameless" else "mismatch", held=("yaw_drag",)))
+    assert "collapsed" in words.heading and "Do not simulate" not in words.next
+
+
 def test_differences_are_as_sure_as_their_names(example: Example) -> None:
     """Suspected, of readings alone, or beside a number that has changed for certain."""
     found = replace(example("mismatch"), against=AGAINST, recalibrated=())
