@@ -13,8 +13,16 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
-from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, UNSCALED, full_forces, shortest_coasting, sizes
+from cocorosim_ros.diagnosis.tracks.vehicle_size import (
+    LILY_SIZES,
+    UNSCALED,
+    coasting_time,
+    full_forces,
+    shortest_coasting,
+    sizes,
+)
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import dimension_of, si_unit
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
@@ -52,6 +60,23 @@ def test_what_only_drifts_has_a_lilys_measure() -> None:
 def test_the_shortest_coasting_is_that_of_the_strongest_axis(name: str, expected: float) -> None:
     """m dv/dt = -k v^2 halves the speed v = sqrt(F / k) in m / (k v)."""
     assert shortest_coasting(vehicle_model(load_platform(name))) == pytest.approx(expected, rel=1e-6)
+
+
+def lily_row(**numbers: float) -> tuple[Any, Any]:
+    """The model of a Lily, and its row with these numbers multiplied."""
+    vehicle = vehicle_model(load_platform("lily"))
+    row = vehicle.row
+    for name, factor in numbers.items():
+        row[COLUMN[name]] *= factor
+    return vehicle, row
+
+
+def test_coasting_times_follow_from_drag_and_force() -> None:
+    """m / sqrt(k F) of 0.44 kg, 1.7778 kg/m, 0.01 N: 3.3 s; a hundredth of the drag takes ten times as long."""
+    vehicle, row = lily_row()
+    assert coasting_time(vehicle, row) == pytest.approx(0.44 / math.sqrt(1.7778 * 0.01), rel=1e-3)
+    assert coasting_time(*lily_row(drag=0.01)) == pytest.approx(10.0 * 0.44 / math.sqrt(1.7778 * 0.01), rel=1e-3)
+    assert coasting_time(*lily_row(drag=0.0)) == math.inf
 
 
 def measured(force: tuple[float, ...], mass: float, inertia: float, drag: tuple[float, float], hull: float) -> Any:

@@ -20,12 +20,13 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
 from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks, whole
-from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
+from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import STATE_SIZE
 

@@ -70,6 +70,20 @@ def full_forces(vehicle: VehicleModel) -> FullForces:
     return FullForces(across, heave, yaw or FULL_FORCES.arm * across)
 
 
+def coasting_time(vehicle: VehicleModel, row: Floats) -> float:
+    """Time [s] in which a vehicle loses half of its full speed, or of its full turn rate if that takes longer.
+
+    Quadratic drag k v^2 takes m / (k v) for it; full speed is v = sqrt(F / k), so that the time is m / sqrt(k F), and
+    alike for turns. row (columns,): the numbers of the model. Infinite without drag.
+    """
+    full = full_forces(vehicle)
+    gain, turning = row[COLUMN["thrust_gain"]], row[COLUMN["yaw_torque_gain"]]
+    ahead = row[COLUMN["drag"]] * gain * full.across
+    around = row[COLUMN["yaw_drag"]] * turning * full.yaw
+    inertias = (vehicle.mass, ahead), (float(row[COLUMN["yaw_inertia"]]), around)
+    return max(inertia / math.sqrt(braked) if braked > 0.0 else math.inf for inertia, braked in inertias)
+
+
 def shortest_coasting(vehicle: VehicleModel, row: Floats | None = None) -> float:
     """Time [s] in which the vehicle loses half of its full speed or turn, along the axis where it is shortest.
 

@@ -11,10 +11,8 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, split_tracks
-from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
+from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
-from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
-from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.state.state import YAW_RATE
 
 
@@ -58,25 +56,6 @@ def test_nothing_is_held_out_of_other_tracks() -> None:
     for number in (0, 2):
         assert splits[number].held == ()
         assert splits[number].seen == (Span(0, points[number]),)
-
-
-def lily_row(**numbers: float) -> tuple[Any, Any]:
-    """The model of a Lily, and its row with these numbers multiplied."""
-    from cocorosim_ros.diagnosis.tracks.columns import COLUMN
-
-    vehicle = vehicle_model(load_platform("lily"))
-    row = vehicle.row
-    for name, factor in numbers.items():
-        row[COLUMN[name]] *= factor
-    return vehicle, row
-
-
-def test_coasting_times_follow_from_drag_and_force() -> None:
-    """m / sqrt(k F) of 0.44 kg, 1.7778 kg/m, 0.01 N: 3.3 s; a hundredth of the drag takes ten times as long."""
-    vehicle, row = lily_row()
-    assert coasting_time(vehicle, row) == pytest.approx(0.44 / math.sqrt(1.7778 * 0.01), rel=1e-3)
-    assert coasting_time(*lily_row(drag=0.01)) == pytest.approx(10.0 * 0.44 / math.sqrt(1.7778 * 0.01), rel=1e-3)
-    assert coasting_time(*lily_row(drag=0.0)) == math.inf
 
 
 @pytest.mark.parametrize(
