@@ -23,9 +23,9 @@ class RandomForceCriteria:
     """Bounds between which a force of the water is random (`fitting.recalibration`)."""
 
     most_correlation: float = 60.0
-    """[s] a push that lasts longer is a force that an effect has to explain. Measured: without the
-    bound, one sealed recording took a constant torque and trim for a random force of 45 minutes; 33 others without
-    random force, and 22 with nothing hidden, give the same with and without the bound, to 0.2 nats."""
+    """[s, of a Lily; see slowness] a push that lasts longer is a force that an effect has to explain. Measured:
+    without the bound, one sealed recording took a constant torque and trim for a random force of 45 minutes; 33 others
+    without random force, and 22 with nothing hidden, give the same with and without the bound, to 0.2 nats."""
     least_smoothness: float = 0.04
     """[1] one rate of the process is a hundred times the other. Chosen, not measured."""
 
@@ -214,13 +214,22 @@ class FullForceCriteria:
 
 
 @dataclass(frozen=True)
+class TimeScaleCriteria:
+    """Times of a vehicle relative to those of a Lily (`tracks.vehicle_size.slowness`)."""
+
+    least: float = 0.3
+    """[of a Lily's times] of any vehicle, however quickly it stops: what the water does, and what drivers ask for, does
+    not become quicker with the vehicle. A boat that coasts for a second has as much. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class FirstNoiseCriteria:
     """The noise at which fits begin, and how far they may leave it (`fitting.base_model`)."""
 
     disturbance: float = 0.01
     """[of full thrust] rms of the random forces. Chosen, not measured."""
     correlation: float = 2.5
-    """[s] memory of the random forces. Chosen, not measured."""
+    """[s, of a Lily; see slowness] memory of the random forces. Chosen, not measured."""
     smoothness: float = 0.4
     """[1] of the random forces. Chosen, not measured."""
     force_prior: float = 3.0
@@ -313,6 +322,7 @@ SURROUNDINGS = SurroundingsCriteria()
 GRID = GridCriteria()
 START = StartCriteria()
 FULL_FORCES = FullForceCriteria()
+TIME_SCALE = TimeScaleCriteria()
 FIRST_NOISE = FirstNoiseCriteria()
 STEPS = StepCriteria()
 POLISHING = PolishingCriteria()
