@@ -193,7 +193,8 @@ class StartCriteria:
     """[of the speed that full thrust gives in a metre] standard deviation of the first speeds. Chosen, not
     measured."""
     least_speed: float = 0.05
-    """[m/s] least standard deviation of the first speeds, for vehicles that hardly drive. Chosen, not measured."""
+    """[m/s, of a Lily; slower vehicles have less] least standard deviation of the first speeds, for vehicles that
+    hardly drive. Chosen, not measured."""
     least_turn: float = 0.3
     """[rad/s] the same of the first yaw rate. Chosen, not measured."""
     steps: int = 3
