@@ -8,6 +8,7 @@ coasts for twenty.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,6 +18,7 @@ import pytest
 from slowed import POWER_OF_TIME, slow_platform, slowed
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.diagnosis.tracks.vehicle_size import coasting_time
 
@@ -101,3 +103,18 @@ def test_a_slowed_boat_coasts_for_so_much_longer(tmp_path: Path) -> None:
     ship = vehicle_model(slow_platform(tmp_path / "boat.yaml", K))
     assert coasting_time(boat, boat.row) == pytest.approx(boats.INERTIA / np.sqrt(0.2 * 2 * boats.FULL * boats.ARM))
     assert coasting_time(ship, ship.row) == pytest.approx(K * coasting_time(boat, boat.row), rel=1e-9)
+
+
+@pytest.mark.parametrize("k", [1.0, K, 60.0])
+def test_a_mirrored_axis_of_a_slow_vehicle_is_seen(tmp_path: Path, k: float) -> None:
+    """Yaw is recorded clockwise; of the slowest, which coasts for a minute, once in six seconds."""
+    boat = boats.platform(tmp_path, boats.KNOWN)
+    evidence = boats.recorded(boat, boats.Truth(choppy=0.5), SECONDS, 1)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    clockwise = replace(log.streams["pose"], value=log.streams["pose"].value * (1.0, 1.0, 1.0, -1.0))
+    log = replace(log, streams={"pose": clockwise})
+    wrong = replace(evidence, recordings=(replace(recording, robots=(log,)),))
+    (mixup,) = take_in(slowed(wrong, tmp_path / "boat.yaml", k)).mixups
+    assert mixup.correction.matrix is not None
+    np.testing.assert_array_equal(mixup.correction.matrix, np.diag([1.0, 1.0, 1.0, -1.0]))
