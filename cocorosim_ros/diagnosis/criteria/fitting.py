@@ -215,15 +215,6 @@ class FullForceCriteria:
 
 
 @dataclass(frozen=True)
-class TimeScaleCriteria:
-    """Times of a vehicle relative to those of a Lily (`tracks.vehicle_size.slowness`)."""
-
-    least: float = 0.3
-    """[of a Lily's times] of any vehicle, however quickly it stops: what the water does, and what drivers ask for, does
-    not become quicker with the vehicle. A boat that coasts for a second has as much. Chosen, not measured."""
-
-
-@dataclass(frozen=True)
 class FirstNoiseCriteria:
     """The noise at which fits begin, and how far they may leave it (`fitting.base_model`)."""
 
@@ -323,7 +314,6 @@ SURROUNDINGS = SurroundingsCriteria()
 GRID = GridCriteria()
 START = StartCriteria()
 FULL_FORCES = FullForceCriteria()
-TIME_SCALE = TimeScaleCriteria()
 FIRST_NOISE = FirstNoiseCriteria()
 STEPS = StepCriteria()
 POLISHING = PolishingCriteria()

@@ -54,9 +54,12 @@ class NamelessForceCriteria:
     """[parts of all courses] each foretold by what the others teach. Chosen, not measured."""
     most_terms: int = 12
     """[terms] of the force along one axis. Chosen, not measured."""
-    memories: tuple[float, ...] = (0.2, 0.5, 1.5, 5.0)
-    """[s, of a Lily; see slowness] over which late forces may fade. Chosen, not measured: from the blur of a step of
-    the filter to a pump."""
+    memories: tuple[float, ...] = (2.0, 5.0, 15.0, 50.0)
+    """[steps of the grid] over which late forces may fade. Chosen, not measured: from a step's blur to a
+    pump."""
+    steps_of_coasting: float = 45.0
+    """[steps of the grid] that make the coasting time of a vehicle for which these memories are meant, as the 33 of a
+    Lily; where more do, memories are longer in proportion. Chosen, not measured."""
     rounding: float = 1e-12
     """[of the largest term] smaller terms are rounding. Chosen, not measured."""
 

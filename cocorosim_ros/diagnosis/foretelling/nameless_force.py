@@ -11,6 +11,7 @@ Source: Tropp and Gilbert, IEEE Transactions on Information Theory 53 (2007) 465
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -19,7 +20,7 @@ from scipy.signal import lfilter
 from cocorosim_ros.diagnosis.criteria.foretelling import NAMELESS_FORCE
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
+from cocorosim_ros.diagnosis.tracks.vehicle_size import coasting_time
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.state.state import YAW, X, Y
 from cocorosim_ros.world.terms.course import Course
@@ -59,8 +60,10 @@ def turn_back(force: Floats, yaw: Floats) -> Floats:
 
 
 def _memories(track: Track) -> list[float]:
-    """Memories of late forces [steps of the track's grid]."""
-    return [slowness(track.vehicle) * memory / track.timeline.grid.step for memory in NAMELESS_FORCE.memories]
+    """Memories of late forces [steps of the track's grid], longer where the vehicle is slow beside its steps."""
+    steps = coasting_time(track.vehicle, track.vehicle.row) / track.timeline.grid.step
+    longer = max(steps / NAMELESS_FORCE.steps_of_coasting, 1.0) if math.isfinite(steps) else 1.0
+    return [longer * memory for memory in NAMELESS_FORCE.memories]
 
 
 def _terms(course: Course, memories: Sequence[float]) -> Floats:

@@ -102,7 +102,7 @@ def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginnin
         mean[each.state] = -(each.value - SURFACE_PRESSURE) / PASCAL_PER_METRE if is_pressure else each.value
     spread[X] = spread[Y] = spread[Z] = START.place
     spread[YAW] = START.yaw
-    slow = max(slowness(vehicle), 1.0)
+    slow = slowness(vehicle)
     force, moment = vehicle.force_scale[0], vehicle.force_scale[3]
     speed = max(START.least_speed / slow, math.sqrt(force / vehicle.mass) * START.speed_share)
     spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed

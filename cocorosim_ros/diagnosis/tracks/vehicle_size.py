@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from cocorosim_ros.diagnosis.criteria.fitting import FULL_FORCES, TIME_SCALE
+from cocorosim_ros.diagnosis.criteria.fitting import FULL_FORCES
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
@@ -88,12 +88,13 @@ def coasting_time(vehicle: VehicleModel, row: Floats) -> float:
 
 
 def slowness(vehicle: VehicleModel) -> float:
-    """Times of a vehicle relative to those of a Lily [1]: its coasting time over a Lily's, from TIME_SCALE.least on.
+    """Times of a vehicle relative to those of a Lily [1]: its coasting time over a Lily's; 1 for all that stop sooner.
 
-    By the numbers of the platform's file, so that it stays as it is while models are fitted; 1 without drag.
+    What the water does and what drivers ask for does not become quicker with the vehicle, nor do motors and clocks. By
+    the numbers of the platform's file, so that it stays as it is while models are fitted; 1 without drag.
     """
     coasting = coasting_time(vehicle, vehicle.row)
-    return max(coasting / LILY_COASTING, TIME_SCALE.least) if math.isfinite(coasting) else 1.0
+    return max(coasting / LILY_COASTING, 1.0) if math.isfinite(coasting) else 1.0
 
 
 def shortest_coasting(vehicle: VehicleModel, row: Floats | None = None) -> float:
@@ -134,5 +135,5 @@ def sizes(vehicle: VehicleModel) -> Mapping[str, float]:
         "turn": math.sqrt(moment / yaw_drag) if yaw_drag > 0.0 else LILY["turn"],
     }
     share = {name: size[name] / LILY[name] if size[name] > 0.0 else 1.0 for name in LILY}
-    share["time"] = max(slowness(vehicle), 1.0)
+    share["time"] = slowness(vehicle)
     return {**LILY_SIZES, **{unit: scale(share) for unit, scale in SCALED.items()}}
