@@ -62,7 +62,7 @@ NO_THRESHOLDS = {
     "tracks/surroundings.py": {"FAR": "stands for a wall that is nowhere", "OPEN_WATER": "a shape"},
     "tracks/track_filter.py": {"NO_PUSH": "a shape"},
     "tracks/tracks_at_once.py": {"MOST": "threads, which change no result"},
-    "tracks/vehicle_size.py": {"LILY": "the numbers of a Lily"},
+    "tracks/vehicle_size.py": {"LILY": "the numbers of a Lily", "LILY_COASTING": "what follows from them"},
 }
 # Limits that are written as numbers where they are used and are no thresholds, by file and text, with the reason.
 NO_LIMITS = {

@@ -13,6 +13,8 @@ from cocorosim_ros.diagnosis.filter.layout import COMPASS, POSE_Z, UPRIGHT
 from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 RANDOM_FORCE = 1e-4  # N
 STEP = 0.1  # s
@@ -30,7 +32,7 @@ def fits(force: Any, nats: Any, kind: int = POSE_Z, before: float = RANDOM_FORCE
     upright = np.full(len(force), kind in UPRIGHT)
     timeline = SimpleNamespace(is_upright=upright, kind=np.full(len(force), kind), stamp=stamps, grid=grid)
     actuation = SimpleNamespace(drive=lambda row: force, pump_force=lambda drive: drive)
-    track = SimpleNamespace(timeline=timeline, actuation=actuation)
+    track = SimpleNamespace(timeline=timeline, actuation=actuation, vehicle=vehicle_model(load_platform("lily")))
     one = SimpleNamespace(innovation=np.sqrt(2.0 * nats), variance=np.ones(len(force)))
     other = SimpleNamespace(innovation=np.zeros(len(force)), variance=np.ones(len(force)))
     return (

@@ -10,6 +10,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.criteria.against import CHANGES
 from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 
 
 def with_delays(entries: Sequence[Entry], tracks: Sequence[Track]) -> list[Entry]:
@@ -19,14 +20,15 @@ def with_delays(entries: Sequence[Entry], tracks: Sequence[Track]) -> list[Entry
     recordings had some. Errors of stamps are looked for up to several readings: a log that is read once a second is
     late by seconds, where one of twenty readings a second is late by a tenth.
     """
-    step = max(track.timeline.grid.step for track in tracks)
-    return [_with_delay(entry, step, tracks) for entry in entries]
+    slow = slowness(tracks[0].vehicle)  # by which a candidate multiplies all its delays
+    step = max(track.timeline.grid.step for track in tracks) / slow
+    return [_with_delay(entry, step, tracks, slow) for entry in entries]
 
 
-def _with_delay(entry: Entry, step: float, tracks: Sequence[Track]) -> Entry:
+def _with_delay(entry: Entry, step: float, tracks: Sequence[Track], slow: float) -> Entry:
     if not any(amplitude.searched for amplitude in entry.amplitudes):
         return entry
-    late = CHANGES.late_readings * _slowest_gap(entry, tracks)
+    late = CHANGES.late_readings * _slowest_gap(entry, tracks) / slow
     believed = (replace(each, negligible=(-step, step)) for each in entry.amplitudes)
     return replace(entry, amplitudes=tuple(_as_long_as(late, each) for each in believed))
 

@@ -23,9 +23,9 @@ class RandomForceCriteria:
     """Bounds between which a force of the water is random (`fitting.recalibration`)."""
 
     most_correlation: float = 60.0
-    """[s] a push that lasts longer is a force that an effect has to explain. Measured: without the
-    bound, one sealed recording took a constant torque and trim for a random force of 45 minutes; 33 others without
-    random force, and 22 with nothing hidden, give the same with and without the bound, to 0.2 nats."""
+    """[s, of a Lily; see slowness] a push that lasts longer is a force that an effect has to explain. Measured:
+    without the bound, one sealed recording took a constant torque and trim for a random force of 45 minutes; 33 others
+    without random force, and 22 with nothing hidden, give the same with and without the bound, to 0.2 nats."""
     least_smoothness: float = 0.04
     """[1] one rate of the process is a hundred times the other. Chosen, not measured."""
 
@@ -193,7 +193,8 @@ class StartCriteria:
     """[of the speed that full thrust gives in a metre] standard deviation of the first speeds. Chosen, not
     measured."""
     least_speed: float = 0.05
-    """[m/s] least standard deviation of the first speeds, for vehicles that hardly drive. Chosen, not measured."""
+    """[m/s, of a Lily; slower vehicles have less] least standard deviation of the first speeds, for vehicles that
+    hardly drive. Chosen, not measured."""
     least_turn: float = 0.3
     """[rad/s] the same of the first yaw rate. Chosen, not measured."""
     steps: int = 3
@@ -220,7 +221,7 @@ class FirstNoiseCriteria:
     disturbance: float = 0.01
     """[of full thrust] rms of the random forces. Chosen, not measured."""
     correlation: float = 2.5
-    """[s] memory of the random forces. Chosen, not measured."""
+    """[s, of a Lily; see slowness] memory of the random forces. Chosen, not measured."""
     smoothness: float = 0.4
     """[1] of the random forces. Chosen, not measured."""
     force_prior: float = 3.0

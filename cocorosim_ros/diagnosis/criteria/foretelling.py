@@ -18,6 +18,20 @@ class FreeRunCriteria:
     places: tuple[float, ...] = (0.6, 0.05, 0.3)
     """[of the period of the blocks] begin of the held-out block: late in the first recording, early in the second, in
     the middle of the third, and so on. Early is not at once, because a state has to be known. Chosen, not measured."""
+    assignments: int = 5
+    """[assignments] of places, or of whole recordings, to recordings that are compared. Reckoned from two of five
+    recordings, and one of three places, that are held out: there are no more."""
+    unlike: float = 1.75
+    """[standard deviations] between the means of held-out and fitted parts, from which other places are taken; two that
+    have nothing in common differ by 2.04. Chosen, not measured: drives at random of two minutes differ by 1.6 at most,
+    but for their depth."""
+    of_depth: float = 0.9
+    """[1] by which a difference of depth counts: it changes slowly, so that drives at random differ by 1.9, and only
+    parts with no depth in common are to count as unlike. Chosen, not measured."""
+    steady: float = 0.05
+    """[of the largest value] a quantity that varies less tells no regime. Chosen, not measured."""
+    off: float = 0.05
+    """[of the largest thrust] actuators below it are as good as off. Chosen, not measured."""
     many: int = 6
     """[recordings] each too short for two blocks: from so many on whole ones are held out. Chosen, not measured."""
     coasted: float = 6.0
@@ -43,6 +57,9 @@ class NamelessForceCriteria:
     memories: tuple[float, ...] = (2.0, 5.0, 15.0, 50.0)
     """[steps of the grid] over which late forces may fade. Chosen, not measured: from a step's blur to a
     pump."""
+    steps_of_coasting: float = 45.0
+    """[steps of the grid] that make the coasting time of a vehicle for which these memories are meant, as the 33 of a
+    Lily; where more do, memories are longer in proportion. Chosen, not measured."""
     rounding: float = 1e-12
     """[of the largest term] smaller terms are rounding. Chosen, not measured."""
 

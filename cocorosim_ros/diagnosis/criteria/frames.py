@@ -107,7 +107,10 @@ class BinCriteria:
     narrowest: float = 0.1
     """[s] no bin is narrower, so that it holds readings of usual sensors. Chosen, not measured."""
     widest: float = 2.0
-    """[s] no bin is wider, however slow the sensors are. Chosen, not measured."""
+    """[s] no bin is wider, however slow the sensors of a quick vehicle are. Chosen, not measured."""
+    widest_coasting: float = 0.6
+    """[coasting times] of a slow vehicle the same: the 2 s of a Lily. Chosen, not measured: with 2 s a mirrored axis of
+    a made ship, which was read every six seconds and coasts for a minute, was not seen."""
     readings: float = 2.0
     """[readings] of the slowest stream that a bin holds. Chosen, not measured."""
 

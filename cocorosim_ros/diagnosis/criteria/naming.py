@@ -48,8 +48,8 @@ class PairLawCriteria:
     """Laws of two regressors, of which there are a thousand (`naming.promising_laws`)."""
 
     part: float = 10.0
-    """[s] parts of a recording in which what is left of the force is compared with a law: longer than a random force
-    remembers, so that parts scatter by themselves. Chosen, not measured."""
+    """[s, of a Lily; see slowness] parts of a recording in which what is left of the force is compared with a
+    law: longer than a random force remembers, so that parts scatter by themselves. Chosen, not measured."""
     fewest_parts: int = 8
     """[parts] whose scatter tells something. Chosen, not measured."""
     clear: float = 2.5
@@ -120,7 +120,7 @@ class PumpCriteria:
     """Movements of the pump that tell of the pump and not of the water (`naming.quiet_pump`)."""
 
     memory: float = 5.0
-    """[s] for which a movement of the pump tells of it. Chosen, not measured."""
+    """[s, of a Lily; see slowness] for which a movement of the pump tells of it. Chosen, not measured."""
     loud: float = 20.0
     """[rms of the random force] a larger change of force is no answer to the water. Chosen, not measured."""
 
@@ -132,7 +132,7 @@ class SwingCriteria:
     swings: float = 1.5
     """[periods] that a recording has to hold, so that a trend is no swing. Chosen, not measured."""
     shortest_period: float = 5.0
-    """[s] faster swings are no candidates. Chosen, not measured."""
+    """[s, of a Lily; see slowness] faster swings are no candidates. Chosen, not measured."""
     wave_periods: tuple[float, float] = (1.0, 20.0)
     """[s] of waves: shorter ones are short beside a hull, longer ones are swell that no tank and no harbour has.
     Chosen, not measured."""
@@ -150,7 +150,8 @@ class SwingCriteria:
     """[periods] of waves that become candidates, the strongest first: each costs slopes in all directions. Chosen, not
     measured."""
     steady: float = 15.0
-    """[s] before and after a change of the force that are compared. Chosen, not measured."""
+    """[s, of a Lily; see slowness] before and after a change of the force that are compared. Chosen, not
+    measured."""
     most_periods: int = 3
     """[periods] of a force that become candidates, the strongest first: each costs a slope. Chosen, not measured."""
     most_changes: int = 3

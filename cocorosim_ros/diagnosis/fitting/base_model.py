@@ -23,7 +23,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     READING_NOISE_OF_KIND,
 )
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces, slowness
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.ranges import Ranges
 from cocorosim_ros.world.sensors import KINDS
@@ -81,7 +81,7 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
         row[COLUMN["random.force"]] = math.log(FIRST_NOISE.disturbance * full.across)
         row[COLUMN["random.heave_force"]] = math.log(FIRST_NOISE.disturbance * full.random_heave)
         row[COLUMN["random.moment"]] = math.log(FIRST_NOISE.disturbance * max(full.yaw, FULL_FORCES.arm * full.across))
-        row[COLUMN["random.correlation"]] = math.log(FIRST_NOISE.correlation)
+        row[COLUMN["random.correlation"]] = math.log(slowness(track.vehicle) * FIRST_NOISE.correlation)
         row[COLUMN["random.smoothness"]] = math.log(FIRST_NOISE.smoothness)
         for name, kinds in KINDS_OF_STREAM.items():
             if name not in track.log.streams:

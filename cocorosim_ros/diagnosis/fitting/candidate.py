@@ -138,6 +138,12 @@ class Candidate:
         """
         return amplitude.large if self.entry.law is not None else amplitude.large * self.sizes[amplitude.unit]
 
+    def negligible(self, amplitude: Amplitude) -> tuple[float, float]:
+        """Distances of an amplitude from neutral between which it is not believed, in its unit; delays of slow ones."""
+        low, high = amplitude.negligible
+        scale = self.sizes["s"] if amplitude.unit == "s" else 1.0
+        return scale * low, scale * high
+
     def shape_unknowns(self, values: dict[str, float], scene: Scene) -> list[Unknown]:
         """Make the shapes that are not fixed into unknowns around `values` (by column), shared by all robots."""
         if self.known:

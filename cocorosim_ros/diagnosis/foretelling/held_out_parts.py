@@ -1,6 +1,7 @@
 """Held-out parts: blocks spread through each recording, or whole recordings, and the fit to all the rest.
 
 Blocks lie late in one recording, early in the next and in the middle of a third, so that they meet all that happens.
+Where what is held out is of another regime than the rest all the same (faster, deeper, in reverse), they lie elsewhere.
 What lies between them is fitted as pieces that begin anew, each with a state of its own, so that nothing of a
 block gets into the fit of the numbers. Robots of one recording have the same blocks.
 """
@@ -17,6 +18,7 @@ from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.climbing import improved, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, write_values
+from cocorosim_ros.diagnosis.foretelling.regimes import QUANTITIES, unlikeness
 from cocorosim_ros.diagnosis.tracks.columns import WATER_RANDOM
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
@@ -34,6 +36,9 @@ class Span(NamedTuple):
         return self.first + self.points
 
 
+NOWHERE = np.zeros((0, len(QUANTITIES)))
+
+
 class Split(NamedTuple):
     """Parts of a track: those that are held out, and the pieces that are fitted."""
 
@@ -41,23 +46,53 @@ class Split(NamedTuple):
     seen: tuple[Span, ...]
 
 
-def split_tracks(tracks: Sequence[Track], seconds: float, among: Collection[int]) -> tuple[Split, ...]:
-    """Choose what is held out of each track, for free runs of so many seconds; nothing of one that is not `among`."""
-    chosen = iter(_split([tracks[number] for number in sorted(among)], seconds))
+def split_tracks(
+    tracks: Sequence[Track], seconds: float, among: Collection[int], regimes: Sequence[Floats]
+) -> tuple[Split, ...]:
+    """Choose what is held out of each track, for free runs of so many seconds; nothing of one that is not `among`.
+
+    regimes: by track, values (points, quantities) by which its parts may differ. Of a few assignments the first is
+    taken, if what it holds out is like the rest; else the one of which that is most so.
+    """
+    numbers = sorted(among)
+    assignments = _assignments([tracks[number] for number in numbers], seconds)
+    apart = [_apart(splits, [regimes[number] for number in numbers]) for splits in assignments]
+    best = 0 if apart[0] <= FREE_RUNS.unlike else int(np.argmin(apart))
+    chosen = iter(assignments[best])
     whole = [Split((), (Span(0, track.timeline.grid.points),)) for track in tracks]
     return tuple(next(chosen) if number in among else split for number, split in enumerate(whole))
 
 
-def _split(tracks: Sequence[Track], seconds: float) -> tuple[Split, ...]:
+def _apart(splits: Sequence[Split], regimes: Sequence[Floats]) -> float:
+    """Difference between what splits hold out and what they do not, of all tracks together [standard deviations]."""
+
+    def values(parts: Sequence[Sequence[Span]]) -> Floats:
+        along = zip(regimes, parts, strict=True)
+        return np.concatenate([values[span.first : span.end] for values, spans in along for span in spans] or [NOWHERE])
+
+    return unlikeness(values([split.held for split in splits]), values([split.seen for split in splits]))
+
+
+def _assignments(tracks: Sequence[Track], seconds: float) -> list[tuple[Split, ...]]:
+    """Ways to hold parts out, the usual one first; in the others each recording takes the place of a later one."""
     places = _recordings(tracks)
     counts = [_blocks(track, seconds) for track in tracks]
     points = [track.timeline.grid.points for track in tracks]
+    shifts = range(FREE_RUNS.assignments)
     if max(places) + 1 >= FREE_RUNS.many and max(counts) == 1:
-        return tuple(_whole(length, place) for length, place in zip(points, places, strict=True))
-    return tuple(
-        _spread(length, count, FREE_RUNS.places[place % len(FREE_RUNS.places)])
-        for length, count, place in zip(points, counts, places, strict=True)
-    )
+        ways = [
+            tuple(_whole(length, place + shift) for length, place in zip(points, places, strict=True))
+            for shift in shifts
+        ]
+    else:
+        ways = [
+            tuple(
+                _spread(length, count, FREE_RUNS.places[(place + shift) % len(FREE_RUNS.places)])
+                for length, count, place in zip(points, counts, places, strict=True)
+            )
+            for shift in shifts
+        ]
+    return list(dict.fromkeys(ways))
 
 
 def _recordings(tracks: Sequence[Track]) -> list[int]:

@@ -8,26 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
-from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
-from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
-from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW_RATE
-
-
-def coasting_time(vehicle: VehicleModel, row: Floats) -> float:
-    """Time [s] in which a vehicle loses half of its full speed, or of its full turn rate if that takes longer.
-
-    Quadratic drag k v^2 takes m / (k v) for it; full speed is v = sqrt(F / k), so that the time is m / sqrt(k F), and
-    alike for turns. row (columns,): the numbers of the model. Infinite without drag.
-    """
-    full = full_forces(vehicle)
-    gain, turning = row[COLUMN["thrust_gain"]], row[COLUMN["yaw_torque_gain"]]
-    ahead = row[COLUMN["drag"]] * gain * full.across
-    around = row[COLUMN["yaw_drag"]] * turning * full.yaw
-    inertias = (vehicle.mass, ahead), (float(row[COLUMN["yaw_inertia"]]), around)
-    return max(inertia / math.sqrt(braked) if braked > 0.0 else math.inf for inertia, braked in inertias)
 
 
 def window_length(coasting: float, courses: Sequence[Smoothed]) -> float:

@@ -11,6 +11,7 @@ Source: Tropp and Gilbert, IEEE Transactions on Information Theory 53 (2007) 465
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -19,6 +20,7 @@ from scipy.signal import lfilter
 from cocorosim_ros.diagnosis.criteria.foretelling import NAMELESS_FORCE
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import coasting_time
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.state.state import YAW, X, Y
 from cocorosim_ros.world.terms.course import Course
@@ -38,7 +40,7 @@ def explained_forces(tracks: Sequence[Track], courses: Sequence[Smoothed], rows:
     turned = [course.mean[:, YAW] for course in courses]
     lacking = np.concatenate([turn_back(course.mean[:, FORCE_X : YAW_MOMENT + 1], yaw)
                               for course, yaw in zip(courses, turned, strict=True)])  # fmt: skip
-    terms = np.concatenate([_terms(course) for course in seen])
+    terms = np.concatenate([_terms(course, _memories(track)) for track, course in zip(tracks, seen, strict=True)])
     size = np.sqrt(np.mean(terms**2, axis=0))
     terms = terms[:, size > NAMELESS_FORCE.rounding * float(size.max())]
     terms = terms / np.sqrt(np.mean(terms**2, axis=0))
@@ -57,8 +59,18 @@ def turn_back(force: Floats, yaw: Floats) -> Floats:
     return turned
 
 
-def _terms(course: Course) -> Floats:
-    """Terms (points, n) of the force along any body axis, in their own units."""
+def _memories(track: Track) -> list[float]:
+    """Memories of late forces [steps of the track's grid], longer where the vehicle is slow beside its steps."""
+    steps = coasting_time(track.vehicle, track.vehicle.row) / track.timeline.grid.step
+    longer = max(steps / NAMELESS_FORCE.steps_of_coasting, 1.0) if math.isfinite(steps) else 1.0
+    return [longer * memory for memory in NAMELESS_FORCE.memories]
+
+
+def _terms(course: Course, memories: Sequence[float]) -> Floats:
+    """Terms (points, n) of the force along any body axis, in their own units.
+
+    memories: over which late forces fade [steps of the grid].
+    """
     still = np.zeros(len(course.time))
     value = {each.name: np.asarray(each.along(course, still), dtype=np.float64) for each in SINGLE}
     columns = list(value.values())
@@ -68,7 +80,7 @@ def _terms(course: Course) -> Floats:
     columns += [course.state[:, place] * value[turn] for place in (X, Y) for turn in ("sin_yaw", "cos_yaw")]
     columns += [part for force in course.force.T for part in (force, np.abs(force))]
     for wrench in course.thrust.T:
-        for memory in NAMELESS_FORCE.memories:
+        for memory in memories:
             fading = np.exp(-1.0 / memory)
             columns.append(wrench - lfilter([1.0 - fading], [1.0, -fading], wrench))
     return np.nan_to_num(np.column_stack(columns), posinf=0.0, neginf=0.0)

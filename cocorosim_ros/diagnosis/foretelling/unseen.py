@@ -20,12 +20,14 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
 from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks, whole
-from cocorosim_ros.diagnosis.foretelling.horizon import coasting_time, window_length
+from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
+from cocorosim_ros.diagnosis.foretelling.regimes import regimes_along
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import STATE_SIZE
 
@@ -65,8 +67,12 @@ class Unseen:
 
 def seconds_of_free_runs(fit: Fit) -> float:
     """Length [s] of the free runs of a vehicle that moves as a fit says."""
+    return _seconds(fit, smoothed_tracks(fit))
+
+
+def _seconds(fit: Fit, courses: Sequence[Smoothed]) -> float:
     coasting = [coasting_time(track.vehicle, row) for track, row in zip(fit.tracks, fit.filled, strict=True)]
-    return window_length(float(np.median(coasting)), smoothed_tracks(fit))
+    return window_length(float(np.median(coasting)), courses)
 
 
 def unseen_parts(base: Fit, seconds: float | None = None, among: Collection[int] | None = None) -> Unseen:
@@ -75,9 +81,10 @@ def unseen_parts(base: Fit, seconds: float | None = None, among: Collection[int]
     seconds: length of the free runs [s]; None: that of a vehicle that moves as the recalibrated model does. among:
     numbers of the tracks of which parts are held out; None: all.
     """
-    tracks = base.tracks
-    seconds = seconds_of_free_runs(base) if seconds is None else seconds
-    splits = split_tracks(tracks, seconds, range(len(tracks)) if among is None else among)
+    tracks, seen = base.tracks, smoothed_tracks(base)
+    seconds = _seconds(base, seen) if seconds is None else seconds
+    regimes = [regimes_along(track, course) for track, course in zip(tracks, seen, strict=True)]
+    splits = split_tracks(tracks, seconds, range(len(tracks)) if among is None else among, regimes)
     rows = fitted_to_the_rest(base, splits)
     courses = smoothed_under(tracks, rows)
     return Unseen(

@@ -56,8 +56,9 @@ def is_tiny(refined: Refined) -> bool:
 
 def is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> bool:
     """Tell whether a value of one amplitude of a candidate [SI units] is too small to be believed."""
-    least = max(NAMING.least_share * candidate.large(amplitude), amplitude.adds_up / candidate.duration)
-    low, high = amplitude.negligible
+    adds_up = candidate.sizes["s"] * amplitude.adds_up
+    least = max(NAMING.least_share * candidate.large(amplitude), adds_up / candidate.duration)
+    low, high = candidate.negligible(amplitude)
     return min(low, -least) < value - amplitude.neutral < max(high, least)
 
 

@@ -25,6 +25,7 @@ from cocorosim_ros.diagnosis.fitting.screening import Screen, Screened
 from cocorosim_ros.diagnosis.naming.residual import forces_by_equation
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.regressors import values_along
@@ -101,7 +102,8 @@ def _sums(laws: Sequence[Law], fit: Fit, number: int, course: Smoothed) -> _Sums
     """Sums over the parts of one track; what is left over at its end belongs to the last part."""
     values = values_along(fit.tracks[number].actuation.course_along(course, fit.filled[number]))
     force = forces_by_equation(course.mean)
-    size = max(1, round(PAIR_LAWS.part / float(course.time[1] - course.time[0])))
+    part = slowness(fit.tracks[number].vehicle) * PAIR_LAWS.part
+    size = max(1, round(part / float(course.time[1] - course.time[0])))
     begins = np.arange(0, len(course.time) - size + 1, size)
 
     def summed(column: Floats) -> Floats:

@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
 
@@ -33,12 +34,12 @@ def quiet_gain(base: Fit, more: Fit) -> float:
 def _is_loud(track: Track, row: Floats) -> Flags:
     """Flags (m,), one for each reading of the track: whether the pumps moved by more than the water can ask for.
 
-    They did where their force [N], within the PUMP.memory [s] before the reading, changed by more than PUMP.loud times
+    They did where their force [N], within the PUMP.memory before the reading, changed by more than PUMP.loud times
     the rms of the random force in heave. row: a model's numbers.
     """
     force = track.actuation.pump_force(track.actuation.drive(row))
     grid = track.timeline.grid
-    width = max(1, round(PUMP.memory / grid.step))
+    width = max(1, round(slowness(track.vehicle) * PUMP.memory / grid.step))
     back = {"size": width, "origin": (width - 1) // 2, "mode": "nearest"}  # the window ends at each point
     change = maximum_filter1d(force, **back) - minimum_filter1d(force, **back)
     loud = change > PUMP.loud * np.exp(row[COLUMN["random.heave_force"]])

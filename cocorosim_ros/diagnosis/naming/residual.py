@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.foretelling.nameless_force import turn_back
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X, FORCE_Y, FORCE_Z, YAW_MOMENT, Smoothed
 from cocorosim_ros.diagnosis.tracks.surroundings import FAR
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
+from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces, slowness
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
@@ -48,8 +48,9 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
     lower, upper = places.min(axis=0), np.maximum(places.max(axis=0), places.min(axis=0) + SWINGS.least_extent)
     duration = max(float(course.time[-1]) for course in courses)
     forces = [forces_by_equation(course.mean) for course in courses]
+    slow = slowness(tracks[0].vehicle)
     spectra = {name: _spectrum(courses, [each[name] for each in forces]) for name in forces[0]}
-    periods = {name: _periods(courses, spectrum) for name, spectrum in spectra.items()}
+    periods = {name: _periods(courses, spectrum, slow) for name, spectrum in spectra.items()}
     periods["waves"] = _wave_periods(courses, [spectra[name] for name in WAVE_EQUATIONS])
     return Scene(
         tuple(lower.tolist()),
@@ -58,7 +59,7 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
         tracks[0].vehicle.hull,
         tracks[0].vehicle.arm,
         periods,
-        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_Z])),
+        tuple(moment for course in courses for moment in _changes(course.time, course.mean[:, FORCE_Z], slow)),
         _scales(tracks[0], seen, duration),
         _driven(tracks, seen),
         drag_form,
@@ -85,10 +86,13 @@ def forces_by_equation(mean: Floats) -> dict[str, Floats]:
     return {**forces, "surge": in_body[:, X], "sway": in_body[:, Y]}
 
 
-def _periods(courses: Sequence[Smoothed], spectrum: Spectrum) -> tuple[float, ...]:
-    """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show."""
+def _periods(courses: Sequence[Smoothed], spectrum: Spectrum, slow: float) -> tuple[float, ...]:
+    """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show.
+
+    slow: the slowness of the vehicle.
+    """
     duration = _longest(courses)
-    band = Band(SWINGS.shortest_period, duration / SWINGS.swings)
+    band = Band(slow * SWINGS.shortest_period, duration / SWINGS.swings)
     return (*_strongest(spectrum, band, SWINGS.most_periods), duration / SWINGS.swings)
 
 
@@ -133,9 +137,12 @@ def _strongest(spectrum: Spectrum, band: Band, most: int) -> tuple[float, ...]:
     return tuple((1.0 / frequency[strongest]).tolist())
 
 
-def _changes(time: Floats, force: Floats) -> list[float]:
-    """Moments [s] at which the mean of a force (points,) changes most, by the means just before and just after."""
-    width = round(SWINGS.steady / float(time[1] - time[0]))
+def _changes(time: Floats, force: Floats, slow: float) -> list[float]:
+    """Moments [s] at which the mean of a force (points,) changes most, by the means just before and just after.
+
+    slow: the slowness of the vehicle.
+    """
+    width = round(slow * SWINGS.steady / float(time[1] - time[0]))
     if len(time) < 2 * width + 1:
         return []
     total = np.concatenate([[0.0], np.cumsum(force)])

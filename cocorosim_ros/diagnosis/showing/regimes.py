@@ -3,25 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.showing import REGIMES
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
+from cocorosim_ros.diagnosis.foretelling.regimes import QUANTITIES, Quantity, regimes_along
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
-
-
-class Quantity(NamedTuple):
-    """Quantity that tells one regime from another."""
-
-    name: str
-    unit: str
-
-
-QUANTITIES = (Quantity("speed", "m/s"), Quantity("turn rate", "rad/s"), Quantity("thrust", "N"), Quantity("depth", "m"))
 
 
 def unlike_regimes(unseen: Unseen) -> dict[str, str]:
@@ -30,11 +19,13 @@ def unlike_regimes(unseen: Unseen) -> dict[str, str]:
     seen = _values(unseen, [split.seen for split in unseen.splits])
     if not held.size or not seen.size:
         return {}
-    return {
-        quantity.name: remark
+    remarks = {
+        quantity: remark
         for quantity, unlike, fitted in zip(QUANTITIES, held.T, seen.T, strict=True)
         if (remark := _remark(quantity, unlike, fitted))
     }
+    said = {quantity.name for quantity in remarks}
+    return {quantity.name: remark for quantity, remark in remarks.items() if quantity.unless not in said}
 
 
 def _remark(quantity: Quantity, held: Floats, seen: Floats) -> str:
@@ -55,10 +46,6 @@ def _values(unseen: Unseen, spans: Sequence[Sequence[Span]]) -> Floats:
     """Values (n, quantities) at all grid points of some spans of each track."""
     found = [np.zeros((0, len(QUANTITIES)))]
     for track, course, chosen in zip(unseen.tracks, unseen.courses, spans, strict=True):
-        state = course.mean
-        thrust = np.linalg.norm(track.actuation.drive(track.vehicle.row).force, axis=1)
-        every = np.column_stack(
-            [np.linalg.norm(state[:, SURGE : HEAVE + 1], axis=1), np.abs(state[:, YAW_RATE]), thrust, -state[:, Z]]
-        )
+        every = regimes_along(track, course)
         found += [every[span.first : span.end] for span in chosen]
     return np.concatenate(found)

@@ -29,6 +29,7 @@ from cocorosim_ros.diagnosis.filter.layout import (
 from cocorosim_ros.diagnosis.filter.reading import NO_MOTORS, Along, deviation, expected_along
 from cocorosim_ros.diagnosis.filter.records import Start
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.errors import NEUTRAL, changes_of
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
@@ -101,10 +102,11 @@ def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginnin
         mean[each.state] = -(each.value - SURFACE_PRESSURE) / PASCAL_PER_METRE if is_pressure else each.value
     spread[X] = spread[Y] = spread[Z] = START.place
     spread[YAW] = START.yaw
+    slow = slowness(vehicle)
     force, moment = vehicle.force_scale[0], vehicle.force_scale[3]
-    speed = max(START.least_speed, math.sqrt(force / vehicle.mass) * START.speed_share)
+    speed = max(START.least_speed / slow, math.sqrt(force / vehicle.mass) * START.speed_share)
     spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed
-    spread[YAW_RATE] = max(START.least_turn, math.sqrt(moment / vehicle.yaw_inertia))
+    spread[YAW_RATE] = max(START.least_turn / slow, math.sqrt(moment / vehicle.yaw_inertia))
     return Beginning(Start(mean, spread), shown, begin)
 
 

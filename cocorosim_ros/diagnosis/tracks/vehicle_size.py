@@ -14,14 +14,15 @@ from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS
 
 # The Lily for which the catalogue gives sizes: N, N m, kg, kg m^2, m/s, rad/s, m.
 LILY = {"force": 0.01, "moment": 2.5e-4, "mass": 0.44, "inertia": 4.05e-4, "speed": 0.075, "turn": 1.48, "length": 0.13}
+LILY_COASTING = LILY["mass"] / math.sqrt(1.7778 * LILY["force"])  # s, of its drag of 1.7778 kg/m; see coasting_time
 SCALED: dict[str, Callable[[Mapping[str, float]], float]] = {
     "N": lambda share: share["force"],
-    "N/s": lambda share: share["force"],
+    "N/s": lambda share: share["force"] / share["time"],
     "N/m": lambda share: share["force"],
     "N s/m": lambda share: share["force"] / share["speed"],
     "kg/m": lambda share: share["force"] / share["speed"] ** 2,
     "N m": lambda share: share["moment"],
-    "N m/s": lambda share: share["moment"],
+    "N m/s": lambda share: share["moment"] / share["time"],
     "N m s": lambda share: share["moment"] / share["turn"],
     "N m s^2": lambda share: share["moment"] / share["turn"] ** 2,
     "kg": lambda share: share["mass"],
@@ -32,12 +33,14 @@ SCALED: dict[str, Callable[[Mapping[str, float]], float]] = {
     "m/s^2": lambda share: share["force"] / share["mass"],
     "rad/s": lambda share: share["turn"],
     "m": lambda share: share["length"],
+    "s": lambda share: share["time"],
 }
-"""Factor of an amplitude by its unit, as a function of the vehicle's share of each entry of LILY.
+"""Factor of an amplitude by its unit, as a function of the vehicle's share of each entry of LILY, and of its slowness.
 
-A linear drag [N s/m], for one, grows with full force over full speed. Times are not scaled.
+A linear drag [N s/m], for one, grows with full force over full speed. Delays are longer of a vehicle that is slower
+than a Lily, whose motion would not show them else; of quicker ones they are as long: motors and clocks know no drag.
 """
-UNSCALED = ("1", "s", "Hz", "rad", "Pa", "Pa/s", "s/s")
+UNSCALED = ("1", "Hz", "rad", "Pa", "Pa/s", "s/s")
 """Units of amplitudes that are as large for every vehicle: pure numbers, errors of sensors and clocks."""
 LILY_SIZES: Mapping[str, float] = dict.fromkeys((*SCALED, *UNSCALED), 1.0)
 """Factors for a Lily, which are 1, for every unit that an amplitude may have."""
@@ -68,6 +71,30 @@ def full_forces(vehicle: VehicleModel) -> FullForces:
     surge, sway, heave, yaw = vehicle.force_scale.tolist()
     across = max(surge, sway) or FULL_FORCES.across * heave or LILY["force"]
     return FullForces(across, heave, yaw or FULL_FORCES.arm * across)
+
+
+def coasting_time(vehicle: VehicleModel, row: Floats) -> float:
+    """Time [s] in which a vehicle loses half of its full speed, or of its full turn rate if that takes longer.
+
+    Quadratic drag k v^2 takes m / (k v) for it; full speed is v = sqrt(F / k), so that the time is m / sqrt(k F), and
+    alike for turns. row (columns,): the numbers of the model. Infinite without drag.
+    """
+    full = full_forces(vehicle)
+    gain, turning = row[COLUMN["thrust_gain"]], row[COLUMN["yaw_torque_gain"]]
+    ahead = row[COLUMN["drag"]] * gain * full.across
+    around = row[COLUMN["yaw_drag"]] * turning * full.yaw
+    inertias = (vehicle.mass, ahead), (float(row[COLUMN["yaw_inertia"]]), around)
+    return max(inertia / math.sqrt(braked) if braked > 0.0 else math.inf for inertia, braked in inertias)
+
+
+def slowness(vehicle: VehicleModel) -> float:
+    """Times of a vehicle relative to those of a Lily [1]: its coasting time over a Lily's; 1 for all that stop sooner.
+
+    What the water does and what drivers ask for does not become quicker with the vehicle, nor do motors and clocks. By
+    the numbers of the platform's file, so that it stays as it is while models are fitted; 1 without drag.
+    """
+    coasting = coasting_time(vehicle, vehicle.row)
+    return max(coasting / LILY_COASTING, 1.0) if math.isfinite(coasting) else 1.0
 
 
 def shortest_coasting(vehicle: VehicleModel, row: Floats | None = None) -> float:
@@ -108,4 +135,5 @@ def sizes(vehicle: VehicleModel) -> Mapping[str, float]:
         "turn": math.sqrt(moment / yaw_drag) if yaw_drag > 0.0 else LILY["turn"],
     }
     share = {name: size[name] / LILY[name] if size[name] > 0.0 else 1.0 for name in LILY}
+    share["time"] = slowness(vehicle)
     return {**LILY_SIZES, **{unit: scale(share) for unit, scale in SCALED.items()}}

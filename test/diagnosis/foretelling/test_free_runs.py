@@ -13,8 +13,9 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.nameless_force import foretold, turn_back
+from cocorosim_ros.diagnosis.foretelling.regimes import QUANTITIES
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
-from cocorosim_ros.diagnosis.showing.regimes import QUANTITIES, unlike_regimes
+from cocorosim_ros.diagnosis.showing.regimes import unlike_regimes
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of

@@ -15,6 +15,8 @@ from cocorosim_ros.diagnosis.criteria.naming import PAIR_LAWS
 from cocorosim_ros.diagnosis.naming.choice import can_be_law
 from cocorosim_ros.diagnosis.naming.promising_laws import _Sums, leading, promising_laws
 from cocorosim_ros.diagnosis.tracks.passes import FORCE_X
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.laws.law import Law
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.terms.regressors import REGRESSORS
@@ -57,12 +59,15 @@ def test_the_law_that_the_force_follows_is_among_the_first(robots: int) -> None:
     rng = np.random.default_rng(11)
     made = [course(rng, 400.0) for _ in range(robots)]
     smoothed, seen = zip(*made, strict=True)
+    lily = vehicle_model(load_platform("lily"))
     push = 2.0 * np.abs(smoothed[-1].mean[:, 6])
     for each in smoothed:
         each.mean[:, FORCE_X] = 2.0 * rng.standard_normal(len(each.time))
     smoothed[-1].mean[:, FORCE_X] += push
     tracks = [
-        SimpleNamespace(name=str(number), actuation=SimpleNamespace(course_along=lambda _, row: seen[int(row[0])]))
+        SimpleNamespace(
+            name=str(number), vehicle=lily, actuation=SimpleNamespace(course_along=lambda _, row: seen[int(row[0])])
+        )
         for number in range(robots)
     ]
     fit: Any = SimpleNamespace(tracks=tracks, filled=np.arange(robots, dtype=np.float64)[:, None])

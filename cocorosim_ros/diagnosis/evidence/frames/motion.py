@@ -84,7 +84,7 @@ class ShownMotion:
 
 def motion_of(log: RobotLog, platform: Platform) -> ShownMotion:
     """The motion that each stream of a log shows."""
-    bins = _Bins(log, BINS.narrow * coasting_time(platform))
+    bins = _Bins(log, coasting_time(platform))
     pose, pose_rate = bins.stream(log, "pose")
     compass, compass_rate = bins.stream(log, "compass")
     imu, _ = bins.stream(log, "imu")
@@ -141,11 +141,12 @@ def _behind_each_other(parts: Sequence[Any]) -> Any:
 class _Bins:
     """Bins of equal width over a whole log; values to be compared stand at the edges between two bins."""
 
-    def __init__(self, log: RobotLog, narrow: float) -> None:
+    def __init__(self, log: RobotLog, coasting: float) -> None:
         streams = list(log.streams.values())
         slow = [np.median(np.diff(stream.time)) for stream in streams if len(stream.time) > 2]
-        widest = max([narrow, BINS.narrowest, *(BINS.readings * interval for interval in slow)])
-        self.width = float(min(widest, BINS.widest))
+        wanted = max([BINS.narrowest, *(BINS.readings * interval for interval in slow)])
+        told = min(wanted, max(BINS.widest, BINS.widest_coasting * coasting))
+        self.width = float(max(told, min(BINS.narrow * coasting, BINS.widest)))
         self.start = min((float(stream.time[0]) for stream in streams), default=0.0)
         end = max((float(stream.time[-1]) for stream in streams), default=0.0)
         self.count = max(int((end - self.start) / self.width), 1)
