@@ -186,8 +186,9 @@ def observe(
     )
     if rng.random() >= numbers["imu"]["missing"] or faulty:
         streams.append(eye.imu())
-    # Nor is one of the speed log, by leaving that out.
-    if rng.random() < numbers["velocity"]["present"] or faults.log_scale != 0.0 or faults.log_turn[0] != 0.0:
+    # Nor is one of the speed log, by leaving that out; nor the span of a gauge, which as well is a camera's scale.
+    measured = faults.log_scale != 0.0 or faults.log_turn[0] != 0.0 or faults.gauge_gain != 0.0
+    if rng.random() < numbers["velocity"]["present"] or measured:
         streams.append(eye.velocity())
     time = np.arange(len(commands), dtype=np.float64) * at.TICK
     streams.append(Stream("thruster_command", np.asarray(time), time + eye.transport(time.size), commands))
