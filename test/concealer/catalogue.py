@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from concealer import layout as at
+from concealer.fluid import GUST
 from concealer.scene import Scene, Secret, direction, signed
 
 Hide = Callable[[np.random.Generator, float, Scene], Secret]
@@ -207,12 +208,30 @@ def payload_shift(rng: np.random.Generator, amount: float, scene: Scene) -> Secr
     return Secret("payload_shift", {"time": middle, "force": force}, "ramp; time: its middle")
 
 
+def wind(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Gusts of whole periods; the numbers are those of the steady wind that pushes as much in the mean."""
+    x, y = direction(rng, amount)
+    omega = 2.0 * np.pi * rng.integers(5, 30) / scene.own[at.DURATION]
+    scene.everywhere(wind=amount, wind_direction=np.arctan2(y, x), gust_omega=omega)
+    scene.everywhere(gust_phase=rng.uniform(-np.pi, np.pi), wind_turn=rng.uniform(-0.01, 0.01))
+    steady = float(np.sqrt(1.0 + 0.5 * GUST**2))
+    form = "gusts; yaw by the sine of twice the angle; numbers: root mean square of the wind"
+    return Secret("wind", {"x": steady * x, "y": steady * y}, form, shared=True)
+
+
+def hull_emergence(_rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A spheroid that comes out of the water; the share is that of straight walls at the depths visited."""
+    scene.own[at.EMERGE] = amount
+    form = "spheroid s^2 (3 - 2 s), s = 1/2 + z / height; least-squares share of straight walls"
+    return Secret("hull_emergence", {"share": amount}, form)
+
+
 BODY: dict[str, Hide] = {
     hide.__name__: hide
     for hide in (
         linear_drag, anisotropic_drag, added_mass, steady_current, sheared_current, tidal_current, tether, wall_effect,
         neighbour_wake, thruster_lag, thruster_deadband, thruster_asymmetry, torque_bias, reverse_loss, advance_loss,
         battery_sag, thruster_misalignment, buoyancy_trim, pump_lag, hull_compressibility, stratification,
-        payload_shift, density_gradient, surface_loss, surface_waves,
+        payload_shift, density_gradient, surface_loss, surface_waves, wind, hull_emergence,
     )
 }  # fmt: skip

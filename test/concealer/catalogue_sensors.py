@@ -49,6 +49,28 @@ def pressure_drift(rng: np.random.Generator, amount: float, scene: Scene) -> Sec
     return Secret("pressure_drift", {"rate": rate}, "exponential; from start to end", "pressure")
 
 
+def overpressure(time: FloatArray, pressure: FloatArray, faults: Faults) -> FloatArray:
+    """(n,) what a gauge makes of the pressure above that of the surface [Pa]: its span swings with the warmth."""
+    period, phase = faults.gauge_warmth
+    return np.asarray(pressure * (1.0 + faults.gauge_gain * (1.0 + 0.3 * np.sin(2.0 * np.pi * time / period + phase))))
+
+
+def pressure_gain(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A span that swings as the gauge warms and cools; the number is its mean."""
+    fault = scene.fault
+    fault.gauge_gain = signed(rng, amount)
+    fault.gauge_warmth = float(scene.own[DURATION] / rng.integers(2, 5)), rng.uniform(-math.pi, math.pi)
+    form = "1 + s (1 + 0.3 sin(2 pi t / T)), whole periods; gain: the mean"
+    return Secret("pressure_gain", {"gain": 1.0 + fault.gauge_gain}, form, "pressure")
+
+
+def gyro_scale(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A gyroscope that is not equally wrong to both sides; the number is the mean of both."""
+    scene.fault.gyro_gain, scene.fault.gyro_uneven = signed(rng, amount), rng.uniform(-0.3, 0.3)
+    form = "1 + s (1 + e sign(r)); scale: the mean of both sides"
+    return Secret("gyro_scale", {"scale": 1.0 + scene.fault.gyro_gain}, form, "imu")
+
+
 def sensor_latency(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """One stream shows the past."""
     topic = str(rng.choice(["pose", "compass", "imu"]))
@@ -161,6 +183,7 @@ CATALOGUE: dict[str, Hide] = BODY | {
     hide.__name__: hide
     for hide in (
         compass_distortion, pressure_offset, pressure_drift, sensor_latency, clock_skew, camera_scale, frame_mixup,
-        imu_bias, speed_log_scale, speed_log_misalignment, pose_heading, pose_lever, motor_field,
+        imu_bias, speed_log_scale, speed_log_misalignment, pose_heading, pose_lever, motor_field, pressure_gain,
+        gyro_scale,
     )
 }  # fmt: skip

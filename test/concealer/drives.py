@@ -79,13 +79,21 @@ def thrust(p: FloatArray, s: FloatArray, command: FloatArray, speed: float) -> t
 
 
 @compiled
+def emerged(z: float) -> float:
+    """Share of a spheroid of height TALL that is above the surface when its middle is at z [m]."""
+    out = min(max(0.5 + z / at.TALL, 0.0), 1.0)
+    return out * out * (3.0 - 2.0 * out)
+
+
+@compiled
 def buoyancy(p: FloatArray, s: FloatArray, t: float) -> float:
-    """Force upward [N]: pump, trim, hull that gives way (Boyle), water that is denser below, payload."""
+    """Force upward [N]: pump, trim, hull that gives way (Boyle) or comes out, denser water below, payload."""
     depth = -s[at.Z]
     pump = s[at.PUMP_STATE] if p[at.PUMP_LAG] > 0.0 else s[at.PLAY]
     force = p[at.PUMP] * pump + p[at.TRIM]
     force -= p[at.SHRINK] * depth / (1.0 + depth / p[at.SHRINK_SCALE])
     force += p[at.DENSER] * p[at.DENSER_SCALE] * (1.0 - math.exp(-depth / p[at.DENSER_SCALE]))
     force += 0.5 * p[at.LAYER_FORCE] * (1.0 + math.tanh((depth - p[at.LAYER_DEPTH]) / p[at.LAYER_WIDTH]))
+    force -= p[at.EMERGE] * p[at.MASS] * at.GRAVITY * emerged(s[at.Z])
     since = (t - p[at.PAYLOAD_TIME]) / p[at.PAYLOAD_RISE]
     return force + p[at.PAYLOAD_FORCE] * min(max(since, 0.0), 1.0)

@@ -35,8 +35,10 @@ FloatArray = NDArray[np.float64]
     DENSER, DENSER_SCALE, BUBBLES, BUBBLES_REACH,
     # still later: waves on the surface
     SWELL, SWELL_OMEGA, SWELL_DIRECTION, SWELL_PHASE,
-) = range(97)  # fmt: skip
-SIZE = 97
+    # last: what stands above the water, which wind pushes and which loses its buoyancy
+    WIND, WIND_DIRECTION, GUST_OMEGA, GUST_PHASE, WIND_TURN, EMERGE,
+) = range(103)  # fmt: skip
+SIZE = 103
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
@@ -63,6 +65,8 @@ FULL_THRUST = 0.01  # N, both thrusters
 FULL_TORQUE = 0.01 * 0.055 * math.cos(math.radians(63.0))  # N m, one forward and one backward
 FULL_PUMP = RHO * GRAVITY * 10e-6  # N
 TOP_SPEED = 0.075  # m/s
+# Of a Lily with a mast, where wind or a hull that leaves the water is asked for; its platform file has to say so.
+ABOVE_FRONT, ABOVE_SIDE, TALL = 0.005, 0.009, 0.7  # m^2, m^2, m
 PUMP_SLEW_TIME = 0.5  # s, over which the rate of the pump is measured
 
 

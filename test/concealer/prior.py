@@ -49,6 +49,11 @@ def load(path: Path = PRIOR) -> dict[str, Any]:
     return dict(YAML(typ="safe").load(path.read_text(encoding="utf-8")))
 
 
+def entries(numbers: dict[str, Any]) -> dict[str, Any]:
+    """All that may be hidden, by name: what is drawn, and what is hidden only where it is asked for."""
+    return dict(numbers["effects"] | numbers.get("asked_for", {}) | numbers["outside"])
+
+
 def pick(rng: np.random.Generator, weights: dict[Any, float]) -> Any:
     """A key by its weight."""
     keys = list(weights)

@@ -56,7 +56,7 @@ def described(secret: Secret, share: float, spec: dict[str, Any], names: list[st
 
 def spec_of(numbers: dict[str, Any], name: str) -> dict[str, Any]:
     """Large and unit of an entry of the prior; a law of the grammar is as large as forces that swing."""
-    return dict((numbers["effects"] | numbers["outside"]).get(name, {"large": 1.0, "unit": "of the grammar's large"}))
+    return dict(prior.entries(numbers).get(name, {"large": 1.0, "unit": "of the grammar's large"}))
 
 
 def make(index: int, seed: int, out: Path, numbers: dict[str, Any], wish: Wish) -> tuple[str, dict[str, str]]:

@@ -20,11 +20,15 @@ class Faults:
     pressure_offset: float = 0.0  # Pa
     pressure_drift: float = 0.0  # Pa from the start to the end
     drift_time: float = 600.0  # s, of the exponential that the drift follows
+    gauge_gain: float = 0.0  # mean fraction by which the gauge shows too much of the water's pressure
+    gauge_warmth: tuple[float, float] = (1.0, 0.0)  # s, rad: period and phase with which that fraction swings
     latency: dict[str, float] = field(default_factory=dict)  # s, by topic
     skew: dict[str, float] = field(default_factory=dict)  # s/s, by topic
     scale: float = 1.0  # of the camera
     mixup: str = ""
     gyro_bias: float = 0.0  # rad/s
+    gyro_gain: float = 0.0  # mean fraction by which the gyroscope shows too much
+    gyro_uneven: float = 0.0  # share of it by which that is more to the left than the mean
     log_scale: float = 0.0  # mean fraction by which the speed log shows too much
     log_warmth: tuple[float, float] = (1.0, 0.0)  # s, rad: period and phase with which that fraction swings
     log_turn: tuple[float, float] = (0.0, 0.0)  # rad, of its forward and of its sideways beam

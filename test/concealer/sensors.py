@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from concealer import layout as at
-from concealer.catalogue_sensors import compass_reading, logged, marked
+from concealer.catalogue_sensors import compass_reading, logged, marked, overpressure
 from concealer.layout import FloatArray
 from concealer.noises import in_digits, left_by_holes, noise
 from concealer.scene import Faults
@@ -130,7 +130,7 @@ class Observer:
         time = self.beats(float(self.rng.choice(n["rate"])))
         depth = -self.seen(self.shown("pressure", time), at.Z)[:, 0]
         drift = np.expm1(-time / self.faults.drift_time) / np.expm1(-self.end / self.faults.drift_time)
-        reading = at.SURFACE_PRESSURE + at.RHO * at.GRAVITY * depth
+        reading = at.SURFACE_PRESSURE + overpressure(time, at.RHO * at.GRAVITY * depth, self.faults)
         reading = reading + self.between(n["noise"]) * self.noise(time)
         reading = self.digits("pressure", reading + self.faults.pressure_offset + self.faults.pressure_drift * drift)
         if self.faults.mixup == "pressure_hectopascal":
@@ -142,7 +142,9 @@ class Observer:
         n = self.numbers["imu"]
         time = self.beats(float(self.rng.choice(n["rate"])))
         turn = np.zeros((time.size, 3))
-        turn[:, 2] = self.seen(self.shown("imu", time), at.R)[:, 0] + self.faults.gyro_bias
+        rate = self.seen(self.shown("imu", time), at.R)[:, 0]
+        rate = rate * (1.0 + self.faults.gyro_gain * (1.0 + self.faults.gyro_uneven * np.sign(rate)))
+        turn[:, 2] = rate + self.faults.gyro_bias
         turn = self.digits("gyro", turn + self.between(n["gyro"]) * self.noise(time, 3))
         force = self.held(self.shown("imu", time), at.ACCEL, at.ACCEL + 1, at.ACCEL + 2)
         force = force + np.array([0.0, 0.0, at.GRAVITY]) + np.array(self.faults.accel_bias)
@@ -176,11 +178,17 @@ def observe(
     if rng.random() >= numbers["pressure"]["missing"]:
         streams.append(eye.pressure())
     # An effect of the IMU is not hidden by leaving the IMU out.
-    faulty = faults.gyro_bias != 0.0 or faults.mixup == "imu_frd" or "imu" in faults.latency | faults.skew
+    faulty = (
+        faults.gyro_bias != 0.0
+        or faults.gyro_gain != 0.0
+        or faults.mixup == "imu_frd"
+        or "imu" in faults.latency | faults.skew
+    )
     if rng.random() >= numbers["imu"]["missing"] or faulty:
         streams.append(eye.imu())
-    # Nor is one of the speed log, by leaving that out.
-    if rng.random() < numbers["velocity"]["present"] or faults.log_scale != 0.0 or faults.log_turn[0] != 0.0:
+    # Nor is one of the speed log, by leaving that out; nor the span of a gauge, which as well is a camera's scale.
+    measured = faults.log_scale != 0.0 or faults.log_turn[0] != 0.0 or faults.gauge_gain != 0.0
+    if rng.random() < numbers["velocity"]["present"] or measured:
         streams.append(eye.velocity())
     time = np.arange(len(commands), dtype=np.float64) * at.TICK
     streams.append(Stream("thruster_command", np.asarray(time), time + eye.transport(time.size), commands))

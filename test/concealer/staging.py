@@ -13,7 +13,7 @@ from concealer.layout import FloatArray
 from concealer.manoeuvres import MANOEUVRES, Pool
 from concealer.outside import OUTSIDE
 from concealer.physics import drive
-from concealer.prior import Plot
+from concealer.prior import Plot, entries
 from concealer.scene import Faults, Scene, Secret
 
 SPREAD = (at.MASS, at.INERTIA, at.DRAG, at.YAW_DRAG, at.THRUST, at.LEVER, at.PUMP)
@@ -47,7 +47,7 @@ def empty(rng: np.random.Generator, numbers: dict[str, Any], plot: Plot) -> Scen
 
 def hide(rng: np.random.Generator, numbers: dict[str, Any], name: str, share: float, scene: Scene) -> Secret:
     """Hides an entry of the prior, of this size as a fraction of large."""
-    large = (numbers["effects"] | numbers["outside"])[name]["large"]
+    large = entries(numbers)[name]["large"]
     return (CATALOGUE.get(name) or OUTSIDE[name])(rng, share * large, scene)
 
 
@@ -86,8 +86,10 @@ def forces(rng: np.random.Generator, plot: Plot, ticks: int) -> FloatArray:
 def move(rng: np.random.Generator, plot: Plot, scene: Scene) -> tuple[FloatArray, FloatArray]:
     """Trajectory (rows, robots, ROW) and commands (ticks, robots, 3)."""
     ticks, depth = round(plot.duration / at.TICK), -float(scene.own[at.FLOOR])
-    margin = 0.25 if "wall_effect" in plot.hidden else 0.5
-    pool = Pool(0.5 * plot.side, depth, plot.duration, margin, "neighbour_wake" in plot.hidden, plot.style)
+    surfacing = "hull_emergence" in plot.hidden  # a programme that comes up, which others need not
+    margin = 0.25 if surfacing or "wall_effect" in plot.hidden else 0.5
+    deepest = min(at.TALL, depth) if surfacing else depth
+    pool = Pool(0.5 * plot.side, deepest, plot.duration, margin, "neighbour_wake" in plot.hidden, plot.style)
     plans = [MANOEUVRES[plot.manoeuvre](rng, pool) for _ in range(plot.robots)]
     padded = np.zeros((plot.robots, max(map(len, plans)), plans[0].shape[1]))
     for row, plan in zip(padded, plans, strict=True):

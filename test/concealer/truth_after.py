@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from concealer import layout as at
-from concealer.drives import left_in_battery
+from concealer.drives import emerged, left_in_battery
 from concealer.fluid import current, tether
 from concealer.layout import FloatArray
 from concealer.scene import Secret
@@ -80,6 +80,15 @@ def density_gradient(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> 
     return {"gradient": float((depth * gained).sum() / (depth * depth).sum())}
 
 
+def hull_emergence(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Parameters:
+    """Share of a wall-sided hull that loses most alike at the depths visited; as hidden if it never came up."""
+    z = rows[::EVERY, at.Z]
+    walls = np.clip(0.5 + z / at.TALL, 0.0, 1.0)
+    lost = p[at.EMERGE] * np.array([emerged(each) for each in z])
+    felt = float((walls * walls).sum())
+    return {"share": float((walls * lost).sum()) / felt if felt > 0.0 else float(p[at.EMERGE])}
+
+
 AFTER: dict[str, After] = {
     "sheared_current": sheared_current,
     "tether": tether_line,
@@ -87,6 +96,7 @@ AFTER: dict[str, After] = {
     "battery_sag": battery_sag,
     "hull_compressibility": hull_compressibility,
     "density_gradient": density_gradient,
+    "hull_emergence": hull_emergence,
 }
 
 

@@ -154,6 +154,17 @@ def test_sensors_show_the_contracts_units_and_signs(turning: Any) -> None:
     assert imu.values[0, 4] == -1.0
 
 
+def test_gauges_and_gyroscopes_that_are_wrong_by_a_factor(turning: Any) -> None:
+    """A span at the crest of its swing, 0.05 (1 + 0.3); a turn to the left, 0.04 (1 + 0.5)."""
+    plain = observed(turning)
+    warm = observed(turning, gauge_gain=0.05, gauge_warmth=(1e12, math.pi / 2.0), gyro_gain=0.04, gyro_uneven=0.5)
+    over = (streams["pressure"].values[:, 0] - 101325.0 for streams in (warm, plain))
+    np.testing.assert_allclose(next(over), 1.065 * next(over), rtol=1e-6)
+    factor = 1.0 + 0.04 * (1.0 + 0.5 * math.copysign(1.0, np.median(turning[:, 7])))
+    rate, shown = (streams["imu"].values[200:, 15] for streams in (plain, warm))
+    np.testing.assert_allclose(shown, factor * rate, atol=1e-5)
+
+
 def test_the_compass_parameters_are_those_of_the_contracts_equation() -> None:
     """reading = yaw + offset + sin sin(yaw) + cos cos(yaw), within the second harmonic that soft iron adds."""
     from concealer import layout as at
@@ -177,7 +188,7 @@ def test_every_effect_of_the_contract_can_be_hidden_and_changes_the_recording(nu
     from concealer.recording import move, stage
     from concealer.sensors import observe
 
-    assert set(CATALOGUE) == set(numbers["effects"]) and set(OUTSIDE) == set(numbers["outside"])
+    assert set(CATALOGUE) == {*numbers["effects"], *numbers["asked_for"]} and set(OUTSIDE) == set(numbers["outside"])
     assert len(CATALOGUE) >= 30 and len(OUTSIDE) >= 8
 
     def streams(hidden: dict[str, float]) -> Any:

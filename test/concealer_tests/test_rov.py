@@ -109,6 +109,21 @@ def test_a_towed_cable_takes_what_its_pieces_take() -> None:
     assert cable_drag(p, s) @ s[at.VELOCITY : at.VELOCITY + 3] < along @ s[at.VELOCITY : at.VELOCITY + 3]
 
 
+@pytest.mark.parametrize(("sign", "lever"), [(1.0, 0.03 * 1.2), (-1.0, 0.03 * 0.8)])
+def test_thrust_to_the_side_turns_by_its_lever(sign: float, lever: float) -> None:
+    """All four vectored thrusters at c, for sway alone: Y = 4 sin(45 deg) 40 N c; N = lever Y, longer to the left."""
+    from concealer.rov import vehicle as at
+    from concealer.rov.motion import loads
+
+    p, s = _bare(side_lever=0.03, side_uneven=0.2), np.zeros(at.STATE)
+    s[at.QUATERNION] = 1.0
+    s[at.LEVEL : at.LEVEL + 8] = sign * 0.2 * at.ALLOCATION[1]
+    force, moment = loads(p, s, np.zeros(4), 0.0)
+    sideways = sign * 0.2 * 4.0 * math.sqrt(0.5) * 40.0
+    assert force[1] == pytest.approx(sideways)
+    assert moment[2] == pytest.approx(lever * sideways, abs=1e-12)
+
+
 @pytest.fixture(scope="module")
 def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Three sealed recordings of 40 s."""

@@ -18,7 +18,7 @@ from cocorosim_ros.wire.cdr.type_store import build
 from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
 from cocorosim_ros.world.laws.law import Product
 from cocorosim_ros.world.sensors import KINDS, SENSORS, errors
-from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, NEUTRAL, changes_of
+from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS, changes_of
 from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS
 from cocorosim_ros.world.sensors.readings import FIELDS
 from cocorosim_ros.world.sensors.sensor import PER_CONE, Elements
@@ -106,11 +106,12 @@ def expected(name: str, state: Any, after: float, numbers: Any) -> float:
 @every_kind
 def test_its_sensitivity_is_the_slope_of_what_it_shows(name: str) -> None:
     """Central differences by each number of the state, with errors, where the rate of the state does not change."""
+    from cocorosim_ros.diagnosis.filter.layout import NEUTRAL_SENSORS
     from cocorosim_ros.diagnosis.filter.reading import sensitivity, sensitivity_upright
 
     kind, code, after = KINDS[name], list(KINDS).index(name), 0.04
     rng = np.random.default_rng(5)
-    numbers = np.array(NEUTRAL) + rng.uniform(0.02, 0.1, len(NEUTRAL))
+    numbers = np.array(NEUTRAL_SENSORS) + rng.uniform(0.02, 0.1, len(NEUTRAL_SENSORS))
     state = rng.uniform(0.1, 0.9, STATE_SIZE)
     columns = (2, 6) if kind.upright else (0, 1, 3, 4, 5, 7)
     size, slope_of = (VERTICAL, sensitivity_upright) if kind.upright else (HORIZONTAL, sensitivity)

@@ -58,7 +58,7 @@ def swim() -> Callable[..., Any]:
             truth = {
                 "pose": rows[:, :4],
                 "compass": rows[:, 3:4],
-                "pressure": 101325.0 - 9810.0 * rows[:, 2:3],
+                "pressure": 101325.0 - platform.water_density * platform.gravity * rows[:, 2:3],
                 "imu": np.column_stack([rows[:, 7], np.full((len(rows), 3), np.nan)]),
             }[name]
             noise = np.full(truth.shape[1], np.nan)

@@ -41,6 +41,30 @@ def test_a_boat_with_drag_by_axis_is_read_to_the_digit(tmp_path: Path) -> None:
     assert drag.estimate.value == pytest.approx(8.0, rel=0.02)
 
 
+@pytest.mark.parametrize(
+    ("truth", "form", "effects"),
+    [
+        (boats.Truth(sway=8.0), "own_speed", {"thruster_lag", "linear_drag"}),
+        (boats.Truth(total=True), "", {"thruster_lag", "anisotropic_drag", "linear_drag"}),
+    ],
+    ids=["as much to the side as ahead", "by the whole speed"],
+)
+def test_boats_of_either_form_are_read_to_the_digit(
+    tmp_path: Path, truth: boats.Truth, form: str, effects: set[str]
+) -> None:
+    """No sway ratio where there is none; where drag goes by the whole speed no form is found beside a simulation's."""
+    found = diagnose(boats.recorded(boats.platform(tmp_path), truth, 160.0, 1), lambda words, share: None)
+    assert found.drag_form == form
+    numbers = {effect.id: effect.parameters for effect in found.effects}
+    assert set(numbers) == effects
+    assert numbers["thruster_lag"]["time_constant"].value == pytest.approx(0.35, rel=0.01)
+    assert numbers["linear_drag"]["yaw"].value == pytest.approx(0.3, rel=0.02)
+    if "anisotropic_drag" in effects:
+        assert numbers["anisotropic_drag"]["sway_ratio"].value == pytest.approx(3.0, rel=0.03)
+    drag = next(each for each in found.all_recalibrated if each.parameter == "drag")
+    assert drag.estimate.value == pytest.approx(8.0, rel=0.02)
+
+
 def test_the_form_that_a_comparison_learned_is_told(tmp_path: Path) -> None:
     """Its model file has the numbers of the learned vehicle, which hold in this form and with this step alone."""
     boat = boats.platform(tmp_path)

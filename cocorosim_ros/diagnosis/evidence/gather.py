@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +18,7 @@ from cocorosim_ros.diagnosis.evidence.holes import hole_sentences
 from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
 from cocorosim_ros.diagnosis.evidence.reported import Commanded, with_reports
 from cocorosim_ros.diagnosis.evidence.robot_logs import ClockedRows, robot_log, seconds
-from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, Stream, told_apart
+from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, Evidence, RecordingLog, RobotLog, Stream, told_apart
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, read_topic_rows
 from cocorosim_ros.diagnosis.findings import Clock
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -25,6 +26,8 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.bag_summary import METADATA_NAME
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
+from cocorosim_ros.wire.conversion.conversion import PRESSURE_FROM_DEPTH
+from cocorosim_ros.world.sensors.pressure import PRESSURE
 
 
 def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
@@ -85,7 +88,7 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     for name in sorted({rows.robot for rows in clean}):
         mine = [ClockedRows(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
         log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
-        log, said_afloat = with_times_afloat(log, platform)
+        log, said_afloat = with_times_afloat(_with_origin_of_pressure(log, bag), platform)
         robots.append(replace(log, clock=Clock(str(path), start)))
         remarks += [*log_remarks, *hole_sentences(log), *said_afloat]
     robots, identity_remarks = with_true_identities(robots, platform)
@@ -98,6 +101,15 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     remarks += [timing_sentence(rows.name, seconds(rows, start)) for rows in clean]
     made_from = bag.summary.metadata.get(METADATA_NAME, {}).get("scenario", "")
     return RecordingLog(str(path), duration, tuple(robots), tuple(remarks), made_from)
+
+
+def _with_origin_of_pressure(log: RobotLog, bag: Bag) -> RobotLog:
+    """Note in a log whether its pressures were made of depths, by what the recording says of its conversion."""
+    stream = log.streams.get(PRESSURE.topic)
+    made = bag.summary.metadata.get(METADATA_NAME, {}).get(PRESSURE_FROM_DEPTH, "[]")
+    if stream is None or log.name not in json.loads(made):
+        return log
+    return replace(log, streams={**log.streams, PRESSURE.topic: replace(stream, from_depth=True)})
 
 
 def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:

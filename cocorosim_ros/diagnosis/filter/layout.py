@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from cocorosim_ros.world.sensors import KINDS as KIND_TABLE
 from cocorosim_ros.world.sensors import SENSORS
-from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS
+from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, NEUTRAL
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 
 KIND_NAMES = tuple(KIND_TABLE)
 """Kinds of single readings; the place is the code, in the order of streams.log.STREAMS."""
@@ -20,8 +21,12 @@ KINDS_OF_STREAM = {
 ANGLES = tuple(code for code, kind in enumerate(KIND_TABLE.values()) if kind.angle)
 UPRIGHT = tuple(code for code, kind in enumerate(KIND_TABLE.values()) if kind.upright)
 
-# Numbers of the sensors' errors, by the contract's names.
-SENSOR_COLUMNS = tuple(ERROR_COLUMNS)
+WATER_WEIGHT = "water_weight"
+"""Pressure per metre of depth [Pa/m] by which a pressure sensor shows it; no error, and no fit looks for it."""
+# Numbers of the sensors' errors, by the contract's names, and that of their water.
+SENSOR_COLUMNS = (*ERROR_COLUMNS, WATER_WEIGHT)
+NEUTRAL_SENSORS = (*NEUTRAL, PASCAL_PER_METRE)
+"""Values of these numbers where nothing is wrong, in the contract's fresh water."""
 
 # The random force of the water: rms of its processes, their correlation time and smoothness.
 RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, CORRELATION, SMOOTHNESS = range(5)

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.filter.layout import SENSOR_COLUMNS, WATER_WEIGHT
 from cocorosim_ros.diagnosis.filter.records import Rates, When
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
@@ -23,6 +24,7 @@ Functions = dict[str, Any]
 
 _HEADING = f"row[{YAW}] + when.after * row[{YAW_RATE}]"
 _GROUND = f"row[{SURGE}:{HEAVE + 1}]"
+_WEIGHT = f", sensor[{SENSOR_COLUMNS.index(WATER_WEIGHT)}]"
 _TAKEN = dict(zip(TAKEN, ("row", _HEADING, "water", _GROUND, "motors"), strict=True))
 
 
@@ -34,7 +36,8 @@ def _expected_lines() -> tuple[list[str], Functions]:
     lines, functions = [], Functions()
     for code, (name, kind) in enumerate(KINDS.items()):
         functions[f"foresee_{code}"] = kind.foresee
-        lines += [f"if kind == {code}:", f"    shown = truth = foresee_{code}(when, row, rates, water)"]
+        weight = _WEIGHT if kind.by_weight else ""
+        lines += [f"if kind == {code}:", f"    shown = truth = foresee_{code}(when, row, rates, water{weight})"]
         for number, (change, columns) in enumerate(changes_of(name)):
             functions[f"shown_{code}_{number}"] = change.foreseen or change.shown
             taken = "".join(f"{_TAKEN[name]}, " for name in change.takes)
@@ -46,8 +49,9 @@ def _expected_lines() -> tuple[list[str], Functions]:
 expected = compile_lines("expected", "kind, when, row, rates, sensor, water, motors", *_expected_lines())
 """Expected reading of a kind, in the unit of the kind; `row` is the state at the grid point, forces behind it.
 
-when: records.When; rates: records.Rates. sensor: the numbers of the errors, by
-errors.ERROR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone. motors: of the robot.
+when: records.When; rates: records.Rates. sensor: the numbers of the errors and of their water, by
+layout.SENSOR_COLUMNS. water: velocity through the water (4,), for kinds that are `of_water` alone. motors: of the
+robot.
 """
 
 
@@ -64,7 +68,8 @@ def _sensitivity_lines(upright: bool) -> tuple[list[str], Functions]:
                 functions[f"slope_{code}_{number}"] = change.slope
                 slopes[number] = f"slope_{code}_{number}(row, {_numbers(columns)})"
         slope = " * ".join(slopes.values()) or "1.0"
-        lines += [f"if kind == {code}:", f"    sensitivity_{code}(after, row, {slope}, rates, seen)"]
+        weight = _WEIGHT if kind.by_weight else ""
+        lines += [f"if kind == {code}:", f"    sensitivity_{code}(after, row, {slope}, rates, seen{weight})"]
         for number, (change, columns) in enumerate(changes_of(name)):
             if change.aside is not None:
                 functions[f"aside_{code}_{number}"] = change.aside

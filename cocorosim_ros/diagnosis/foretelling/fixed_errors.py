@@ -11,12 +11,11 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.shown_by import is_shown, own_state
-from cocorosim_ros.diagnosis.filter.layout import SENSOR_COLUMNS
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.laws.readings import READINGS
-from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
 STATE_OF_FORCE = {"accel_x": "u", "accel_y": "v", "accel_z": "w"}
@@ -27,7 +26,7 @@ def with_fixed_errors(plain: Floats, row: Floats, timeline: Timeline) -> Floats:
     """Copy the row `plain` (columns,) of the recalibrated model, with those errors of readings in `row` that count."""
     found = plain.copy()
     found[TIMING] = row[TIMING]
-    for name in SENSOR_COLUMNS:
+    for name in ERROR_COLUMNS:
         if any(_is_fixed(kind, timeline) for kind in _kinds_of(name)):
             found[COLUMN[name]] = row[COLUMN[name]]
     for place, numbers in SENSOR_LAWS.items():

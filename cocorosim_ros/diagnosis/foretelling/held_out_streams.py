@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.world.sensors.pose import POSE
-from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
+from cocorosim_ros.world.sensors.pressure import PRESSURE
 from cocorosim_ros.world.state.state import YAW, YAW_RATE, Z
 
 
@@ -30,13 +30,13 @@ class Stream(NamedTuple):
     shown_by: tuple[str, ...]  # kinds of other readings, of which one at least has to be there; () for any
     hidden: bool  # whether the course is made without the stream
     column: int  # of the state that it shows
-    factor: float  # of the reading by that state, 0 for one that no single state shows
+    factor: float  # of the reading by that state, 0 for one that no single state shows; of a pressure per water_weight
 
 
 COMPARED_STREAMS: Mapping[str, Stream] = {
     **dict.fromkeys((topic for topic in KIND_OF_TOPIC if topic != POSE.topic), Stream((), False, Z, 0.0)),
     "compass": Stream(("pose_yaw",), True, YAW, 1.0),
-    "pressure": Stream(("pose_z",), True, Z, PASCAL_PER_METRE),
+    PRESSURE.topic: Stream(("pose_z",), True, Z, 1.0),
     # A rate that errs leads the course astray by its integral, which the heading does not allow.
     "imu": Stream(("pose_yaw", "compass"), False, YAW_RATE, 1.0),
 }
@@ -112,7 +112,8 @@ def _noise(track: Track, topic: str, course: Smoothed) -> float:
     """Variance of a stream's averaged readings, by the noise that its differences show, and that of the course."""
     share = track.timeline.share[track.timeline.kind == KIND_OF_TOPIC[topic]]
     stream = COMPARED_STREAMS[topic]
-    spread = stream.factor * course.spread[:, stream.column]
+    weight = track.vehicle.water_weight if topic == PRESSURE.topic else 1.0
+    spread = stream.factor * weight * course.spread[:, stream.column]
     return float(track.log.streams[topic].noise[0] ** 2 * share.mean() + np.mean(spread**2))
 
 

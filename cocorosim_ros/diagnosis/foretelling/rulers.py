@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES
+from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, WATER_WEIGHT
 from cocorosim_ros.diagnosis.findings import Against
 from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
 
@@ -34,8 +34,8 @@ CHANNELS: Mapping[str, Channel] = {
     "heading": Channel("rad", (YAW,), (("pose_yaw",), ("compass",)), ("gyro_z",)),
     "depth": Channel("m", (Z,), (("pose_z",), ("pressure",)), ("velocity_w", *_OVER_GROUND[2:])),
 }
-PER_UNIT = {"pressure": PASCAL_PER_METRE}
-"""Readings of a kind by unit of its channel, where these are not the same."""
+PER_UNIT = {"pressure": COLUMN[WATER_WEIGHT]}
+"""Column of the amount of a reading by unit of its channel, of kinds for which these are not the same."""
 
 
 def against(channel: str, tracks: Sequence[Track]) -> Against | None:
@@ -79,7 +79,8 @@ def errors_of_readings(channel: str, track: Track, path: Smoothed, row: Floats, 
         chosen = inside & (timeline.kind == KIND_NAMES.index(kind))
         if not chosen.any():
             return NO_ERRORS
-        found.append((timeline.stamp[chosen], deviation(track, chosen, path, row) / PER_UNIT.get(kind, 1.0)))
+        amount = row[PER_UNIT[kind]] if kind in PER_UNIT else 1.0
+        found.append((timeline.stamp[chosen], deviation(track, chosen, path, row) / amount))
     if not found:
         return NO_ERRORS
     time = found[0][0]

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM, SENSOR_COLUMNS
+from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM, NEUTRAL_SENSORS, SENSOR_COLUMNS
 from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.sensors import KINDS
-from cocorosim_ros.world.sensors.errors import NEUTRAL as NEUTRAL_SENSORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 from cocorosim_ros.world.vehicle_model.columns import numbered, stretch_of
 from cocorosim_ros.world.vehicle_model.hooks import bits

@@ -32,7 +32,7 @@ from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.errors import NEUTRAL, changes_of
-from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
+from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 
 _SHOWN_BY = {X: (POSE_X,), Y: (POSE_Y,), Z: (POSE_Z, PRESSURE), YAW: (POSE_YAW, COMPASS)}
@@ -55,7 +55,7 @@ class Beginning(NamedTuple):
     moment: float
 
     def under(self, sensor: Floats) -> Start:
-        """Return the start under the errors of sensors (numbers in the order of NEUTRAL): where these readings put it.
+        """Return the start under the errors of sensors (numbers by SENSOR_COLUMNS): where these readings put it.
 
         Place by place by secant steps, which are exact for errors that are linear. Errors that depend on what motors
         do, or on the water, have nothing to depend on yet.
@@ -99,7 +99,7 @@ def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginnin
     mean, spread = np.zeros(STATE_SIZE), np.full(STATE_SIZE, 1.0)
     for each in shown:
         is_pressure = each.kind == PRESSURE
-        mean[each.state] = -(each.value - SURFACE_PRESSURE) / PASCAL_PER_METRE if is_pressure else each.value
+        mean[each.state] = -(each.value - SURFACE_PRESSURE) / vehicle.water_weight if is_pressure else each.value
     spread[X] = spread[Y] = spread[Z] = START.place
     spread[YAW] = START.yaw
     slow = slowness(vehicle)

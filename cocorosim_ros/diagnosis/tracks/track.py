@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel, vehicle_m
 from cocorosim_ros.diagnosis.tracks.vehicle_size import shortest_coasting
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 
 
 def wanted_step(vehicle: VehicleModel, row: Floats) -> float:
@@ -76,6 +77,8 @@ def make_track(platform: Platform, log: RobotLog, begin: float, end: float, foun
     """
     own = platform.of_robot(log.name)
     vehicle = replace(vehicle_model(own), tilts=log.attitude is not None)
+    if "pressure" in log.streams and log.streams["pressure"].from_depth:
+        vehicle = replace(vehicle, water_weight=PASCAL_PER_METRE)
     step = own.fitted_step or wanted_step(vehicle, vehicle.row if found is None else found)
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD, full_speed
+from cocorosim_ros.diagnosis.filter.layout import WATER_WEIGHT
 from cocorosim_ros.diagnosis.tracks.columns import (
     ALWAYS_ACTIVE,
     COLUMN,
@@ -26,6 +27,7 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.ranges import Range, Ranges
 from cocorosim_ros.world.laws.laws_of_platform import effects_of
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 from cocorosim_ros.world.terms.curve import ANGLE, FORM
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
 from cocorosim_ros.world.vehicle_model.rudders import rudder_forces
@@ -60,6 +62,7 @@ class VehicleModel:
     surroundings: RecordedSurroundings = OPEN_WATER
     tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
     cable: tuple[float, float] = (0.0, 0.0)  # diameter of the cable, 0 without one, and its declared length [m]
+    water_weight: float = PASCAL_PER_METRE  # of the water in which its pressure sensor reads [Pa per metre of depth]
 
     @cached_property
     def acting_wrench(self) -> Floats:
@@ -103,6 +106,7 @@ class VehicleModel:
         """Row (columns,) of the platform's numbers without further effects; noise is still zero."""
         row = NEUTRAL.copy()
         row[PHYSICS] = self.nominal
+        row[COLUMN[WATER_WEIGHT]] = self.water_weight
         for column, value in self.known.items():
             row[COLUMN[column]] = value
         for number in self.own.values():
@@ -169,6 +173,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         platform.hull.height,
         platform.mass * platform.gravity,
         cable=(platform.hull.cable_diameter or 0.0, platform.hull.cable_length or 0.0),
+        water_weight=platform.water_density * platform.gravity,
     )
 
 

@@ -13,7 +13,14 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion import attitude
 from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
 from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
-from cocorosim_ros.wire.conversion.streams import StreamRows, heading_of_travel, named_rows, stream_rows, travels
+from cocorosim_ros.wire.conversion.streams import (
+    StreamRows,
+    heading_of_travel,
+    is_made_of_depth,
+    named_rows,
+    stream_rows,
+    travels,
+)
 from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK
 
 COMMAND = "thruster_command"
@@ -29,6 +36,7 @@ class Stream:
     rows: StreamRows
     travels: bool = False  # the heading is still to be taken from the track
     sort: bool = False  # rows whose time runs backwards are sorted
+    from_depth: bool = False  # pressures that were made of depths
 
 
 def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) -> Iterator[Stream]:
@@ -58,7 +66,8 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
                 continue
             kept = {name: column[chosen] for name, column in columns.items()}
             content = _content(mapped, kept, place, findings)
-            yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort)
+            of_depth = is_made_of_depth(mapped.topic, mapped.values)
+            yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort, of_depth)
 
 
 def streams_of(parts: list[Stream], findings: list[str]) -> list[Stream]:

@@ -27,6 +27,8 @@ from cocorosim_ros.wire.conversion.sources import Run, SourceFile, check_there, 
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
+PRESSURE_FROM_DEPTH = "pressure_from_depth"
+"""Key of what a recording says of the robots, as a JSON list, whose pressures were made of depths in fresh water."""
 
 
 @dataclass(frozen=True)
@@ -179,6 +181,9 @@ def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[
         "conversion_findings": "\n".join(findings),
         "versions": json.dumps({"cocorosim_ros": __version__}),
     }
+    of_depth = [stream.robot for stream in streams if stream.from_depth]
+    if of_depth:
+        metadata[PRESSURE_FROM_DEPTH] = json.dumps(of_depth)
     return Conversion(run, streams, tuple(findings), metadata)
 
 

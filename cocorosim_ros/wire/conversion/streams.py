@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -167,11 +167,16 @@ def _compass(columns: Columns, down: bool) -> StreamRows:
     return StreamRows(("heading",), axes.wrap(heading)[:, None], {})
 
 
+def is_made_of_depth(topic: str, names: Iterable[str]) -> bool:
+    """Whether a stream of these numbers shows pressures that no sensor measured, made of depths."""
+    return topic == "pressure" and "depth" in names
+
+
 def _pressure(columns: Columns, down: bool) -> StreamRows:
-    if "pressure" in columns:
-        values = columns["pressure"]
-    else:
+    if is_made_of_depth("pressure", columns):
         values = SURFACE_PRESSURE + PASCAL_PER_METRE * columns["depth"]
+    else:
+        values = columns["pressure"]
     return StreamRows(("fluid_pressure",), values[:, None], {})
 
 

@@ -11,7 +11,7 @@ from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP
 from cocorosim_ros.world.sensors.pose import Rates, When, height
 from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
-from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
+from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
 from cocorosim_ros.world.state.state import Z
 from cocorosim_ros.world.terms.blocks import VW, VZ
 
@@ -31,20 +31,20 @@ def measure(sight: Sight) -> float:
 
 
 @kernel
-def _foresee(when: When, row: Floats, rates: Rates, water: Floats) -> float:
-    shown: float = absolute_pressure(height(when, row, rates, water), PASCAL_PER_METRE)
+def _foresee(when: When, row: Floats, rates: Rates, water: Floats, weight: float) -> float:
+    shown: float = absolute_pressure(height(when, row, rates, water), weight)
     return shown
 
 
 @kernel
-def _sensitivity(after: float, row: Floats, slope: float, rates: Floats, seen: Floats) -> None:
-    seen[VZ], seen[VW] = -slope * PASCAL_PER_METRE, -slope * PASCAL_PER_METRE * after
+def _sensitivity(after: float, row: Floats, slope: float, rates: Floats, seen: Floats, weight: float) -> None:
+    seen[VZ], seen[VW] = -slope * weight, -slope * weight * after
 
 
 PRESSURE = Sensor(
     topic="pressure",
     message="sensor_msgs/msg/FluidPressure",
-    meaning="absolute pressure: 101325 Pa at the surface, 9810 Pa more per metre of depth",
+    meaning="absolute pressure: 101325 Pa at the surface, and per metre of depth what water weighs (fresh: 9810 Pa)",
     layout=fixed("fluid_pressure"),
     fields=(Field("pressure", "Pa", channels={"pressure": None}),),
     measure=measure,
@@ -52,7 +52,7 @@ PRESSURE = Sensor(
     for_all=True,
     columns=(Column("pressure", "fluid_pressure", "Pa"), Column("variance", "variance", "Pa^2")),
     kinds=(
-        Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True,
+        Kind("pressure", "pressure", "Pa", _foresee, _sensitivity, ("pressure", None), upright=True, by_weight=True,
              noise_words="a reading of the pressure",
              words="the pressure",
              least_noise=1.0, least_motion=50.0, large_error=200.0,

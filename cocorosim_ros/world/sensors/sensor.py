@@ -44,6 +44,8 @@ class Kind:
     """One number of a reading, as a diagnosis predicts it and compares it with recordings.
 
     foresee(when, row, rates, water) returns what an ideal sensor shows; `when` and the others as in filter.reading.
+    by_weight: whether it goes by the weight of the water above, so that foresee and sensitivity take the pressure per
+    metre of depth [Pa/m] behind the others.
     sensitivity(after, row, slope, rates, seen) adds the derivative by the state to `seen`, which is zero: of a
     horizontal reading in the columns HX... of terms.blocks, of an upright one in VZ... `after` [s] is how long after
     `row` the reading is, `slope` the derivative of what is shown by the truth (1 without errors), `rates` the flat
@@ -63,6 +65,7 @@ class Kind:
     upright: bool = False
     angle: bool = False
     of_water: bool = False  # depends on the velocity through the water
+    by_weight: bool = False
     noise: str = ""  # readings that are equally good share the number of their noise, under this name; '': alone
     noise_words: str = ""  # of that number, in the report
     words: str = field(kw_only=True)  # for the reading, as a mechanic says them

@@ -71,6 +71,13 @@ def payload_shift(rng: np.random.Generator, amount: float, scene: Scene) -> Secr
     return Secret("payload_shift", {"time": start + 0.5, "force": force}, "ramp of a second; time: its middle")
 
 
+def side_thrust_lever(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Sideways thrust off the centre, farther off to one side than to the other; the number is the mean of both."""
+    scene.p[[at.SIDE_LEVER, at.SIDE_UNEVEN]] = signed(rng, amount), rng.uniform(-0.2, 0.2)
+    form = "lever (Y + e |Y|); lever: the mean of both sides"
+    return Secret("side_thrust_lever", {"lever": float(scene.p[at.SIDE_LEVER])}, form)
+
+
 def pressure_offset(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A constant number of pascals."""
     scene.pressure_offset = signed(rng, amount)
@@ -107,6 +114,6 @@ EFFECTS: dict[str, Hide] = {
     hide.__name__: hide
     for hide in (
         thruster_lag, thruster_deadband, reverse_loss, battery_sag, tether, tether_drag, payload_shift,
-        pressure_offset, sensor_latency, swing_x, swing_yaw,
+        side_thrust_lever,        pressure_offset, sensor_latency, swing_x, swing_yaw,
     )
 }  # fmt: skip

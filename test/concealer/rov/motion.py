@@ -110,11 +110,14 @@ def loads(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> tuple[Flo
     for axis in range(3):
         force[axis] -= (p[at.LINEAR + axis] + p[at.QUADRATIC + axis] * abs(v[axis])) * v[axis]
         moment[axis] -= (p[at.LINEAR + 3 + axis] + p[at.QUADRATIC + 3 + axis] * abs(w[axis])) * w[axis]
+    aside = 0.0
     left = p[at.THRUST] * (1.0 - p[at.BATTERY] * t / p[at.DURATION])
     for k in range(8):
         thrust = left * s[at.LEVEL + k] * at.DIRECTIONS[k]
         force += thrust
         moment += cross(at.PLACES[k], thrust)
+        aside += thrust[1]
+    moment[2] += p[at.SIDE_LEVER] * (aside + p[at.SIDE_UNEVEN] * abs(aside))
     return force, moment
 
 

@@ -11,7 +11,7 @@ from ruamel.yaml import YAML
 
 from concealer import bag, water
 from concealer.layout import FloatArray
-from concealer.prior import Wish, pick, size
+from concealer.prior import Wish, entries, pick, size
 from concealer.rov import vehicle as at
 from concealer.rov.effects import EFFECTS, Scene
 from concealer.rov.instruments import observed
@@ -84,7 +84,7 @@ def make(index: int, seed: int, out: Path, numbers: dict[str, Any], wish: Wish) 
     kind, noise = wish.kind or kind, float(noise if wish.noise is None else wish.noise)
     duration = float(wish.duration or numbers["duration"])
     scene = Scene(vehicle(hiding, numbers, kind, duration))
-    specs, hidden = numbers["effects"] | numbers["outside"], []
+    specs, hidden = entries(numbers), []
     for key, share in _drawn_secrets(plotting, numbers, kind, wish).items():
         secret = EFFECTS[key](hiding, share * specs[key]["large"], scene)
         hidden.append(asdict(secret) | specs[key] | {"size": share, "robots": [ROBOT]})

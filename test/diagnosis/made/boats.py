@@ -50,8 +50,29 @@ effects:
 """
 
 
+# The boat with one thruster at its stern, which turns by up to a radian to either side.
+POD = """actuators:
+  - name: propeller
+    kind: thruster
+    position: {{value: [-0.4, 0, 0], unit: m, source: made}}
+    direction: {{value: [1, 0, 0], unit: "1", source: made}}
+    maximum: {{value: 20, unit: N, source: made}}
+  - name: turn
+    kind: azimuth
+    thruster: propeller
+    largest_angle: {{value: 1, unit: rad, source: made}}
+"""
+STERN = -0.4  # m
+AIR, FRONT, SIDE = 1.225, 0.1, 0.2  # kg/m^3, and areas above the water, m^2
+ABOVE_WATER = f"""front_above_water: {{{{value: {FRONT}, unit: m^2, source: made}}}},
+  side_above_water: {{{{value: {SIDE}, unit: m^2, source: made}}}}, """
+
+
 class Truth(NamedTuple):
-    """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag."""
+    """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag.
+
+    total: drag goes by the whole speed, X = -surge V u, Y = -sway V v. lag: 0 for thrusters that follow at once.
+    """
 
     surge: float = 8.0  # kg/m
     sway: float = 24.0  # kg/m
@@ -60,35 +81,81 @@ class Truth(NamedTuple):
     weed: float = 0.0  # N m, of a moment that turns the boat to the left
     rough: float = 0.0  # N s/m: random push by speed, N, and ARM times as much moment; anew in every tick
     choppy: float = 0.0  # N: such a push that does not depend on speed
+    total: bool = False
+    wind: tuple[float, float] = (0.0, 0.0)  # m/s, of the air in the world; its centre of pressure is at 0.05 m
+    askew: float = 0.0  # rad, by which a thruster that turns stands farther to the left than it should
 
 
-def platform(folder: Path, more: str = "") -> Any:
+Forces = Callable[[Truth, float, float], tuple[float, float, float]]
+
+
+def platform(folder: Path, more: str = "", text: str = PLATFORM) -> Any:
     """The platform that somebody would write for the boat, with `more` lines of YAML."""
     from cocorosim_ros.scenario.parts.platform import read_platform_file
 
     path = folder / "boat.yaml"
-    path.write_text(PLATFORM.format(more=more).replace("source: made", "source: made, confidence: estimate"))
+    path.write_text(text.format(more=more).replace("source: made", "source: made, confidence: estimate"))
     return read_platform_file(path)
 
 
-def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0) -> Any:
+def with_pod() -> str:
+    """The text of the platform with one thruster that turns in place of two that do not."""
+    head, _, rest = PLATFORM.partition("actuators:\n")
+    return head + POD + "sensors:" + rest.partition("sensors:")[2]
+
+
+def in_the_wind() -> str:
+    """The text of the platform that says what stands above the water."""
+    return PLATFORM.replace("hull: {{", "hull: {{" + ABOVE_WATER)
+
+
+def drag(true: Truth, u: float, v: float, r: float) -> tuple[float, float, float]:
+    """X, Y, N of the water [N, N, N m]."""
+    ahead, aside = (math.hypot(u, v),) * 2 if true.total else (abs(u), abs(v))
+    return -true.surge * ahead * u, -true.sway * aside * v, -true.linear * r - 0.2 * abs(r) * r
+
+
+def blown(true: Truth, yaw: float, u: float, v: float) -> tuple[float, float, float]:
+    """X, Y, N of the wind less those of still air [N, N, N m]: 1/2 rho c A |V| V, c 0.7 ahead and 0.85 to the side."""
+    east, north = true.wind
+    ahead, aside = east * math.cos(yaw) + north * math.sin(yaw) - u, north * math.cos(yaw) - east * math.sin(yaw) - v
+    size, still = math.hypot(ahead, aside), math.hypot(u, v)
+    across = 0.5 * AIR * 0.85 * SIDE * (size * aside + still * v)
+    return 0.5 * AIR * 0.7 * FRONT * (size * ahead + still * u), across, 0.05 * across
+
+
+def pair(_true: Truth, left: float, right: float) -> tuple[float, float, float]:
+    """X, Y, N of two thrusters that push ahead [N, N, N m]."""
+    return left + right, 0.0, ARM * (right - left)
+
+
+def pod(true: Truth, force: float, turned: float) -> tuple[float, float, float]:
+    """X, Y, N of one thruster at the stern [N, N, N m]; turned: a radian in multiples of FULL, to the left."""
+    angle = turned / FULL + true.askew
+    return force * math.cos(angle), force * math.sin(angle), STERN * force * math.sin(angle)
+
+
+def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0, forces: Forces = pair) -> Any:
     """(rows, 8) x, y, z, yaw, u, v, w, r every STEP, under commands (ticks, 2) that hold for a TICK each.
 
-    truth: of all ticks, or of each tick.
+    truth: of all ticks, or of each tick. forces: X, Y, N of what the two actuators deliver.
     """
 
     def rate(_: float, state: Any, true: Truth, wanted: Any, push: Any) -> list[float]:
         _x, _y, yaw, u, v, r, left, right = state
-        drag = (-true.surge * abs(u) * u, -true.sway * abs(v) * v, -true.linear * r - 0.2 * abs(r) * r)
+        late = (wanted[0] - left, wanted[1] - right)
+        if true.lag == 0.0:
+            left, right = wanted
+        water, air, thrust = drag(true, u, v, r), blown(true, yaw, u, v), forces(true, left, right)
         return [
             u * math.cos(yaw) - v * math.sin(yaw),
             u * math.sin(yaw) + v * math.cos(yaw),
             r,
-            (left + right + drag[0] + push[0]) / MASS + v * r,
-            (drag[1] + push[1]) / MASS - u * r,
-            (ARM * (right - left) + drag[2] + true.weed + ARM * push[2]) / INERTIA,
-            (wanted[0] - left) / true.lag,
-            (wanted[1] - right) / true.lag,
+            (thrust[0] + water[0] + push[0] + air[0]) / MASS + v * r,
+            (thrust[1] + water[1] + push[1] + air[1]) / MASS - u * r,
+            (thrust[2] + water[2] + true.weed + ARM * push[2] + air[2]) / INERTIA,
+            late[0] / true.lag if true.lag else 0.0,
+            late[1] / true.lag if true.lag else 0.0,
         ]
 
     state, rows, rng = np.zeros(8), [], np.random.default_rng([20261123, seed, 2])
@@ -120,12 +187,18 @@ def recorded(
     seconds: float,
     seed: int,
     thrust: Callable[[Any], Any] = lambda command: command,
+    forces: Forces = pair,
 ) -> Any:
-    """Evidence of one drive: poses every 0.1 s; `thrust` gives shares of the full force for commands."""
+    """Evidence of one drive: poses every 0.1 s; `thrust` gives shares of the full force for commands.
+
+    forces: as in course; of a pod, what would turn the boat with two thrusters turns it.
+    """
     from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 
     commands = drive(seconds, seed)
-    rows = course(truth, thrust(commands), seed)[::2, :4]
+    if forces is pod:
+        commands = np.column_stack([commands.mean(axis=1), -0.5 * np.diff(commands, axis=1)])
+    rows = course(truth, thrust(commands), seed, forces)[::2, :4]
     rng = np.random.default_rng([20261123, seed, 1])
     value = rows + np.array(NOISE) * rng.standard_normal(rows.shape)
     pose = Stream(2 * STEP * np.arange(len(value)), value, np.array(NOISE))

@@ -30,6 +30,7 @@ class Stream:
     filled_in: columns of which many readings were interpolated or repeated, and left out.
     full_turn: a full turn of the angle among the columns, 2 pi, or 360 where readings exceed any angle in radians.
     shifted: by how much most stamps were set later [s], since by the log times they were of another clock.
+    from_depth: whether these are pressures that a map made of depths, in the contract's fresh water.
     """
 
     time: Floats
@@ -40,6 +41,7 @@ class Stream:
     full_turn: float = 2.0 * np.pi
     filled_in: tuple[str, ...] = ()
     shifted: float = 0.0
+    from_depth: bool = False
 
 
 @dataclass(frozen=True)

@@ -47,5 +47,6 @@ PRESSURE_GAIN = SensorError(
     against="z",
     # A factory sets it; a camera's scale and a mounting's offset are set on site. Four to one: chosen, not measured.
     search=Search(prior_nats=1.4, channel="pressure", group="pressure", topic="pressure", manoeuvre="surface_touch"),
-    check="Lower the sensor by a known length, and compare what it shows at both ends.",
+    check="Lower the sensor by a known length, and compare what it shows at both ends; sea water weighs 2.5 % more "
+    "than fresh, see `water_density` in the platform's file.",
 )
