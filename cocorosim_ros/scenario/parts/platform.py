@@ -12,6 +12,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
+from cocorosim_ros.scenario.parts.effect_quantities import Effects, effects_tree, read_effects
 from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
@@ -21,8 +22,8 @@ from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, quoted
-from cocorosim_ros.scenario.reading.law_text import LawText, law_text
-from cocorosim_ros.scenario.reading.quantity import Quantity, read_any_quantity
+from cocorosim_ros.scenario.reading.law_text import LawText
+from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.ranges import INTERVAL, Ranges, collect_ranges, ranges_tree, read_ranges
 from cocorosim_ros.scenario.reading.records import (
     TEXT,
@@ -35,33 +36,10 @@ from cocorosim_ros.scenario.reading.records import (
     stored,
 )
 from cocorosim_ros.scenario.reading.sources import require_sources
-from cocorosim_ros.scenario.reading.worded_numbers import worded_number
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
-Effects = Mapping[str, Mapping[str, Quantity | LawText]]
 DragForm = Literal["total_speed", "own_speed", "strips"]
 DRAG_FORMS = ("total_speed", "own_speed", "strips")
-
-
-def _read_effects(entry: Entry) -> Effects:
-    return {
-        effect: {name: _read_part(f"{effect}.{name}", part) for name, part in parameters.mapping().items()}
-        for effect, parameters in entry.mapping().items()
-    }
-
-
-def _read_part(key: str, entry: Entry) -> Quantity | LawText:
-    return law_text(entry) or worded_number(key, entry) or read_any_quantity(entry)
-
-
-def _effects_tree(effects: Effects) -> dict[str, Any]:
-    return {
-        effect: {name: _part_text(part) for name, part in parameters.items()} for effect, parameters in effects.items()
-    }
-
-
-def _part_text(part: Quantity | LawText) -> str:
-    return part.text if isinstance(part, LawText) else f"{part.value!r} {part.unit}"
 
 
 def _read_words(entry: Entry) -> dict[str, str]:
@@ -100,7 +78,7 @@ class Platform(Shown):
     effect_quantities: Effects = field(
         default_factory=dict,
         hash=False,
-        metadata=stored(_read_effects, _effects_tree, key="effects", form="mapping of effects to their numbers"),
+        metadata=stored(read_effects, effects_tree, key="effects", form="mapping of effects to their numbers"),
     )
     thrust_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
