@@ -14,9 +14,11 @@ from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
 from cocorosim_ros.scenario.parts.effect_quantities import Effects, effects_tree, read_effects
 from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.mixing import Mixing, check_mixing
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
+from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors, Thruster
 from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
@@ -55,7 +57,8 @@ class Platform(Shown):
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
     file does not say, and then a simulation takes the total speed. `six_degrees`: what motion with roll and pitch takes
-    instead of drag and yaw inertia; a diagnosis refuses it. `fitted_step`: step [s] of the filter by which the
+    instead of drag and yaw inertia; a diagnosis refuses it. `mixing`: how sticks become commands of actuators, where
+    commands may be sticks. `fitted_step`: step [s] of the filter by which the
     numbers were found, where a diagnosis has found them. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units
@@ -85,6 +88,7 @@ class Platform(Shown):
     buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     drag_form: DragForm | None = field(default=None, metadata=choice(*DRAG_FORMS))
     six_degrees: SixDegrees | None = field(default=None, metadata=nested(SixDegrees))
+    mixing: Mixing | None = field(default=None, metadata=nested(Mixing))
     fitted_step: float | None = field(default=None, metadata=quantity("time", "positive"))
     ranges: Ranges = field(
         default_factory=dict,
@@ -132,6 +136,10 @@ class Platform(Shown):
     def actuator_names(self) -> tuple[str, ...]:
         """The names of the actuators in the order of all arrays about them."""
         return tuple(actuator.name for actuator in self.actuators)
+
+    def stick_mixing(self) -> StickMixing | None:
+        """What makes commands of sticks into those of actuators; None where there are no sticks."""
+        return None if self.mixing is None else StickMixing(self.mixing, self.actuators)
 
     def actuator_wrenches(self) -> Floats:
         """(n_actuators, 4) body force x, y, z [N/N] and moment about z [N m/N] per newton of each.
@@ -237,6 +245,8 @@ def _read_one(entry: Entry) -> Platform:
     for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
     check_actuators(section["actuators"], platform.actuators, platform.six_degrees is not None)
+    if platform.mixing is not None:
+        check_mixing(section["mixing"], platform.mixing, platform.actuators)
     if platform.six_degrees is not None:
         check_six_degrees(section["six_degrees"], platform.six_degrees, _of_four_degrees_alone(platform))
     ranges = {**platform.ranges, **collect_ranges(entry)}
