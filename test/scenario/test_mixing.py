@@ -177,3 +177,18 @@ def test_what_cannot_be_is_one_sentence(text: str, old: str, new: str, sentence:
     with pytest.raises(CocorosimError, match=sentence) as caught:
         platform_of(wrong, tmp_path)
     assert "steered.yaml line " in str(caught.value)
+
+
+def test_the_examples_of_the_documentation(tmp_path: Path) -> None:
+    """Both that config/README.md shows are in order, for the vehicle that `cocorosim new platform` begins."""
+    root = Path(__file__).parents[2] / "config"
+    vehicle = (root / "templates" / "platform.yaml").read_text("utf-8")
+    blocks = [part.split("```")[0] for part in (root / "README.md").read_text("utf-8").split("```yaml\n")[1:]]
+    examples = [block for block in blocks if block.startswith("mixing:")]
+    assert len(examples) == 2
+    commented = vehicle[vehicle.index("# mixing:") :].split("\n\n")[0]
+    examples.append("\n".join(line.removeprefix("# ") for line in commented.splitlines()))
+    for example in examples:
+        mixing = mixing_of(platform_of(f"{vehicle}\n{example}", tmp_path))
+        assert (mixing.sticks, mixing.driven) == (("surge", "yaw"), ("left", "right"))
+        assert mixing.commands(np.array([[1.0, 0.0]])) == pytest.approx(np.ones((1, 2)))

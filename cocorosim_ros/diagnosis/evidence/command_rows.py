@@ -86,7 +86,7 @@ def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -
     names = list(dict.fromkeys(found))
     strange = [name for name in names if name not in actuators]
     silent = [name for name in actuators if name not in names]
-    if names and set(names) <= set(AXES):
+    if names and len(strange) == len(names) and set(names) <= set(AXES):
         raise CocorosimError(
             f"{topic} commands the sticks {', '.join(names)}, and the platform does not say what they do to "
             f"{', '.join(actuators)}; add 'mixing' to it."
