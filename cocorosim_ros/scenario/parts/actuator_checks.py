@@ -11,6 +11,7 @@ from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 
 MOST_RUDDERS = 2
+MOST_FINS = 4
 _LEVEL = 1e-9  # of a direction of unit length: so little of it may point up
 
 
@@ -28,10 +29,15 @@ def check_actuators(section: Entry, actuators: Sequence[Actuator], six_degrees: 
             _check_propeller(entry, actuator, actuators)
         if isinstance(actuator, Azimuth):
             _check_turned(entry, actuator, actuators, turned)
-    rudders = [actuator.name for actuator in actuators if isinstance(actuator, Rudder)]
-    if len(rudders) > MOST_RUDDERS:
+    _check_number(section, "rudders", MOST_RUDDERS, sum(isinstance(part, Rudder) for part in actuators))
+    if not six_degrees:
+        _check_number(section, "fins", MOST_FINS, sum(isinstance(part, Fin) for part in actuators))
+
+
+def _check_number(section: Entry, what: str, most: int, count: int) -> None:
+    if count > most:
         raise section.problem(
-            f"has {len(rudders)} rudders; {MOST_RUDDERS} are the most. Rudders that turn together count as one of all "
+            f"has {count} {what}; {most} are the most. {what.capitalize()} that turn together count as one of all "
             "their area."
         )
 
@@ -42,8 +48,6 @@ def _check_degrees(section: Entry, actuators: Sequence[Actuator], six_degrees: b
             raise entry.problem(
                 f"has the kind '{actuator.kind}', and with 'six_degrees' only thrusters and fins are known; replace it."
             )
-        if not six_degrees and isinstance(actuator, Fin):
-            raise entry.problem("is a fin, which acts in motion with 'six_degrees' alone; add these, or take a rudder.")
 
 
 def _check_propeller(entry: Entry, rudder: Rudder, actuators: Sequence[Actuator]) -> None:

@@ -34,7 +34,7 @@ def vehicle_of(platform: Platform) -> Vehicle:
         wrench=np.array([_wrench(part) for part in platform.actuators]).reshape(-1, 6),
         limit=platform.actuator_limits(),
         fins={
-            number: Fin(part.position, part.direction, part.area, part.lift_slope)
+            number: Fin(part.position, part.direction, part.area, _slope(part))
             for number, part in enumerate(platform.actuators)
             if isinstance(part, fin.Fin)
         },
@@ -62,6 +62,11 @@ def _matrix(six: SixDegrees, name: str, diagonal: Sequence[float]) -> Floats:
             if name == "added_mass":
                 matrix[motion, force] = part.number.value
     return matrix
+
+
+def _slope(part: fin.Fin) -> float:
+    """Of the lift coefficient [1/rad], with the fin's own gain."""
+    return part.lift_slope if part.gain is None else part.gain * part.lift_slope
 
 
 def _wrench(part: object) -> Floats:

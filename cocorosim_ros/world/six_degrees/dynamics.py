@@ -20,6 +20,7 @@ from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.six_degrees.attitude import attitude_rate, to_body, to_world
 from cocorosim_ros.world.six_degrees.bodies import FIN_LIFT, FIN_NORMAL, FIN_PLACE, Body
 from cocorosim_ros.world.six_degrees.state import ATTITUDE, ROLL_RATE, SURGE, X
+from cocorosim_ros.world.terms.control_surface import fin_lift
 from cocorosim_ros.world.water.flow import add_water_velocity
 
 
@@ -72,9 +73,7 @@ def add_damping(relative: Floats, body: Body, total: Floats) -> None:
 def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None:
     """Add the lift of fins (6,) [N, N m; body] at angles (actuators,) [rad]; of thrusters nothing is looked at.
 
-    With V = v + omega x r at the fin, ahead V_x and along its normal V_n: rho S c / 2 |V_x| (V_x angle - V_n) along the
-    normal. Assumes: small angles of attack, no stall, no drag of the lift, no wash of a propeller.
-    Source: Prestero, Verification of a Six-Degree of Freedom Simulation Model for the REMUS AUV (2001), section 4.6.
+    With V = v + omega x r at the fin; its law, assumptions and source: terms.control_surface.
     """
     for fin in range(body.fins.shape[0]):
         row = body.fins[fin]
@@ -86,7 +85,7 @@ def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None
             felt[axis] = relative[axis]
         add_cross(relative[3:], place, felt)
         across = felt[0] * normal[0] + felt[1] * normal[1] + felt[2] * normal[2]
-        lift = row[FIN_LIFT] * abs(felt[0]) * (felt[0] * angle[fin] - across)
+        lift = fin_lift(row[FIN_LIFT], felt[0], across, angle[fin])
         for axis in range(3):
             force[axis] = lift * normal[axis]
             total[axis] += force[axis]
