@@ -146,7 +146,7 @@ def _rows(name: str, platform: Platform) -> list[Row]:
 
 
 def _shares_of_fin(fin: Fin) -> tuple[float, float, float]:
-    """As `_shares`: the side to which its lift turns the robot, and whether that lifts it."""
+    """Commands as those of `_shares`: by the side to which its lift turns the robot, and by whether that lifts it."""
     turning, rising = fin.position[0] * fin.direction[1] - fin.position[1] * fin.direction[0], fin.direction[2]
     turn = math.copysign(1.0, turning) if abs(fin.direction[1]) > REPORT.along_axis else 0.0
     return 0.0, turn, math.copysign(1.0, rising) if abs(rising) > REPORT.along_axis else 0.0

@@ -73,7 +73,7 @@ class Actuation:
         return np.hstack([force, added[0]]), np.hstack([rate, added[1]])
 
     def _angles_to_level(self, turns: Floats) -> Floats:
-        """What roll and pitch add to the angle (points, actuators) of each fin to level flow [rad]; 0 of the others.
+        """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.
 
         Level flow u meets a normal n, turned by R, with u (R n)_x in place of u n_x; the lift u d - V_n falls by that.
         Assumes: small angles to the level, as the law of fins does.
