@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.thrust_curve import check_ends
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
@@ -44,9 +45,15 @@ def _check_number(section: Entry, what: str, most: int, count: int) -> None:
 
 def _check_degrees(section: Entry, actuators: Sequence[Actuator], six_degrees: bool) -> None:
     for entry, actuator in zip(section.items(), actuators, strict=True):
-        if six_degrees and not isinstance(actuator, (Thruster, Fin)):
+        if six_degrees and not isinstance(actuator, (Thruster, Fin, SlidingMass)):
             raise entry.problem(
-                f"has the kind '{actuator.kind}', and with 'six_degrees' only thrusters and fins are known; replace it."
+                f"has the kind '{actuator.kind}', and with 'six_degrees' only thrusters, fins and sliding masses are "
+                "known; replace it."
+            )
+        if not six_degrees and isinstance(actuator, SlidingMass):
+            raise entry.problem(
+                "is a sliding mass, which acts in motion with 'six_degrees' alone; add these, or leave it out: where "
+                "roll and pitch are recorded, what it does is in them."
             )
 
 

@@ -17,6 +17,7 @@ from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.mixing import Mixing, check_mixing
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors, Thruster
@@ -151,7 +152,7 @@ class Platform(Shown):
     def actuator_limits(self) -> Floats:
         """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range.
 
-        Of rudders and azimuths it is the angle [rad].
+        Of rudders, fins and azimuths it is the angle [rad], of a sliding mass its travel [m].
         """
         return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
 
@@ -182,7 +183,7 @@ class Platform(Shown):
     def _wrench(self, actuator: Actuator) -> tuple[float, float, float, float]:
         if isinstance(actuator, BuoyancyPump):
             return 0.0, 0.0, 1.0, 0.0
-        if isinstance(actuator, (Rudder, Fin)):
+        if isinstance(actuator, (Rudder, Fin, SlidingMass)):
             return 0.0, 0.0, 0.0, 0.0
         if isinstance(actuator, Azimuth):
             along, across, _, _ = self._wrench(self._named(actuator.thruster))
@@ -192,7 +193,7 @@ class Platform(Shown):
         return along, across, up, x * across - y * along
 
     def _full_force(self, actuator: Actuator) -> tuple[float, float]:
-        if isinstance(actuator, (Rudder, Fin)):
+        if isinstance(actuator, (Rudder, Fin, SlidingMass)):
             return 0.0, 0.0
         if isinstance(actuator, Azimuth):
             force = max(self._limits(self._named(actuator.thruster)))
@@ -203,6 +204,8 @@ class Platform(Shown):
         if isinstance(actuator, BuoyancyPump):
             force = self.water_density * self.gravity * actuator.volume_range
             return force, force
+        if isinstance(actuator, SlidingMass):
+            return actuator.travel, actuator.travel
         if not isinstance(actuator, Thruster):
             return actuator.largest_angle, actuator.largest_angle
         gain = 1.0 if actuator.gain is None else actuator.gain

@@ -92,11 +92,31 @@ def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None
         add_cross(place, force, total[3:])
 
 
+@kernel
+def add_sliding(attitude: Floats, way: Floats, body: Body, total: Floats) -> None:
+    """Add the moment (6,) [N m; body] of masses that have slid by ways (actuators,) [m]; of others nothing.
+
+    Weight m g at a place that has moved by s along n: -m g s n x k, so for a mass that has slid ahead m g s cos(pitch)
+    with the bow down. Assumes: the mass slides slowly, and is so little of the whole, or its way so short, that the
+    mass matrix stays as it is with the mass in the middle.
+    """
+    for actuator in range(body.sliding.shape[0]):
+        weight = body.sliding[actuator]
+        if weight[0] == 0.0 and weight[1] == 0.0 and weight[2] == 0.0:
+            continue
+        up, arm = stack_array(3), stack_array(3)
+        arm[2] = 1.0
+        to_body(attitude, arm, up)
+        for axis in range(3):
+            arm[axis] = -weight[axis] * way[actuator]
+        add_cross(arm, up, total[3:])
+
+
 @outlined_kernel
 def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Floats) -> None:
     """Write the derivative (STATE_SIZE,) of the state `row` at `time` [s].
 
-    effort: (actuators,) forces [N] and angles [rad], which hold while a step lasts.
+    effort: (actuators,) forces [N], angles [rad] and ways [m], which hold while a step lasts.
     """
     attitude, relative, momentum = row[ATTITUDE:SURGE], stack_array(6), stack_array(6)
     total, drift = stack_array(6), stack_array(3)
@@ -110,6 +130,7 @@ def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Float
     add_hydrostatics(attitude, body.hydrostatic, total)
     add_damping(relative, body, total)
     add_fins(relative, effort, body, total)
+    add_sliding(attitude, effort, body, total)
     for actuator in range(body.wrench.shape[0]):
         for line in range(6):
             total[line] += body.wrench[actuator, line] * effort[actuator]
