@@ -14,6 +14,7 @@ _SENSORS = ("compass", "pressure", "imu", "velocity", "ground_velocity")
 _ESTIMATE = "source: to be measured, confidence: estimate"
 _KINDS = (
     ("buoyancy", r"buoy|ballast|pump|bladder|piston"),
+    ("fin", r"plane|sternplane|elevator"),
     ("rudder", r"rudder|delta|fin"),
 )  # what the name of a command tells of what it drives; a thruster otherwise
 _NUMBERS: dict[str, dict[str, tuple[object, str]]] = {
@@ -24,6 +25,13 @@ _NUMBERS: dict[str, dict[str, tuple[object, str]]] = {
         "aspect_ratio": (1.5, 'unit: "1"'),
         "largest_angle": (35, "unit: deg"),
     },
+    "fin": {
+        "position": ([-0.4, 0, 0], "unit: m"),
+        "direction": ([0, 0, 1], 'unit: "1"'),
+        "area": (0.005, "unit: m^2"),
+        "lift_slope": (3, "unit: 1/rad"),
+        "largest_angle": (20, "unit: deg"),
+    },
 }
 _UPWARDS = r"vert|heave|lift|up|down"
 _SIDES = {r"left|port": 0.15, r"right|starboard|stbd": -0.15}  # m, of a thruster on that side; y points left
@@ -32,9 +40,9 @@ _SIDES = {r"left|port": 0.15, r"right|starboard|stbd": -0.15}  # m, of a thruste
 def with_the_parts_of(text: str, recording: Place) -> str:
     """The template of a platform, with the actuators that a recording commands and the sensors that it has.
 
-    text: the template, whose blocks `actuators` and `sensors` are replaced. What a thruster, a pump or a rudder is, is
-    taken from its name; every number stays an estimate to be replaced. Raises CocorosimError if the recording cannot
-    be read or holds no commands.
+    text: the template, whose blocks `actuators` and `sensors` are replaced. Thrusters, pumps, rudders and stern
+    planes are told by their names; every number stays an estimate to be replaced. Raises
+    CocorosimError if the recording cannot be read or holds no commands.
     """
     read = read_recording(recording)
     names, there = list[str](), set[str]()

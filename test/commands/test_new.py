@@ -84,7 +84,7 @@ def test_names_that_are_none(cocorosim: Run, tmp_path: Path, monkeypatch: pytest
 def test_a_platform_for_the_robot_of_a_recording(cocorosim: Run, tmp_path: Path) -> None:
     """Its actuators are those that the recording commands, by their names, and its sensors those recorded."""
     log, table = tmp_path / "map.yaml", tmp_path / "drive.csv"
-    names = ("port_esc", "thr_starboard", "Vertical", "ballast_tank", "rudder")
+    names = ("port_esc", "thr_starboard", "Vertical", "ballast_tank", "rudder", "stern_planes")
     limits = '{column: %s, unit: "1", stop: 0, forward: 1, reverse: -1}'
     commands = "".join(f"        {name}: {limits % name}\n" for name in names)
     log.write_text(
@@ -102,10 +102,11 @@ def test_a_platform_for_the_robot_of_a_recording(cocorosim: Run, tmp_path: Path)
     platform = load_platform(str(tmp_path / "boat.yaml"))
     check_platform(platform)
     kinds = {each.name: each.kind for each in platform.actuators}
-    assert kinds == dict(zip(names, ("thruster", "thruster", "thruster", "buoyancy", "rudder"), strict=True))
+    assert list(kinds.values()) == ["thruster", "thruster", "thruster", "buoyancy", "rudder", "fin"]
     port, starboard, vertical = platform.actuators[:3]
     assert (port.position[1], starboard.position[1]) == (0.15, -0.15)  # y points to the left
     assert (port.direction, vertical.direction) == ((1, 0, 0), (0, 0, 1))
+    assert platform.actuators[5].direction == (0, 0, 1)
     assert (platform.sensors.compass, platform.sensors.pressure, platform.sensors.imu) == (True, False, False)
 
 

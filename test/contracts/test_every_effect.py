@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.world import effects
-from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, EFFECTS, LAWS, RUDDERS
+from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, EFFECTS, LAWS, OF_ACTUATORS
 from cocorosim_ros.world.state.state import STATE_SIZE, SURGE, YAW_RATE, row_size
 from cocorosim_ros.world.terms.search import Strength
 from cocorosim_ros.world.vehicle_model.vehicles import (
@@ -128,7 +128,7 @@ def test_it_tells_what_it_is(name: str) -> None:
         assert parameter.name.isidentifier() and parameter.unit and parameter.meaning
 
 
-@pytest.mark.parametrize("name", [name for name in EFFECTS if name not in (*LAWS, *RUDDERS)])
+@pytest.mark.parametrize("name", [name for name in EFFECTS if name not in (*LAWS, *OF_ACTUATORS)])
 def test_its_own_file_says_all_of_it(name: str) -> None:
     """The file is called like the effect; equation, units of the terms and examples stand there, and what to check."""
     effect = EFFECTS[name]
@@ -145,9 +145,9 @@ def test_its_own_file_says_all_of_it(name: str) -> None:
 def test_no_file_of_an_effect_is_left_out() -> None:
     """Every file beside the table is in it."""
     folder = Path(str(effects.__file__)).parent
-    assert {path.stem for path in folder.glob("*.py")} - {"__init__", "law", "rudder"} == set(EFFECTS) - {
+    assert {path.stem for path in folder.glob("*.py")} - {"__init__", "law", "rudder", "fin"} == set(EFFECTS) - {
         *LAWS,
-        *RUDDERS,
+        *OF_ACTUATORS,
     }
 
 

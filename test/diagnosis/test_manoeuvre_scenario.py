@@ -82,6 +82,18 @@ def test_a_ship_turns_under_way() -> None:
     assert ahead_while_turning("lily") == {0.0}
 
 
+def test_fins_turn_and_lift(tmp_path: Path) -> None:
+    """A torpedo's rudders at the stern turn it to the left by a negative angle; its stern planes lift it."""
+    text = (Path(__file__).parents[2] / "config/platforms/remus100.yaml").read_text("utf-8")
+    file = tmp_path / "torpedo.yaml"
+    file.write_text(text[: text.index("six_degrees:\n")] + text[text.index("actuators:\n") :])
+    (swarm,) = yaml.safe_load(scenario_of("zig_zag", load_platform(file), str(file)))["swarm"]
+    shares = [
+        [float(swarm["overrides"][f"actuator_{n}_{way}"]) for way in ("ahead", "turn", "rise")] for n in (1, 2, 3)
+    ]
+    assert shares == [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
+
+
 def test_a_programme_fits_the_table() -> None:
     """No manoeuvre has more rows than the controller plays."""
     assert max(len(rows) for rows in PROGRAMMES.values()) <= ROWS

@@ -42,9 +42,16 @@ def test_the_wrench(tmp_path: Path) -> None:
     np.testing.assert_allclose(stream.rows.values, [[0.1, 0.3], [0.1, -0.1]], atol=1e-15)
 
 
+def test_the_sticks(tmp_path: Path) -> None:
+    """20 of 40 N are half; -250 of a thousand to the right is a quarter to the left."""
+    (stream,) = converted(2, "sticks.csv", tmp_path).streams
+    assert stream.rows.extra["name"] == ["surge", "yaw"]
+    np.testing.assert_allclose(stream.rows.values, [[0.5, 0.25], [-1.0, -1.0]], atol=1e-15)
+
+
 def test_the_actuators_that_report(tmp_path: Path) -> None:
     """900 rpm are 30 pi rad/s; a current that a row lacks is no number beside what the row has."""
-    commands, feedback = converted(2, "reported.csv", tmp_path).streams
+    commands, feedback = converted(3, "reported.csv", tmp_path).streams
     np.testing.assert_allclose(commands.rows.values, [[0.5, 0.0], [1.0, 1.0]])
     assert feedback.rows.extra["name"] == ["propeller.rotation", "propeller.current", "rudder.angle"]
     expected = [[20 * math.pi, 3.5, 0.0], [30 * math.pi, math.nan, math.radians(18)]]

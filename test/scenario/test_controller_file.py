@@ -72,7 +72,7 @@ def test_controller_reads_back() -> None:
         ("value: 15,", "value: 60,", "has 0.6 m, outside what is allowed; choose from 0 to 0.5 m."),
         ("unit: cm", "unit: parsec", "'parameters.reach' has '15 parsec', whose unit is unknown"),
         ("allowed: [0, 50], ", "", "'parameters.reach' lacks 'allowed'; add it."),
-        ("allowed: [0, 50]", "allowed: [0]", "'parameters.reach.allowed' has a mapping; write 2 values"),
+        ("allowed: [0, 50]", "allowed: [0]", "'parameters.reach.allowed' has [0]; write 2 values"),
         ("description: a switch, ", "", "'parameters.backwards' lacks 'description'; add it."),
         ("behaviour:", "behavior:", "'behavior' is not a known key; did you mean 'behaviour'?"),
         (

@@ -41,12 +41,17 @@ def test_what_cannot_be_is_one_sentence(name: str, old: str, new: str, sentence:
     assert "wrong.yaml" in str(caught.value)
 
 
-def test_fins_need_six_degrees(tmp_path: Path) -> None:
-    """A platform that neither rolls nor pitches has rudders."""
+def test_four_fins_are_the_most_without_six_degrees(tmp_path: Path) -> None:
+    """A platform that neither rolls nor pitches may have an X of fins, and no fifth."""
     text = (SHIPPED / "remus100.yaml").read_text()
+    level = text[: text.index("six_degrees:\n")] + text[text.index("actuators:\n") :]
+    first, second = level.index("  - name: rudders"), level.index("  - name: stern_planes")
+    more = "".join(level[first:second].replace("rudders", f"fin_{number}") for number in range(3))
     path = tmp_path / "wrong.yaml"
-    path.write_text(text[: text.index("six_degrees:\n")] + text[text.index("actuators:\n") :])
-    with pytest.raises(CocorosimError, match="is a fin, which acts in motion with 'six_degrees' alone"):
+    path.write_text(level)
+    assert read_platform_file(path).actuator_names == ("propeller", "rudders", "stern_planes")
+    path.write_text(level[:first] + more + level[first:])
+    with pytest.raises(CocorosimError, match=r"'actuators' has 5 fins; 4 are the most\. Fins that turn together"):
         read_platform_file(path)
 
 

@@ -9,6 +9,9 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.six_degrees import AXES
+from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
 from cocorosim_ros.wire.cdr.named_numbers import read_named_numbers
 from cocorosim_ros.wire.cdr.stamped_numbers import Stamps
 
@@ -23,16 +26,55 @@ class CommandRows:
     remarks: tuple[str, ...]
 
 
-def read_command_rows(topic: str, messages: Sequence[bytes], actuators: tuple[str, ...]) -> CommandRows:
-    """Read the commands of each actuator, in the order of `actuators`.
+def read_command_rows(topic: str, messages: Sequence[bytes], platform: Platform) -> CommandRows:
+    """Read the commands of each actuator of a robot's platform, in the order of its actuators.
 
     As in the simulator, an actuator is off where a message does not name it or its command is no number, and a command
-    beyond 1 is cut to 1; remarks count these. Raises CocorosimError if the names are those of another platform.
+    beyond 1 is cut to 1; remarks count these. Sticks become commands by the platform's mixing. Raises CocorosimError if
+    the names are those of another platform, or if a message commands sticks and what they drive.
     """
-    read = read_named_numbers(messages, actuators)
-    remarks = _check_names(topic, read.names, actuators)
-    values = _usable(topic, read.numbers, read.readable, remarks)
-    return CommandRows(read.stamp_ns, values, read.readable, tuple(remarks))
+    actuators, mixing = platform.actuator_names, platform.stick_mixing()
+    read = read_named_numbers(messages, (*actuators, *(mixing.sticks if mixing else ())))
+    names, numbers = read.names, read.numbers[:, : len(actuators)]
+    said: list[str] = []
+    if mixing is not None and set(mixing.sticks) & set(names):
+        sticks = _Sticks(topic, mixing, read.numbers[:, len(actuators) :])
+        said = sticks.remarks(names)
+        numbers = sticks.mixed_into(numbers, actuators, said)
+        names = (*(name for name in names if name not in mixing.sticks), *mixing.driven)
+    remarks = _check_names(topic, names, actuators)
+    values = _usable(topic, numbers, read.readable, remarks)
+    return CommandRows(read.stamp_ns, values, read.readable, (*said, *remarks))
+
+
+@dataclass(frozen=True)
+class _Sticks:
+    """Commands of sticks in messages of one topic: (n, sticks) `given`, NaN where a message does not name one."""
+
+    topic: str
+    mixing: StickMixing
+    given: Floats
+
+    def remarks(self, names: Sequence[str]) -> list[str]:
+        """A sentence about sticks that no message names."""
+        silent = [name for name in self.mixing.sticks if name not in names]
+        return [f"{self.topic}: the stick {', '.join(silent)} is never commanded and rests."] if silent else []
+
+    def mixed_into(self, numbers: Floats, actuators: tuple[str, ...], remarks: list[str]) -> Floats:
+        """(n, actuators) commands, those of sticks made into what they drive; remarks are added to."""
+        rows = np.isfinite(self.given).any(axis=1)
+        driven = [actuators.index(name) for name in self.mixing.driven]
+        twice = np.count_nonzero(np.isfinite(numbers[rows][:, driven]).any(axis=1))
+        if twice:
+            raise CocorosimError(
+                f"{self.topic} commands sticks ({', '.join(self.mixing.sticks)}) and what they drive "
+                f"({', '.join(self.mixing.driven)}) in {twice} messages at once; leave one of them out of each."
+            )
+        sticks = _usable(self.topic, self.given[rows], np.ones(np.count_nonzero(rows), dtype=bool), remarks)
+        mixed = numbers.copy()
+        for column, commands in zip(driven, self.mixing.commands(sticks).T, strict=True):
+            mixed[rows, column] = commands
+        return mixed
 
 
 def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -> list[str]:
@@ -44,6 +86,11 @@ def _check_names(topic: str, found: Sequence[str], actuators: tuple[str, ...]) -
     names = list(dict.fromkeys(found))
     strange = [name for name in names if name not in actuators]
     silent = [name for name in actuators if name not in names]
+    if names and len(strange) == len(names) and set(names) <= set(AXES):
+        raise CocorosimError(
+            f"{topic} commands the sticks {', '.join(names)}, and the platform does not say what they do to "
+            f"{', '.join(actuators)}; add 'mixing' to it."
+        )
     if names and len(strange) == len(names):
         raise CocorosimError(
             f"{topic} commands the actuators {', '.join(names)}, and the platform has none of these but "

@@ -65,7 +65,7 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     """Read one recording of robots of a platform. Raises CocorosimError as `gather_evidence` does."""
     bag = read_bag(path)
     try:
-        topics, remarks = read_topic_rows(bag, platform.actuator_names)
+        topics, remarks = read_topic_rows(bag, platform)
     except CocorosimError as error:
         raise CocorosimError(f"{path}: {error}") from error
     commands = {rows.robot: rows for rows in topics if rows.topic == COMMAND and len(rows.stamp_ns)}

@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.evidence.streams.attitude import tilt_of
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag
 from cocorosim_ros.wire.cdr.stamped_numbers import Stamps, read_stamped_numbers
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, split_topic
@@ -64,7 +65,7 @@ class _Found(NamedTuple):
     log_ns: list[int]
 
 
-def read_topic_rows(bag: Bag, actuators: tuple[str, ...]) -> tuple[list[TopicRows], list[str]]:
+def read_topic_rows(bag: Bag, platform: Platform) -> tuple[list[TopicRows], list[str]]:
     """Read the rows of every topic that the diagnosis can use, of every robot; also give remarks, as sentences.
 
     A robot whose commands name none of the actuators is of another kind: it is left out, with a remark. Raises
@@ -82,7 +83,7 @@ def read_topic_rows(bag: Bag, actuators: tuple[str, ...]) -> tuple[list[TopicRow
     for topic in wanted:
         if found[topic].data:
             try:
-                topics.append(_rows(topic, found[topic], actuators))
+                topics.append(_rows(topic, found[topic], platform))
             except CocorosimError as error:
                 unusable[split_topic(topic)[0]] = error
     if unusable and not any(rows.topic == COMMAND for rows in topics):
@@ -109,12 +110,12 @@ def _wanted(bag: Bag) -> tuple[list[str], list[str]]:
     return wanted, remarks
 
 
-def _rows(topic: str, found: _Found, actuators: tuple[str, ...]) -> TopicRows:
+def _rows(topic: str, found: _Found, platform: Platform) -> TopicRows:
     robot, name = split_topic(topic)
     log_ns = np.array(found.log_ns, dtype=np.int64)
     attitude, said = NO_ATTITUDE, ""
     if name == COMMAND:
-        commands = read_command_rows(topic, found.data, actuators)
+        commands = read_command_rows(topic, found.data, platform.of_robot(robot))
         readable, stamps, values, remarks = commands.readable, commands.stamp_ns, commands.values, commands.remarks
     else:
         recorded = _RECORDED[name]

@@ -145,6 +145,13 @@ def _rows(name: str, platform: Platform) -> list[Row]:
     return [row._replace(ahead=MANOEUVRE.under_way) if row.turn and not row.ahead else row for row in rows]
 
 
+def _shares_of_fin(fin: Fin) -> tuple[float, float, float]:
+    """Commands as those of `_shares`: by the side to which its lift turns the robot, and by whether that lifts it."""
+    turning, rising = fin.position[0] * fin.direction[1] - fin.position[1] * fin.direction[0], fin.direction[2]
+    turn = math.copysign(1.0, turning) if abs(fin.direction[1]) > REPORT.along_axis else 0.0
+    return 0.0, turn, math.copysign(1.0, rising) if abs(rising) > REPORT.along_axis else 0.0
+
+
 def _shares(platform: Platform) -> list[tuple[float, float, float]]:
     """Commands -1, 0 or 1, by actuator, that make the robot go ahead, turn counter-clockwise, and rise.
 
@@ -156,8 +163,11 @@ def _shares(platform: Platform) -> list[tuple[float, float, float]]:
         if isinstance(actuator, BuoyancyPump):
             shares.append((0.0, 0.0, 1.0))
             continue
-        if isinstance(actuator, (Rudder, Azimuth, Fin)):  # an azimuth stays where its thruster points
-            shares.append((0.0, 1.0 if isinstance(actuator, (Rudder, Fin)) else 0.0, 0.0))
+        if isinstance(actuator, (Rudder, Azimuth)):  # an azimuth stays where its thruster points
+            shares.append((0.0, 1.0 if isinstance(actuator, Rudder) else 0.0, 0.0))
+            continue
+        if isinstance(actuator, Fin):
+            shares.append(_shares_of_fin(actuator))
             continue
         ahead, rise = (math.copysign(1.0, part) if abs(part) > REPORT.along_axis else 0.0 for part in wrench[[0, 2]])
         turn = math.copysign(1.0, wrench[3]) if abs(wrench[3]) > MANOEUVRE.least_arm * platform.hull.length else 0.0

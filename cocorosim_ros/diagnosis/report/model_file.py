@@ -19,7 +19,8 @@ from cocorosim_ros.diagnosis.report.effect_keys import (
 )
 from cocorosim_ros.diagnosis.report.effects_in_words import effects_in_words
 from cocorosim_ros.diagnosis.report.words import parameter_unit
-from cocorosim_ros.scenario.parts.platform import Effects, Platform
+from cocorosim_ros.scenario.parts.effect_quantities import Effects
+from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.law_text import LawText
 from cocorosim_ros.scenario.reading.ranges import Range

@@ -68,7 +68,18 @@ class Actuation:
         if self._turns is None:
             return force, rate
         added = [self._added(self._turns, numbers) for numbers in (force, rate)]
+        if self.vehicle.fin_normal.any():
+            force = force + self._angles_to_level(self._turns)
         return np.hstack([force, added[0]]), np.hstack([rate, added[1]])
+
+    def _angles_to_level(self, turns: Floats) -> Floats:
+        """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.
+
+        Level flow u meets a normal n, turned by R, with u (R n)_x in place of u n_x; the lift u d - V_n falls by that.
+        Assumes: small angles to the level, as the law of fins does.
+        """
+        normals = self.vehicle.fin_normal
+        return np.asarray(normals[:, 0] - np.einsum("nj,aj->na", turns[:, 0], normals))
 
     def _added(self, turns: Floats, force: Floats) -> Floats:
         """Difference (points, 3) of the thrust in level axes and in the robot's own, of forces (points, actuators)."""

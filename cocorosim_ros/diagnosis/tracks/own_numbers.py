@@ -7,6 +7,7 @@ from typing import NamedTuple
 from cocorosim_ros.diagnosis.tracks.columns import MOST_THRUSTERS
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
+from cocorosim_ros.world.vehicle_model.fins import fin_numbers, fins_of
 from cocorosim_ros.world.vehicle_model.rudders import OWN_NUMBERS, rudder_numbers, rudders_of
 
 
@@ -23,14 +24,18 @@ def gain_key(actuator: str) -> str:
 
 
 def own_numbers(platform: Platform) -> dict[str, Declared]:
-    """Gains of thrusters and numbers of rudders that a model of the platform has, by key of its file."""
+    """Gains of thrusters and fins and numbers of rudders that a model of the platform has, by key of its file."""
     numbers = rudder_numbers(platform)
     of_rudders = {
         f"actuators.{rudder.name}.{name}": Declared(f"{effect}.{name}", numbers[f"{effect}.{name}"])
         for effect, rudder in rudders_of(platform)
         for name in OWN_NUMBERS
     }
-    return _own_gains(platform) | of_rudders
+    gains = fin_numbers(platform)
+    of_fins = {
+        gain_key(fin.name): Declared(f"{effect}.gain", gains[f"{effect}.gain"]) for effect, fin in fins_of(platform)
+    }
+    return _own_gains(platform) | of_rudders | of_fins
 
 
 def _own_gains(platform: Platform) -> dict[str, Declared]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -30,6 +30,7 @@ from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 from cocorosim_ros.world.terms.curve import ANGLE, FORM
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
+from cocorosim_ros.world.vehicle_model.fins import fin_forces, fin_normals
 from cocorosim_ros.world.vehicle_model.rudders import rudder_forces
 from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
@@ -49,7 +50,7 @@ class VehicleModel:
     is_pump: Flags  # (actuators,)
     actuator_curve: Floats  # (actuators, columns) see world.terms.curve
     full_force: Floats  # (actuators, 1) at command +1 as the wrench counts it [N], rudders 0
-    steering: Floats  # (4,) amounts of X, Y, Z, N of the rudders at full speed [N, N, N, N m; body]
+    steering: Floats  # (4,) amounts of X, Y, Z, N of rudders and fins at full speed [N, N, N, N m; body]
     above_water: tuple[float, float]  # areas as seen from ahead and from the side [m^2]
     own: Mapping[str, Declared]  # by key of the platform's file, numbers of single actuators that a model has
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
@@ -61,6 +62,7 @@ class VehicleModel:
     weight: float  # in air [N]
     surroundings: RecordedSurroundings = OPEN_WATER
     tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
+    fin_normal: Floats = field(default_factory=lambda: np.zeros((0, 3)))  # (actuators, 3) of fins [body], or zeros
     cable: tuple[float, float] = (0.0, 0.0)  # diameter of the cable, 0 without one, and its declared length [m]
     water_weight: float = PASCAL_PER_METRE  # of the water in which its pressure sensor reads [Pa per metre of depth]
 
@@ -162,7 +164,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         vehicles.is_pump[0, 0],
         vehicles.actuator_curve[0, 0],
         platform.full_forces()[:, AHEAD],
-        rudder_forces(platform, full_speed(platform)),
+        rudder_forces(platform, full_speed(platform)) + fin_forces(platform, full_speed(platform)),
         (platform.hull.front_above_water or 0.0, platform.hull.side_above_water or 0.0),
         own,
         _known_of_sensors(platform),
@@ -172,6 +174,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         float(np.mean(thrusters)) if thrusters else 0.0,
         platform.hull.height,
         platform.mass * platform.gravity,
+        fin_normal=fin_normals(platform),
         cable=(platform.hull.cable_diameter or 0.0, platform.hull.cable_length or 0.0),
         water_weight=platform.water_density * platform.gravity,
     )

@@ -13,8 +13,7 @@ from cocorosim_ros.graph.nodes.wiring import Listener
 from cocorosim_ros.wire.cdr.radio_messages import RadioMessage, read_message
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.body import BodyDescription
-from cocorosim_ros.wire.topics.command_check import read_command
-from cocorosim_ros.wire.topics.swarm_messages import command_message
+from cocorosim_ros.wire.topics.command_check import CommandReader
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 from cocorosim_ros.world.state.radio import PAYLOAD_LIMIT
 
@@ -28,7 +27,7 @@ class Answers:
         """`complain(robot, sentence)` is called for every unusable message."""
         self._body = body
         self._complain = complain
-        self._decoder = command_message(body)
+        self._reader = CommandReader(body)
         self.commands = Listener(node, COMMAND.type_name, robot_topic(body.name, COMMAND.name), COMMAND.quality)
         self.radio: Listener | None = None
         if body.talk:
@@ -40,7 +39,7 @@ class Answers:
         data = self.commands.take()
         if data is None:
             return None
-        fractions, complaint = read_command(self._decoder, self._body.actuators, data)
+        fractions, complaint = self._reader.read(data)
         if complaint:
             self._complain(self._body.name, complaint)
         return stamp_ns(COMMAND.type_name, data) or 0, fractions

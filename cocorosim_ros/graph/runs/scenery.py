@@ -15,10 +15,9 @@ from cocorosim_ros.scenario.parts.tank import Tank
 from cocorosim_ros.scenario.scenario import RobotDescription, Scenario
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.topics.body import describe_body
-from cocorosim_ros.wire.topics.command_check import read_command
+from cocorosim_ros.wire.topics.command_check import CommandReader
 from cocorosim_ros.wire.topics.markers import SwarmMarkers, robot_colour, tank_markers
 from cocorosim_ros.wire.topics.robot_description import description_message, static_frames
-from cocorosim_ros.wire.topics.swarm_messages import command_message
 from cocorosim_ros.wire.topics.topics import robot_topic
 
 DESCRIPTION, FRAMES, TANK, SWARM = "robot_description", "/tf_static", "/markers/tank", "/markers/swarm"
@@ -59,7 +58,7 @@ class Scenery:
         self.topics = scenery_topics([robot.name for robot in robots])
         self.standing = standing_messages(robots, tank, light)
         self._bodies = [describe_body(robot) for robot in ordered]
-        self._decoders = [command_message(body) for body in self._bodies]
+        self._readers = [CommandReader(body) for body in self._bodies]
         self._most_actuators = max(len(body.actuators) for body in self._bodies)
         self._swarm = SwarmMarkers([robot.platform for robot in ordered], PERIOD)
         self._period = -1
@@ -83,6 +82,6 @@ class Scenery:
         for number, body in enumerate(self._bodies):
             data = messages.get(robot_topic(body.name, "thruster_command"))
             if data is not None:
-                fractions, _ = read_command(self._decoders[number], body.actuators, data)
+                fractions, _ = self._readers[number].read(data)
                 commands[number, : len(fractions)] = fractions
         return self._swarm.encode(stamp_ns, position, yaw, commands)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.thrust_curve import check_ends
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 
 MOST_RUDDERS = 2
+MOST_FINS = 4
 _LEVEL = 1e-9  # of a direction of unit length: so little of it may point up
 
 
@@ -28,22 +30,31 @@ def check_actuators(section: Entry, actuators: Sequence[Actuator], six_degrees: 
             _check_propeller(entry, actuator, actuators)
         if isinstance(actuator, Azimuth):
             _check_turned(entry, actuator, actuators, turned)
-    rudders = [actuator.name for actuator in actuators if isinstance(actuator, Rudder)]
-    if len(rudders) > MOST_RUDDERS:
+    _check_number(section, "rudders", MOST_RUDDERS, sum(isinstance(part, Rudder) for part in actuators))
+    if not six_degrees:
+        _check_number(section, "fins", MOST_FINS, sum(isinstance(part, Fin) for part in actuators))
+
+
+def _check_number(section: Entry, what: str, most: int, count: int) -> None:
+    if count > most:
         raise section.problem(
-            f"has {len(rudders)} rudders; {MOST_RUDDERS} are the most. Rudders that turn together count as one of all "
+            f"has {count} {what}; {most} are the most. {what.capitalize()} that turn together count as one of all "
             "their area."
         )
 
 
 def _check_degrees(section: Entry, actuators: Sequence[Actuator], six_degrees: bool) -> None:
     for entry, actuator in zip(section.items(), actuators, strict=True):
-        if six_degrees and not isinstance(actuator, (Thruster, Fin)):
+        if six_degrees and not isinstance(actuator, (Thruster, Fin, SlidingMass)):
             raise entry.problem(
-                f"has the kind '{actuator.kind}', and with 'six_degrees' only thrusters and fins are known; replace it."
+                f"has the kind '{actuator.kind}', and with 'six_degrees' only thrusters, fins and sliding masses are "
+                "known; replace it."
             )
-        if not six_degrees and isinstance(actuator, Fin):
-            raise entry.problem("is a fin, which acts in motion with 'six_degrees' alone; add these, or take a rudder.")
+        if not six_degrees and isinstance(actuator, SlidingMass):
+            raise entry.problem(
+                "is a sliding mass, which acts in motion with 'six_degrees' alone; add these, or leave it out: where "
+                "roll and pitch are recorded, what it does is in them."
+            )
 
 
 def _check_propeller(entry: Entry, rudder: Rudder, actuators: Sequence[Actuator]) -> None:

@@ -1,4 +1,4 @@
-"""A control surface of a vehicle in six degrees of freedom."""
+"""A control surface: a fin of a rudder's or a stern plane's kind."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Fin:
 
     position: of its centre of pressure [m; body]. direction: unit vector of the force that a positive angle gives where
     the vehicle moves ahead [body]. area: [m^2]. lift_slope: of the lift coefficient over the angle of attack [1/rad].
-    largest_angle: [rad].
+    largest_angle: [rad]. gain: what it gives as a multiple of all this, 1 if None.
     """
 
     name: str = field(metadata=TEXT)
@@ -25,4 +25,5 @@ class Fin:
     area: float = field(metadata=quantity("area", "positive"))
     lift_slope: float = field(metadata=quantity("inverse angle", "positive"))
     largest_angle: float = field(metadata=ANGLE_OF_SURFACE)
+    gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     kind: Literal["fin"] = field(default="fin", metadata=choice("fin"))

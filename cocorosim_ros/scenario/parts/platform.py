@@ -12,17 +12,21 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
+from cocorosim_ros.scenario.parts.effect_quantities import Effects, effects_tree, read_effects
 from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.mixing import Mixing, check_mixing
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
+from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
 from cocorosim_ros.scenario.parts.vehicle_parts import ACTUATORS, Actuator, BuoyancyPump, Hull, Sensors, Thruster
 from cocorosim_ros.scenario.reading.arguments import place_text
 from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, quoted
-from cocorosim_ros.scenario.reading.law_text import LawText, law_text
-from cocorosim_ros.scenario.reading.quantity import Quantity, read_any_quantity
+from cocorosim_ros.scenario.reading.law_text import LawText
+from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.ranges import INTERVAL, Ranges, collect_ranges, ranges_tree, read_ranges
 from cocorosim_ros.scenario.reading.records import (
     TEXT,
@@ -35,33 +39,10 @@ from cocorosim_ros.scenario.reading.records import (
     stored,
 )
 from cocorosim_ros.scenario.reading.sources import require_sources
-from cocorosim_ros.scenario.reading.worded_numbers import worded_number
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
-Effects = Mapping[str, Mapping[str, Quantity | LawText]]
 DragForm = Literal["total_speed", "own_speed", "strips"]
 DRAG_FORMS = ("total_speed", "own_speed", "strips")
-
-
-def _read_effects(entry: Entry) -> Effects:
-    return {
-        effect: {name: _read_part(f"{effect}.{name}", part) for name, part in parameters.mapping().items()}
-        for effect, parameters in entry.mapping().items()
-    }
-
-
-def _read_part(key: str, entry: Entry) -> Quantity | LawText:
-    return law_text(entry) or worded_number(key, entry) or read_any_quantity(entry)
-
-
-def _effects_tree(effects: Effects) -> dict[str, Any]:
-    return {
-        effect: {name: _part_text(part) for name, part in parameters.items()} for effect, parameters in effects.items()
-    }
-
-
-def _part_text(part: Quantity | LawText) -> str:
-    return part.text if isinstance(part, LawText) else f"{part.value!r} {part.unit}"
 
 
 def _read_words(entry: Entry) -> dict[str, str]:
@@ -77,7 +58,8 @@ class Platform(Shown):
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
     file does not say, and then a simulation takes the total speed. `six_degrees`: what motion with roll and pitch takes
-    instead of drag and yaw inertia; a diagnosis refuses it. `fitted_step`: step [s] of the filter by which the
+    instead of drag and yaw inertia; a diagnosis refuses it. `mixing`: how sticks become commands of actuators, where
+    commands may be sticks. `fitted_step`: step [s] of the filter by which the
     numbers were found, where a diagnosis has found them. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units
@@ -100,13 +82,14 @@ class Platform(Shown):
     effect_quantities: Effects = field(
         default_factory=dict,
         hash=False,
-        metadata=stored(_read_effects, _effects_tree, key="effects", form="mapping of effects to their numbers"),
+        metadata=stored(read_effects, effects_tree, key="effects", form="mapping of effects to their numbers"),
     )
     thrust_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     yaw_torque_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     buoyancy_gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
     drag_form: DragForm | None = field(default=None, metadata=choice(*DRAG_FORMS))
     six_degrees: SixDegrees | None = field(default=None, metadata=nested(SixDegrees))
+    mixing: Mixing | None = field(default=None, metadata=nested(Mixing))
     fitted_step: float | None = field(default=None, metadata=quantity("time", "positive"))
     ranges: Ranges = field(
         default_factory=dict,
@@ -155,6 +138,10 @@ class Platform(Shown):
         """The names of the actuators in the order of all arrays about them."""
         return tuple(actuator.name for actuator in self.actuators)
 
+    def stick_mixing(self) -> StickMixing | None:
+        """What makes commands of sticks into those of actuators; None where there are no sticks."""
+        return None if self.mixing is None else StickMixing(self.mixing, self.actuators)
+
     def actuator_wrenches(self) -> Floats:
         """(n_actuators, 4) body force x, y, z [N/N] and moment about z [N m/N] per newton of each.
 
@@ -165,7 +152,7 @@ class Platform(Shown):
     def actuator_limits(self) -> Floats:
         """(n_actuators, 2) force [N] at commands +1 and -1, unsigned; for a pump rho * g * volume range.
 
-        Of rudders and azimuths it is the angle [rad].
+        Of rudders, fins and azimuths it is the angle [rad], of a sliding mass its travel [m].
         """
         return np.array([self._limits(actuator) for actuator in self.actuators], dtype=np.float64).reshape(-1, 2)
 
@@ -196,7 +183,7 @@ class Platform(Shown):
     def _wrench(self, actuator: Actuator) -> tuple[float, float, float, float]:
         if isinstance(actuator, BuoyancyPump):
             return 0.0, 0.0, 1.0, 0.0
-        if isinstance(actuator, (Rudder, Fin)):
+        if isinstance(actuator, (Rudder, Fin, SlidingMass)):
             return 0.0, 0.0, 0.0, 0.0
         if isinstance(actuator, Azimuth):
             along, across, _, _ = self._wrench(self._named(actuator.thruster))
@@ -206,7 +193,7 @@ class Platform(Shown):
         return along, across, up, x * across - y * along
 
     def _full_force(self, actuator: Actuator) -> tuple[float, float]:
-        if isinstance(actuator, (Rudder, Fin)):
+        if isinstance(actuator, (Rudder, Fin, SlidingMass)):
             return 0.0, 0.0
         if isinstance(actuator, Azimuth):
             force = max(self._limits(self._named(actuator.thruster)))
@@ -217,6 +204,8 @@ class Platform(Shown):
         if isinstance(actuator, BuoyancyPump):
             force = self.water_density * self.gravity * actuator.volume_range
             return force, force
+        if isinstance(actuator, SlidingMass):
+            return actuator.travel, actuator.travel
         if not isinstance(actuator, Thruster):
             return actuator.largest_angle, actuator.largest_angle
         gain = 1.0 if actuator.gain is None else actuator.gain
@@ -259,6 +248,8 @@ def _read_one(entry: Entry) -> Platform:
     for part, kind in (("actuators", platform.actuators), ("sensors", platform.sensors.directed)):
         _refuse_repeated_names(section[part], [each.name for each in kind])
     check_actuators(section["actuators"], platform.actuators, platform.six_degrees is not None)
+    if platform.mixing is not None:
+        check_mixing(section["mixing"], platform.mixing, platform.actuators)
     if platform.six_degrees is not None:
         check_six_degrees(section["six_degrees"], platform.six_degrees, _of_four_degrees_alone(platform))
     ranges = {**platform.ranges, **collect_ranges(entry)}

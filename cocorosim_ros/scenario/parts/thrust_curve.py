@@ -6,6 +6,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
 
+import numpy as np
+
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.records import choice, quantities, quantity, read_record
 
@@ -81,3 +84,34 @@ def check_ends(entry: Entry, curve: ThrustCurve, maximum: float, reverse: float)
             raise entry.problem(
                 f"has the '{key}' {told:g} N, and {force:g} N in the table of its curve; write the same in both."
             )
+
+
+def check_rising(entry: Entry, thruster: str, curve: ThrustCurve) -> None:
+    """Refuse a table whose force falls where its command grows: a force then has several commands.
+
+    entry: what wants the command of a force.
+    """
+    for (before, force), (after, later) in pairwise(curve.points):
+        if later < force:
+            raise entry.problem(
+                f"takes the thruster '{thruster}', whose force falls from {force:g} N to {later:g} N between the "
+                f"commands {before:g} and {after:g}, so that no one command gives a force; correct its table, or write "
+                "'form: table'."
+            )
+
+
+def command_for(curve: ThrustCurve | None, share: Floats) -> Floats:
+    """The commands (n,) at which a thruster gives shares (n,) of its maxima, -1..1; the curve must not fall anywhere.
+
+    The inverse of world.terms.curve.thrust_share; no force is command 0.
+    """
+    if curve is None:
+        return share
+    if curve.form == "table":
+        forces = np.array([force for _, force in curve.points])
+        shares = forces / np.where(forces < 0.0, -forces[0] or 1.0, forces[-1])
+        found = np.interp(share, shares, [command for command, _ in curve.points])
+        return np.where(share == 0.0, 0.0, found)
+    dead = curve.dead_band or 0.0
+    beyond = np.sqrt(np.abs(share)) if curve.form == "square" else np.abs(share)
+    return np.sign(share) * (dead + (1.0 - dead) * beyond)

@@ -9,6 +9,7 @@ from typing import Literal
 
 from cocorosim_ros.scenario.parts.direction import DIRECTION
 from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.thrust_curve import ThrustCurve, read_curve
 from cocorosim_ros.scenario.reading.entry import Entry
@@ -169,8 +170,8 @@ class Sensors:
         return bool(self.further.get(topic, getattr(self, topic, False)))
 
 
-Actuator = Thruster | BuoyancyPump | Rudder | Azimuth | Fin
+Actuator = Thruster | BuoyancyPump | Rudder | Azimuth | Fin | SlidingMass
 ACTUATORS: dict[str, type[Actuator]] = {
     "thruster": Thruster, "buoyancy": BuoyancyPump, "rudder": Rudder, "azimuth": Azimuth,
-    "fin": Fin,
+    "fin": Fin, "sliding_mass": SlidingMass,
 }  # fmt: skip

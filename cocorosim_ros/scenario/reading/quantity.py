@@ -74,7 +74,8 @@ def read_vector(entry: Entry, dimensions: Sequence[str], sign: Sign = "any") -> 
     parts = _parts(entry)
     if len(parts) != len(dimensions):
         form = ", ".join(f"... {si_unit(each)}" for each in dimensions)
-        raise entry.problem(f"has {entry.found()}; write {len(dimensions)} values: [{form}].")
+        given = entry.value["value"] if isinstance(entry.value, dict) else entry
+        raise entry.problem(f"has {given.found()}; write {len(dimensions)} values: [{form}].")
     return tuple(read_quantity(part, each, sign) for part, each in zip(parts, dimensions, strict=True))
 
 

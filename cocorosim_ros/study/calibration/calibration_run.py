@@ -15,8 +15,7 @@ from cocorosim_ros.wire.bags.tracks import RecordedTrack, read_poses
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.stamps import stamp_ns
 from cocorosim_ros.wire.topics.body import BodyDescription
-from cocorosim_ros.wire.topics.command_check import read_command
-from cocorosim_ros.wire.topics.swarm_messages import command_message
+from cocorosim_ros.wire.topics.command_check import CommandReader
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 FEWEST_POSES = 20
@@ -60,12 +59,12 @@ def _chosen_robot(path: Path, names: list[str], robot: str | None) -> str:
 
 def _read_commands(bag: Bag, path: Path, robot: str, platform: Platform) -> tuple[Integers, Floats]:
     topic = robot_topic(robot, COMMAND.name)
-    names = platform.actuator_names
-    decoder = command_message(BodyDescription(robot, (), names, (), speaks=False))
+    body = BodyDescription(robot, (), platform.actuator_names, (), speaks=False, mixing=platform.stick_mixing())
+    reader = CommandReader(body)
     found: dict[int, Floats] = {}
     for message in bag.messages([topic]):
         stamp = stamp_ns(message.type_name, message.data)
-        found.setdefault(message.log_time_ns if stamp is None else stamp, read_command(decoder, names, message.data)[0])
+        found.setdefault(message.log_time_ns if stamp is None else stamp, reader.read(message.data)[0])
     if not found:
         raise CocorosimError(f"{path}: the recording has no commands on {topic}; record them too.")
     stamps = sorted(found)

@@ -1,8 +1,4 @@
-"""Commands of forces and torques on the whole vehicle, made into the forces of its thrusters.
-
-wrench = B f        B: one row for each axis that is commanded, one column for each thruster
-f = pinv(B) wrench  the smallest forces that give it, as most mixers choose them
-"""
+"""Commands of forces and torques on the whole vehicle, made into the forces of its thrusters by a map's own numbers."""
 
 from __future__ import annotations
 
@@ -11,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.allocation import check_rank, smallest_forces
 from cocorosim_ros.scenario.reading.entry import Entry, listed
 from cocorosim_ros.scenario.reading.quantity import read_quantity
 from cocorosim_ros.wire.conversion.conversion_map import ColumnValue, CommandValue, FixedValue, MixedValue
@@ -37,23 +34,14 @@ def allocated(entry: Entry, reader: ValueReader) -> dict[str, CommandValue]:
     thrusters = section["thrusters"].mapping()
     parts = {name: part.section((*_LIMITS[:1],), (*axes, *_LIMITS[1:])) for name, part in thrusters.items()}
     matrix = np.array([[_effect(part, axis) for part in parts.values()] for axis in axes])
-    _check_rank(matrix, list(axes), section["thrusters"])
-    inverse = np.linalg.pinv(matrix)
+    check_rank(matrix, list(axes), section["thrusters"])
+    inverse = smallest_forces(matrix)
     return {name: _command(axes, inverse[row], part, thrusters[name]) for row, (name, part) in enumerate(parts.items())}
 
 
 def _effect(thruster: Mapping[str, Entry], axis: str) -> float:
     """The share of an axis that one newton of a thruster gives: 1, or m."""
     return read_quantity(thruster[axis], AXES[axis][1]) if axis in thruster else 0.0
-
-
-def _check_rank(matrix: Floats, axes: list[str], place: Entry) -> None:
-    rank = int(np.linalg.matrix_rank(matrix)) if matrix.size else 0
-    if rank < len(axes):
-        raise place.problem(
-            f"gives an allocation matrix of rank {rank}, and {len(axes)} axes are commanded ({', '.join(axes)}): "
-            f"these {matrix.shape[1]} thrusters cannot give each by itself; correct the thrusters, or leave out axes."
-        )
 
 
 def _command(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.scenario.scenario import RobotDescription
 from cocorosim_ros.world.controllers.controller import EXTRA_TOPICS
@@ -20,6 +21,7 @@ class BodyDescription:
     actuators: tuple[str, ...]
     topics: tuple[str, ...]  # published by the body: its instruments and what it hears
     speaks: bool  # its controller owes a message to others at every tick
+    mixing: StickMixing | None = None  # of sticks that it may be commanded by
     talk: str = ""  # the topic on which its controller may speak, '' for none
 
     @property
@@ -46,6 +48,7 @@ def describe_body(robot: RobotDescription) -> BodyDescription:
         name=robot.name,
         sensors=sensors.directed,
         actuators=robot.platform.actuator_names,
+        mixing=robot.platform.stick_mixing(),
         topics=(*(name for name, there in present.items() if there), *extra),
         speaks=controller.speaks and bool(talk) and not robot.external,
         talk=talk,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
 from cocorosim_ros.scenario.parts.vehicle_parts import BlueLightSensor
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
@@ -39,8 +40,17 @@ def sensor_message(sensor: Sensor, bodies: Sequence[BodyDescription]) -> PackedM
 
 def command_message(body: BodyDescription) -> PackedMessage:
     """`thruster_command` of one robot: the fraction of each actuator, in the platform's order."""
-    extra = {"name": list(body.actuators), "command": [0.0] * len(body.actuators)}
-    fields = [f"command[{name}]" for name in body.actuators]
+    return _named_commands(body, body.actuators)
+
+
+def stick_message(body: BodyDescription, mixing: StickMixing) -> PackedMessage:
+    """`thruster_command` of a robot commanded by sticks: these, then the fractions of actuators that none drives."""
+    return _named_commands(body, (*mixing.sticks, *(name for name in body.actuators if name not in mixing.driven)))
+
+
+def _named_commands(body: BodyDescription, names: Sequence[str]) -> PackedMessage:
+    extra = {"name": list(names), "command": [0.0] * len(names)}
+    fields = [f"command[{name}]" for name in names]
     return PackedMessage(_templates([body], "cocorosim_msgs/msg/ThrusterCommand", extra), fields)
 
 

@@ -4,8 +4,8 @@ BASIC_EFFECTS are what every simulation of a robot has; their texts are compiled
 to what `compiling.four` allows. CATALOGUE_EFFECTS, each off unless a platform asks for it, are what real robots
 have beyond that, and a defect of the released CoCoRoSim. An effect's own file says all that is known of it: equation,
 numbers, how a diagnosis looks for it, what to check on the robot, an example; everything else is made from this table.
-The eddy is reported as a law outside the catalogue; LAWS are places for laws that no catalogue has. RUDDERS act for the
-rudders among a platform's actuators, and no platform names them as effects.
+The eddy is reported as a law outside the catalogue; LAWS are places for laws that no catalogue has. OF_ACTUATORS act
+for the rudders and fins among a platform's actuators, and no platform names them as effects.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from cocorosim_ros.world.effects.battery_sag import BATTERY_SAG
 from cocorosim_ros.world.effects.buoyancy_trim import BUOYANCY_TRIM
 from cocorosim_ros.world.effects.density_gradient import DENSITY_GRADIENT
 from cocorosim_ros.world.effects.eddy import EDDY
+from cocorosim_ros.world.effects.fin import FIN
 from cocorosim_ros.world.effects.hull_compressibility import HULL_COMPRESSIBILITY
 from cocorosim_ros.world.effects.hull_emergence import HULL_EMERGENCE
 from cocorosim_ros.world.effects.hull_lift import HULL_LIFT
@@ -91,4 +92,6 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}
-EFFECTS: dict[str, Effect] = {**BASIC_EFFECTS, **CATALOGUE_EFFECTS, **RUDDERS}
+FINS: dict[str, Effect] = {"fin_1": FIN, "fin_2": FIN, "fin_3": FIN, "fin_4": FIN}
+OF_ACTUATORS: dict[str, Effect] = {**RUDDERS, **FINS}
+EFFECTS: dict[str, Effect] = {**BASIC_EFFECTS, **CATALOGUE_EFFECTS, **OF_ACTUATORS}

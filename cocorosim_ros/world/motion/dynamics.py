@@ -18,7 +18,7 @@ from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array, stack_like
 from cocorosim_ros.foundation.compiling.tables import compile_lines
-from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, RUDDERS
+from cocorosim_ros.world.effects import BASIC_EFFECTS, CATALOGUE_EFFECTS, OF_ACTUATORS
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.moment import Moment, add_thrust, clearance, pump_force
 from cocorosim_ros.world.vehicle_model.hooks import bits, calls, hooks
@@ -26,7 +26,7 @@ from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, PARAMET
 from cocorosim_ros.world.water.flow import add_water_velocity
 
 _BASIC = hooks("wrench", BASIC_EFFECTS)
-_CATALOGUE = hooks("wrench", {**CATALOGUE_EFFECTS, **RUDDERS})
+_CATALOGUE = hooks("wrench", {**CATALOGUE_EFFECTS, **OF_ACTUATORS})
 _CATALOGUE_BITS = sum(EFFECT_BIT[name] for name in _CATALOGUE)
 _INERTIA_BITS = bits("inertia")
 _WATER_BITS = bits("water")

@@ -28,10 +28,11 @@ class Bodies(NamedTuple):
     quadratic: Floats  # (robots, 6, 6) force = -quadratic @ (|nu| nu) [kg/m, kg, N m s^2 and so on]
     lift: Floats  # (robots, 6, 6) force = -|u| lift @ nu [kg/m, kg, kg m]
     hydrostatic: Floats  # (robots, 4) upward force [N], and weight and buoyancy times their places (3) [N m; body]
-    wrench: Floats  # (robots, actuators, 6) force and moment per newton of a thruster [1, m; body]; zero for fins
-    limit: Floats  # (robots, actuators, 2) force [N] or angle [rad] at command +1 and -1, both positive
+    wrench: Floats  # (robots, actuators, 6) force and moment per newton of a thruster [1, m; body]; zero for others
+    limit: Floats  # (robots, actuators, 2) force [N], angle [rad] or way [m] at command +1 and -1, both positive
     curve: Floats  # (robots, actuators, columns) see terms.curve; no columns where all are plain
-    fins: Floats  # (robots, actuators, FIN_SIZE); zero for thrusters
+    fins: Floats  # (robots, actuators, FIN_SIZE); zero for others
+    sliding: Floats  # (robots, actuators, 3) weight of a sliding mass along its way [N; body]; zero for others
     gravity: Floats  # (robots,) [m/s^2], which accelerometers show
 
 
@@ -48,6 +49,7 @@ class Body(NamedTuple):
     limit: Floats  # (actuators, 2)
     curve: Floats  # (actuators, columns)
     fins: Floats  # (actuators, FIN_SIZE)
+    sliding: Floats  # (actuators, 3)
     flow: Floats  # velocity of the water, see water.flow; empty in still water
 
 
@@ -70,6 +72,7 @@ def build_bodies(vehicles: Sequence[Vehicle], curves: Floats | None = None) -> B
         np.zeros((count, actuators, 2)),
         np.zeros((count, actuators, 0)) if curves is None else curves,
         np.zeros((count, actuators, FIN_SIZE)),
+        np.zeros((count, actuators, 3)),
         np.array([vehicle.gravity for vehicle in vehicles]),
     )
     for robot, vehicle in enumerate(vehicles):
@@ -78,6 +81,8 @@ def build_bodies(vehicles: Sequence[Vehicle], curves: Floats | None = None) -> B
         for number, fin in vehicle.fins.items():
             lift = 0.5 * vehicle.density * fin.area * fin.slope
             bodies.fins[robot, number] = [*fin.place, *fin.normal, lift]
+        for number, way in vehicle.sliding.items():
+            bodies.sliding[robot, number] = vehicle.gravity * way
     return bodies
 
 
@@ -95,6 +100,7 @@ def body_of(bodies: Bodies, robot: int, flow: Floats) -> Body:
         bodies.limit[robot],
         bodies.curve[robot],
         bodies.fins[robot],
+        bodies.sliding[robot],
         flow,
     )
 

@@ -11,6 +11,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts import fin
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.six_degrees import AXES, SixDegrees
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.world.six_degrees.vehicle import Fin, Vehicle, checked_mass_matrix
 
@@ -34,9 +35,14 @@ def vehicle_of(platform: Platform) -> Vehicle:
         wrench=np.array([_wrench(part) for part in platform.actuators]).reshape(-1, 6),
         limit=platform.actuator_limits(),
         fins={
-            number: Fin(part.position, part.direction, part.area, part.lift_slope)
+            number: Fin(part.position, part.direction, part.area, _slope(part))
             for number, part in enumerate(platform.actuators)
             if isinstance(part, fin.Fin)
+        },
+        sliding={
+            number: part.mass * np.array(part.direction)
+            for number, part in enumerate(platform.actuators)
+            if isinstance(part, SlidingMass)
         },
         density=platform.water_density,
         gravity=platform.gravity,
@@ -64,8 +70,13 @@ def _matrix(six: SixDegrees, name: str, diagonal: Sequence[float]) -> Floats:
     return matrix
 
 
+def _slope(part: fin.Fin) -> float:
+    """Of the lift coefficient [1/rad], with the fin's own gain."""
+    return part.lift_slope if part.gain is None else part.gain * part.lift_slope
+
+
 def _wrench(part: object) -> Floats:
-    """(6,) force and moment per newton; none of a fin, whose lift follows from the flow."""
+    """(6,) force and moment per newton; none of a fin or a sliding mass."""
     if not isinstance(part, Thruster):
         return np.zeros(6)
     return np.concatenate([part.direction, np.cross(part.position, part.direction)])

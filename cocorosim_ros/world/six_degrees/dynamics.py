@@ -20,6 +20,7 @@ from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.six_degrees.attitude import attitude_rate, to_body, to_world
 from cocorosim_ros.world.six_degrees.bodies import FIN_LIFT, FIN_NORMAL, FIN_PLACE, Body
 from cocorosim_ros.world.six_degrees.state import ATTITUDE, ROLL_RATE, SURGE, X
+from cocorosim_ros.world.terms.control_surface import fin_lift
 from cocorosim_ros.world.water.flow import add_water_velocity
 
 
@@ -72,9 +73,7 @@ def add_damping(relative: Floats, body: Body, total: Floats) -> None:
 def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None:
     """Add the lift of fins (6,) [N, N m; body] at angles (actuators,) [rad]; of thrusters nothing is looked at.
 
-    With V = v + omega x r at the fin, ahead V_x and along its normal V_n: rho S c / 2 |V_x| (V_x angle - V_n) along the
-    normal. Assumes: small angles of attack, no stall, no drag of the lift, no wash of a propeller.
-    Source: Prestero, Verification of a Six-Degree of Freedom Simulation Model for the REMUS AUV (2001), section 4.6.
+    With V = v + omega x r at the fin; its law, assumptions and source: terms.control_surface.
     """
     for fin in range(body.fins.shape[0]):
         row = body.fins[fin]
@@ -86,18 +85,38 @@ def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None
             felt[axis] = relative[axis]
         add_cross(relative[3:], place, felt)
         across = felt[0] * normal[0] + felt[1] * normal[1] + felt[2] * normal[2]
-        lift = row[FIN_LIFT] * abs(felt[0]) * (felt[0] * angle[fin] - across)
+        lift = fin_lift(row[FIN_LIFT], felt[0], across, angle[fin])
         for axis in range(3):
             force[axis] = lift * normal[axis]
             total[axis] += force[axis]
         add_cross(place, force, total[3:])
 
 
+@kernel
+def add_sliding(attitude: Floats, way: Floats, body: Body, total: Floats) -> None:
+    """Add the moment (6,) [N m; body] of masses that have slid by ways (actuators,) [m]; of others nothing.
+
+    Weight m g at a place that has moved by s along n: -m g s n x k, so for a mass that has slid ahead m g s cos(pitch)
+    with the bow down. Assumes: the mass slides slowly, and is so little of the whole, or its way so short, that the
+    mass matrix stays as it is with the mass in the middle.
+    """
+    for actuator in range(body.sliding.shape[0]):
+        weight = body.sliding[actuator]
+        if weight[0] == 0.0 and weight[1] == 0.0 and weight[2] == 0.0:
+            continue
+        up, arm = stack_array(3), stack_array(3)
+        arm[2] = 1.0
+        to_body(attitude, arm, up)
+        for axis in range(3):
+            arm[axis] = -weight[axis] * way[actuator]
+        add_cross(arm, up, total[3:])
+
+
 @outlined_kernel
 def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Floats) -> None:
     """Write the derivative (STATE_SIZE,) of the state `row` at `time` [s].
 
-    effort: (actuators,) forces [N] and angles [rad], which hold while a step lasts.
+    effort: (actuators,) forces [N], angles [rad] and ways [m], which hold while a step lasts.
     """
     attitude, relative, momentum = row[ATTITUDE:SURGE], stack_array(6), stack_array(6)
     total, drift = stack_array(6), stack_array(3)
@@ -111,6 +130,7 @@ def state_rate(row: Floats, time: float, effort: Floats, body: Body, rate: Float
     add_hydrostatics(attitude, body.hydrostatic, total)
     add_damping(relative, body, total)
     add_fins(relative, effort, body, total)
+    add_sliding(attitude, effort, body, total)
     for actuator in range(body.wrench.shape[0]):
         for line in range(6):
             total[line] += body.wrench[actuator, line] * effort[actuator]

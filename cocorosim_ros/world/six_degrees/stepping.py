@@ -15,7 +15,7 @@ from cocorosim_ros.world.terms.curve import thrust_share
 
 @kernel
 def set_effort(command: Floats, body: Body, effort: Floats) -> None:
-    """Write the force [N] or angle [rad] of every actuator at `command` (actuators,), fractions.
+    """Write the force [N], angle [rad] or way [m] of every actuator at `command` (actuators,), fractions.
 
     Beyond -1..1 the limit counts; NaN is zero.
     """

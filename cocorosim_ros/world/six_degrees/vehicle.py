@@ -31,7 +31,8 @@ class Vehicle:
 
     mass [kg]; inertia (3, 3) about the centre of gravity [kg m^2]; added_mass, linear, quadratic, lift: (6, 6), see
     bodies.Bodies; centre_of_gravity, centre_of_buoyancy (3,) [m; body]; weight, buoyancy [N]; wrench (actuators, 6) and
-    limit (actuators, 2) as there; fins: those actuators that are fins, by number; density of the water [kg/m^3], which
+    limit (actuators, 2) as there; fins: those actuators that are fins, by number; sliding: (3,) mass times way per
+    metre of those that are sliding masses [kg; body], by number; density of the water [kg/m^3], which
     fins feel; gravity [m/s^2].
     """
 
@@ -48,6 +49,7 @@ class Vehicle:
     wrench: Floats = field(default_factory=lambda: np.zeros((0, 6)))
     limit: Floats = field(default_factory=lambda: np.zeros((0, 2)))
     fins: Mapping[int, Fin] = field(default_factory=dict)
+    sliding: Mapping[int, Floats] = field(default_factory=dict)
     density: float = 1000.0
     gravity: float = 9.81
 

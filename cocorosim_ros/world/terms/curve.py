@@ -2,7 +2,7 @@
 
 A row has FORM, NUMBER and the points of a table. Of a thruster with a dead band d (NUMBER) and x = (|c| - d) / (1 - d),
 0 within the dead band: linear: sign(c) x; square: sign(c) x^2. A table of n (NUMBER) points has the n commands and
-behind them the n shares, straight in between. Of what is told an angle, the share is the command.
+behind them the n shares, straight in between. Of what is told an angle or a way, the share is the command.
 Source of the square: thrust K_T rho n^2 D^4 of a propeller at rest, Fossen (2021), section 9.2.
 """
 
@@ -16,7 +16,7 @@ from cocorosim_ros.foundation.compiling.kernel import kernel
 
 FORM, NUMBER, POINTS = 0, 1, 2  # columns; the points of a table begin at the last of these
 LINEAR, SQUARE, TABLE = 0.0, 1.0, 2.0
-ANGLE, AZIMUTH = 3.0, 4.0  # told an angle; the NUMBER of an azimuth is the place of the thruster that it turns
+ANGLE, AZIMUTH = 3.0, 4.0  # told an angle or a way; NUMBER of an azimuth is the place of the thruster that it turns
 
 
 @kernel

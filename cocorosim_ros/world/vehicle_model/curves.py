@@ -10,6 +10,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.steering import Azimuth, Rudder
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
 from cocorosim_ros.world.terms.curve import ANGLE, AZIMUTH, LINEAR, SQUARE, TABLE, thrust_share, turn_thrusts
@@ -34,7 +35,8 @@ def build_curves(platforms: Sequence[Platform]) -> Floats:
 def forces_at(platform: Platform, command: Floats) -> Floats:
     """(n, actuators) what each actuator delivers at commands (n, actuators), fractions in -1..1 [N].
 
-    An azimuth has the part of its thruster's force to the left, a rudder its angle [rad].
+    An azimuth has the part of its thruster's force to the left, a rudder its angle [rad],
+    a sliding mass its way [m].
     """
     curves = build_curves([platform])[0]
     share = command.copy()
@@ -61,7 +63,7 @@ def _turn_all(force: Floats, curves: Floats) -> None:
 
 
 def _row(actuator: Actuator, platform: Platform) -> tuple[float, ...]:
-    if isinstance(actuator, (Rudder, Fin)):
+    if isinstance(actuator, (Rudder, Fin, SlidingMass)):
         return ANGLE, 0.0
     if isinstance(actuator, Azimuth):
         return AZIMUTH, float(platform.actuator_names.index(actuator.thruster))

@@ -24,6 +24,7 @@ from cocorosim_ros.world.sensors.faults import Faults
 from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, SENSOR_LAWS
 from cocorosim_ros.world.terms.equations import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
+from cocorosim_ros.world.vehicle_model.fins import fin_numbers, fins_of
 from cocorosim_ros.world.vehicle_model.plausible_body import check_body, displaced_mass
 from cocorosim_ros.world.vehicle_model.rudders import rudder_numbers, rudders_of
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
@@ -145,7 +146,8 @@ def parameter_row(platform: Platform) -> Floats:
     row = neutral_row()
     for name, number in _NUMBERS.items():
         row[PARAMETER_COLUMNS[name]] = number(platform)
-    for name, value in (_drag_form(platform) | rudder_numbers(platform) | _chosen(platform, PARAMETER_COLUMNS)).items():
+    of_actuators = rudder_numbers(platform) | fin_numbers(platform)
+    for name, value in (_drag_form(platform) | of_actuators | _chosen(platform, PARAMETER_COLUMNS)).items():
         row[PARAMETER_COLUMNS[name]] = value
     return row
 
@@ -153,7 +155,8 @@ def parameter_row(platform: Platform) -> Floats:
 def active_bits(platform: Platform) -> int:
     """The effects that act on a robot of this kind: one bit of EFFECT_BIT for each."""
     bits = EVERYWHERE
-    for effect in (*effects_of(platform), *(effect for effect, _ in rudders_of(platform))):
+    of_actuators = [effect for effect, _ in (*rudders_of(platform), *fins_of(platform))]
+    for effect in (*effects_of(platform), *of_actuators):
         bits |= EFFECT_BIT.get(effect, 0)
     return bits | (EFFECT_BIT["anisotropic_drag"] if _drag_form(platform) else 0)
 

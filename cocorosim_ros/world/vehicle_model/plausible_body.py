@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 
 LIGHTEST, HEAVIEST = 0.0899, 22590.0  # kg/m^3
@@ -21,6 +22,7 @@ def check_body(platform: Platform) -> None:
     _check_density(platform)
     _check_displacement(platform)
     _check_inertia(platform)
+    _check_sliding(platform)
 
 
 def displaced_mass(platform: Platform) -> float:
@@ -59,3 +61,19 @@ def _check_inertia(platform: Platform) -> None:
             f"of its hull would have {at_corners:.3g} kg m^2, of which {WATER_THAT_TURNS_ALONG:g} times are allowed "
             "for the water that turns along."
         )
+
+
+def _check_sliding(platform: Platform) -> None:
+    parts = [part for part in platform.actuators if isinstance(part, SlidingMass)]
+    moving, size = sum(part.mass for part in parts), (platform.hull.length, platform.hull.width, platform.hull.height)
+    if moving >= platform.mass:
+        raise CocorosimError(
+            f"{platform.origin}: 'mass' has '{platform.mass:g} kg', and its sliding masses have {moving:g} kg; these "
+            "are a part of it."
+        )
+    for part in parts:
+        if any(abs(way) * part.travel > 0.5 * side for way, side in zip(part.direction, size, strict=True)):
+            raise CocorosimError(
+                f"{platform.origin}: '{part.name}' has the 'travel' {part.travel:g} m to each side, which is beyond "
+                f"the 'hull' of {size[0]:g} m x {size[1]:g} m x {size[2]:g} m; correct the one or the other."
+            )

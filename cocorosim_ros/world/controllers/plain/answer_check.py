@@ -34,6 +34,7 @@ class AnswerCheck:
         """`medium`: over which of MEDIA the controller speaks."""
         sensors = robot.platform.sensors
         self._actuators = robot.platform.actuator_names
+        self._mixing = robot.platform.stick_mixing()
         self._platform = robot.platform.name
         self._steers = robot.platform.operating_system is not None
         self._medium = medium
@@ -58,13 +59,16 @@ class AnswerCheck:
     def _write_command(self, actuators: Mapping[str, SupportsFloat], request: Floats) -> None:
         if not isinstance(actuators, Mapping):
             raise ValueError(f"actuators of type '{type(actuators).__name__}'; {_ANSWERS}")
-        names = ", ".join(self._actuators)
+        known = (*self._actuators, *(self._mixing.sticks if self._mixing else ()))
         for name in actuators:
-            if name not in self._actuators:
+            if name not in known:
+                names = ", ".join(known)
                 raise ValueError(f"a command for {name!r}, an actuator that the robot does not have; it has {names}")
+        asked = {name: _number(value, f"the command of '{name}'", -1.0, 1.0) for name, value in actuators.items()}
+        asked = self._mixing.without_sticks(asked) if self._mixing else asked
         request[DIRECT] = 1.0
         for column, name in enumerate(self._actuators, start=FRACTIONS):
-            request[column] = _number(actuators.get(name, 0.0), f"the command of '{name}'", -1.0, 1.0)
+            request[column] = asked.get(name, 0.0)
 
     def _write_course(self, course: Course, request: Floats) -> None:
         if not self._steers:

@@ -14,7 +14,8 @@ class Command:
     """
 
     actuators: Mapping[str, float] = field(default_factory=dict)
-    """Fractions -1..1 of each actuator's maximum by name; what is not named is off."""
+    """Fractions -1..1 of each actuator's maximum by name, or of sticks that its platform mixes; what is not named is
+    off."""
     say: Sequence[float] = ()
     """What goes out at this tick by radio (or blue light): at most 8 finite numbers, nothing for silence."""
 

@@ -50,6 +50,32 @@ def test_fractions_by_name(robot_with: Make, asked: Make) -> None:
     assert said.tolist() == [0.0] * 9
 
 
+STEERED = """\
+based_on: lily
+name: steered
+description: Lily by sticks
+mixing:
+  form: table
+  rows:
+    - {actuator: left, weights: {value: [1, 0, 0, 0, 0, -1], unit: "1", source: made}}
+    - {actuator: right, weights: {value: [1, 0, 0, 0, 0, 1], unit: "1", source: made}}
+"""
+
+
+def test_sticks_by_name(robot_with: Make, asked: Make, tmp_path: Path) -> None:
+    """Surge and yaw of a platform that mixes them, its pump beside; a stick and what it drives are a contradiction."""
+    (tmp_path / "steered.yaml").write_text(STEERED)
+    steered = str(tmp_path / "steered.yaml")
+    answer = answering("{'yaw': 0.25, 'surge': 0.5, 'buoyancy': -1}")
+    request, _ = asked(robot_with(answer, platform=steered))
+    assert request[DIRECT] == 1.0
+    assert request[FRACTIONS : FRACTIONS + 3].tolist() == [0.25, 0.75, -1.0]
+    with pytest.raises(ControllerError, match="the stick 'surge' beside 'left', which it drives"):
+        asked(robot_with(answering("{'surge': 0.5, 'left': 1}"), platform=steered))
+    with pytest.raises(ControllerError, match="the command of 'surge' 2; allowed is a number from -1 to 1"):
+        asked(robot_with(answering("{'surge': 2}"), platform=steered))
+
+
 def test_a_command_that_speaks(robot_with: Make, asked: Make) -> None:
     """The message has the length that was said, then its numbers."""
     request, said = asked(robot_with(answering("Command({'left': 0.5}, say=[1.5, -2])")))
