@@ -51,6 +51,18 @@ def add_thrust(force: Floats, actuator_wrench: Floats, is_pump: Flags, total: Fl
 
 
 @kernel
+def speed_along(wrench: Floats, relative: Floats) -> float:
+    """Speed through the water [m/s] of the vehicle's origin in the direction of the push of an actuator.
+
+    wrench: of the actuator, per newton, X, Y, Z first; relative: velocity through the water, u, v, w first [m/s; body].
+    """
+    along = 0.0
+    for axis in range(3):
+        along += wrench[axis] * relative[axis]
+    return along
+
+
+@kernel
 def pump_force(row: Floats, is_pump: Flags) -> tuple[float, float]:
     """Force [N] of all pumps of a robot, and the rate [N/s] at which it changes."""
     actuators = is_pump.shape[0]
