@@ -15,6 +15,7 @@ from cocorosim_ros.world.effects.advance_loss import ADVANCE_LOSS
 from cocorosim_ros.world.effects.anisotropic_drag import ANISOTROPIC_DRAG
 from cocorosim_ros.world.effects.battery_sag import BATTERY_SAG
 from cocorosim_ros.world.effects.buoyancy_trim import BUOYANCY_TRIM
+from cocorosim_ros.world.effects.crashback_loss import CRASHBACK_LOSS
 from cocorosim_ros.world.effects.density_gradient import DENSITY_GRADIENT
 from cocorosim_ros.world.effects.eddy import EDDY
 from cocorosim_ros.world.effects.hull_compressibility import HULL_COMPRESSIBILITY
@@ -88,6 +89,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "surface_loss": SURFACE_LOSS,
     "surface_waves": SURFACE_WAVES,
     "tether_drag": TETHER_DRAG,
+    "crashback_loss": CRASHBACK_LOSS,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}
