@@ -47,6 +47,7 @@ from cocorosim_ros.world.effects.thruster_misalignment import THRUSTER_MISALIGNM
 from cocorosim_ros.world.effects.tidal_current import TIDAL_CURRENT
 from cocorosim_ros.world.effects.torque_bias import TORQUE_BIAS
 from cocorosim_ros.world.effects.wall_effect import WALL_EFFECT
+from cocorosim_ros.world.effects.wash_loss import WASH_LOSS
 from cocorosim_ros.world.effects.wind import WIND
 from cocorosim_ros.world.terms.effect import Effect
 
@@ -90,6 +91,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "surface_waves": SURFACE_WAVES,
     "tether_drag": TETHER_DRAG,
     "crashback_loss": CRASHBACK_LOSS,
+    "wash_loss": WASH_LOSS,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

@@ -8,8 +8,9 @@ of rest is `advance_loss`, and a loss that does not ask for the speed `reverse_l
 has thrust along the motion and against it.
 Assumes: a straight line up to the speeds of the recordings; measured curves have their least thrust at some speed and
 rise beyond. The speed is that of the vehicle's origin; a turned thruster loses along its axis and across it by itself.
-Source: four-quadrant diagrams of the Wageningen B-series, van Lammeren, van Manen and Oosterveld, Trans. SNAME 77 (1969)
-269; Fossen (2021), section 9.2; of thrusters of underwater vehicles: Healey et al., IEEE J. Oceanic Eng. 20 (1995) 354.
+Source: four-quadrant diagrams of the Wageningen B-series, van Lammeren, van Manen and Oosterveld, Trans. SNAME 77
+(1969) 269; Fossen (2021), section 9.2; of thrusters of underwater vehicles: Healey et al., IEEE J. Oceanic Eng. 20
+(1995) 354.
 """
 
 from __future__ import annotations

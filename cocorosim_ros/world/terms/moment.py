@@ -30,6 +30,7 @@ class Moment(NamedTuple):
     neighbours: Floats  # (robots, NEIGHBOUR_SIZE), the robot itself among them; empty if nobody looks
     own: int  # the row of the robot itself, -1 if it is not among them
     advance_loss: float  # of the thrusters, fraction of the thrust lost per speed [s/m]
+    jets: Floats  # (pairs, JET_COLUMNS) thrusters that may stand in each other's jets, see terms.jet
 
 
 @kernel

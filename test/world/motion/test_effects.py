@@ -293,7 +293,7 @@ def test_a_crash_stop_takes_as_long_as_the_lost_thrust_makes_it(swim: Swim, lily
 def test_thrust_against_the_motion_alone_is_lost(
     acceleration: Swim, lily: SimpleNamespace, speed: float, forces: tuple[float, float], left: tuple[float, float]
 ) -> None:
-    """Along the push and at rest nothing, against it s u of the thrust, at most all of it, of each thruster by itself."""
+    """Along the push and at rest nothing, against it s u of the thrust, at most all, of each thruster by itself."""
     rates = acceleration({"crashback_loss.slope": 4.0}, {SURGE: speed}, (*forces, 0.0))
     given = [force * share for force, share in zip(forces, left, strict=True)]
     assert rates[0] * lily.mass == pytest.approx(sum(given), rel=1e-12, abs=1e-18)
