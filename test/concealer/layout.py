@@ -35,8 +35,10 @@ FloatArray = NDArray[np.float64]
     DENSER, DENSER_SCALE, BUBBLES, BUBBLES_REACH,
     # still later: waves on the surface
     SWELL, SWELL_OMEGA, SWELL_DIRECTION, SWELL_PHASE,
-) = range(97)  # fmt: skip
-SIZE = 97
+    # last: thrust lost against the motion
+    CRASHBACK, CRASHBACK_PEAK,
+) = range(99)  # fmt: skip
+SIZE = 99
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
@@ -87,6 +89,7 @@ def nominal_robot() -> FloatArray:
         OSC_OMEGA,
         FRICTION_RATE,
         SWELL_OMEGA,
+        CRASHBACK_PEAK,
     ):
         p[place] = 1.0
     return p
