@@ -84,7 +84,7 @@ WASH_LOSS = Effect(
             gives="N",
             search=Strength(large=1.0, least=0.0),
             example=Example(1.0, "two thrusters in line, by the rule of ABS"),
-            other_form=0.25,  # jets that widen otherwise and are met elsewhere
+            other_form=0.15,  # jets that widen otherwise, as those of neighbours
         ),
     ),
     search=Search(channel="surge", manoeuvre="ramps_through_zero"),
