@@ -83,7 +83,7 @@ WASH_LOSS = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=1.0, least=0.0),
-            example=Example(1.0, "two thrusters in line, by the rule of ABS"),
+            example=Example(1.0, "rule of ABS for two thrusters in line"),
             other_form=0.15,  # jets that widen otherwise, as those of neighbours
         ),
     ),

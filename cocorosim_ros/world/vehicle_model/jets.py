@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -11,6 +11,16 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.steering import Azimuth
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.world.terms.jet import JET_COLUMNS
+
+
+def without_jets(platforms: Iterable[Platform]) -> list[str]:
+    """One sentence for each platform whose `effects.wash_loss` does nothing: no thruster has a diameter."""
+    silent = {each.origin for each in platforms if "wash_loss" in each.effect_quantities and not _blowing(each)}
+    return [
+        f"{origin}: 'effects.wash_loss' is thrust lost in jets, and no thruster has the 'diameter' of its propeller, "
+        "by which a jet has a width: it does nothing."
+        for origin in sorted(silent)
+    ]
 
 
 def build_jets(platforms: Sequence[Platform]) -> Floats:
@@ -30,8 +40,13 @@ def _pairs(platform: Platform) -> list[list[float]]:
     return [
         [
             names.index(on.name), azimuths.get(on.name, -1), names.index(by.name), azimuths.get(by.name, -1),
-            *np.subtract(on.position, by.position).tolist(), by.diameter,
+            *np.subtract(on.position, by.position).tolist(), by.diameter or 0.0,
         ]
-        for by in thrusters if by.diameter is not None
+        for by in _blowing(platform)
         for on in thrusters if on is not by
     ]  # fmt: skip
+
+
+def _blowing(platform: Platform) -> list[Thruster]:
+    """Thrusters whose jets have a width."""
+    return [each for each in platform.actuators if isinstance(each, Thruster) and each.diameter is not None]

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hidden_effects import hiding
 
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.parts.steering import Azimuth
@@ -15,6 +16,7 @@ from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.world.effects.wash_loss import wash_loss
 from cocorosim_ros.world.terms.moment import Moment
 from cocorosim_ros.world.vehicle_model.jets import build_jets
+from cocorosim_ros.world.vehicle_model.platform_effects import not_simulated
 from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 DIAMETER = 0.05
@@ -104,3 +106,11 @@ def test_pairs_are_those_whose_jet_has_a_diameter() -> None:
     assert build_jets([load_platform("lily")]).shape == (1, 0, 8)
     jets = build_jets([load_platform("lily"), vehicle(AFT, FORE)])
     np.testing.assert_allclose(jets, [[[0.0] * 8], [[0, -1, 1, -1, -0.2, 0, 0, DIAMETER]]], atol=1e-15)
+
+
+def test_wash_without_a_width_of_jets_is_said_to_do_nothing() -> None:
+    """Neither thruster has a diameter: one sentence for the platform; none where one has, or nothing is lost."""
+    still = hiding(vehicle(replace(FORE, diameter=None), AFT), {"wash_loss": {"loss": 1.0}})
+    blowing = hiding(vehicle(FORE, AFT), {"wash_loss": {"loss": 1.0}})
+    (sentence,) = not_simulated({"a": still, "b": still, "c": blowing, "d": load_platform("lily")})
+    assert sentence.startswith(f"{still.origin}: 'effects.wash_loss' is thrust lost in jets, and no thruster has")
