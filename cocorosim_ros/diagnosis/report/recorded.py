@@ -39,6 +39,7 @@ _ORGANS: dict[str, Callable[[Platform], bool]] = {
     "reverse_loss": _reverses,
     "crashback_loss": _reverses,
     "thruster_asymmetry": lambda platform: len(_thrusters(platform)) > 1,
+    "wash_loss": lambda platform: any(each.diameter is not None for each in _thrusters(platform)),
 }
 """Effects of actuators that not every vehicle has, by identifier, and whether one has them."""
 
