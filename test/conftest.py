@@ -128,6 +128,7 @@ def blue_light() -> SimpleNamespace:
 def make_vehicles(lily: SimpleNamespace) -> Callable[..., Any]:
     """Function of (runs, robots, inertia): Lilys with two thrusters and a pump."""
     from cocorosim_ros.world.effects import EFFECTS
+    from cocorosim_ros.world.terms.jet import JET_COLUMNS
     from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, Vehicles, neutral_row
 
     def make(runs: int, robots: int, inertia: float | None = None) -> Vehicles:
@@ -146,7 +147,8 @@ def make_vehicles(lily: SimpleNamespace) -> Callable[..., Any]:
         limit = np.zeros((runs, robots, 3, 2))
         limit[...] = np.array([lily.thrust, lily.thrust, lily.pump])[:, None]
         pump = np.tile([False, False, True], (runs, robots, 1))
-        return Vehicles(parameters, np.full((runs, robots), bits), wrench, limit, pump, np.zeros((runs, robots, 3, 0)))
+        nothing = np.zeros((runs, robots, 3, 0)), np.zeros((runs, robots, 0, JET_COLUMNS))
+        return Vehicles(parameters, np.full((runs, robots), bits), wrench, limit, pump, *nothing)
 
     return make
 

@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.terms.jet import JET_COLUMNS
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE, Moment
 from site_builder.lily import lily
 
@@ -67,6 +68,7 @@ class Circumstances:
             neighbours=np.array(near) if math.isfinite(self.neighbour_distance) else np.empty((0, NEIGHBOUR_SIZE)),
             own=-1,
             advance_loss=0.0,
+            jets=np.empty((0, JET_COLUMNS)),
         )
 
 

@@ -144,6 +144,13 @@ def advance_loss(rng: np.random.Generator, amount: float, scene: Scene) -> Secre
     return Secret("advance_loss", {"slope": amount}, form)
 
 
+def crashback_loss(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A ring vortex takes thrust from what stops the robot, most at one speed; the slope is the straight line's."""
+    scene.own[[at.CRASHBACK, at.CRASHBACK_PEAK]] = amount, rng.uniform(0.08, 0.2)
+    form = "s a / (1 + (a/peak)^2), a: speed against the thrust; least-squares slope weighted by thrust"
+    return Secret("crashback_loss", {"slope": amount}, form)
+
+
 def battery_sag(_rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A discharge curve over the charge used, not a straight line over time."""
     scene.own[at.BATTERY] = amount
@@ -232,6 +239,6 @@ BODY: dict[str, Hide] = {
         linear_drag, anisotropic_drag, added_mass, steady_current, sheared_current, tidal_current, tether, wall_effect,
         neighbour_wake, thruster_lag, thruster_deadband, thruster_asymmetry, torque_bias, reverse_loss, advance_loss,
         battery_sag, thruster_misalignment, buoyancy_trim, pump_lag, hull_compressibility, stratification,
-        payload_shift, density_gradient, surface_loss, surface_waves, wind, hull_emergence,
+        payload_shift, density_gradient, surface_loss, surface_waves, wind, hull_emergence, crashback_loss,
     )
 }  # fmt: skip

@@ -55,6 +55,14 @@ def charge_rate(command: FloatArray) -> float:
 
 
 @compiled
+def lost_against(p: FloatArray, against: float) -> float:
+    """Share of a thrust that water takes which comes against its jet at a speed [m/s]: most at the peak."""
+    if against <= 0.0:
+        return 0.0
+    return p[at.CRASHBACK] * against / (1.0 + (against / p[at.CRASHBACK_PEAK]) ** 2)
+
+
+@compiled
 def one_thrust(p: FloatArray, s: FloatArray, level: float, gain: float, speed: float) -> float:
     """Force of one thruster [N] at a level (fraction) in water that comes at `speed`."""
     force = p[at.THRUST] * gain * level * left_in_battery(p, s[at.CHARGE])
@@ -62,6 +70,7 @@ def one_thrust(p: FloatArray, s: FloatArray, level: float, gain: float, speed: f
     if level < 0.0:
         force *= 1.0 - p[at.REVERSE_LOSS]
     ahead = math.copysign(speed, speed * level)
+    force *= 1.0 - lost_against(p, -ahead)
     return force * (1.0 - p[at.ADVANCE] * ahead * (1.0 + p[at.ADVANCE_CURVE] * abs(ahead)))
 
 

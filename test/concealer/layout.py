@@ -35,10 +35,12 @@ FloatArray = NDArray[np.float64]
     DENSER, DENSER_SCALE, BUBBLES, BUBBLES_REACH,
     # still later: waves on the surface
     SWELL, SWELL_OMEGA, SWELL_DIRECTION, SWELL_PHASE,
-    # last: what stands above the water, which wind pushes and which loses its buoyancy
+    # then: what stands above the water, which wind pushes and which loses its buoyancy
     WIND, WIND_DIRECTION, GUST_OMEGA, GUST_PHASE, WIND_TURN, EMERGE,
-) = range(103)  # fmt: skip
-SIZE = 103
+    # last: thrust lost against the motion
+    CRASHBACK, CRASHBACK_PEAK,
+) = range(105)  # fmt: skip
+SIZE = 105
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
@@ -91,6 +93,7 @@ def nominal_robot() -> FloatArray:
         OSC_OMEGA,
         FRICTION_RATE,
         SWELL_OMEGA,
+        CRASHBACK_PEAK,
     ):
         p[place] = 1.0
     return p

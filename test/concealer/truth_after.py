@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from concealer import layout as at
-from concealer.drives import emerged, left_in_battery
+from concealer.drives import emerged, left_in_battery, lost_against
 from concealer.fluid import current, tether
 from concealer.layout import FloatArray
 from concealer.scene import Secret
@@ -61,6 +61,16 @@ def advance_loss(p: FloatArray, rows: FloatArray, commands: FloatArray) -> Param
     return {"slope": float((weight * a * loss).sum() / (weight * a * a).sum())}
 
 
+def crashback_loss(p: FloatArray, rows: FloatArray, commands: FloatArray) -> Parameters:
+    """Slope of the straight line through what is lost at the speeds against the thrust, weighted by the thrust."""
+    ticks = rows[: len(commands) * 5 : 5]
+    force = commands[:, :2].sum(axis=1)
+    a = -ticks[:, at.U] * np.sign(force)
+    loss = np.array([lost_against(p, each) for each in a])
+    weight = force**2 * (a > 0.0)
+    return {"slope": float((weight * a * loss).sum() / (weight * a * a).sum())}
+
+
 def battery_sag(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Parameters:
     """What is lost at the end."""
     return {"fraction_lost": float(1.0 - left_in_battery(p, rows[-1, at.CHARGE]))}
@@ -93,6 +103,7 @@ AFTER: dict[str, After] = {
     "sheared_current": sheared_current,
     "tether": tether_line,
     "advance_loss": advance_loss,
+    "crashback_loss": crashback_loss,
     "battery_sag": battery_sag,
     "hull_compressibility": hull_compressibility,
     "density_gradient": density_gradient,

@@ -80,6 +80,9 @@ def test_added_mass_keeps_energy_and_momentum_of_a_free_body(run: Run) -> None:
         ({"reverse_loss": 0.2}, (-1, -1, 0), {}, 4, -0.8 * 0.01 / MASS),
         ({"advance": 2.0}, (1, 1, 0), {4: 0.05}, 4, (0.9 * 0.01 - DRAG * 0.05**2) / MASS),
         ({"advance": 2.0}, (-1, -1, 0), {4: -0.05}, 4, (-0.9 * 0.01 + DRAG * 0.05**2) / MASS),
+        ({"crashback": 4.0, "crashback_peak": 0.1}, (-1, -1, 0), {4: 0.05}, 4, (-0.84 * 0.01 - DRAG * 0.05**2) / MASS),
+        ({"crashback": 4.0, "crashback_peak": 0.1}, (1, 1, 0), {4: -0.05}, 4, (0.84 * 0.01 + DRAG * 0.05**2) / MASS),
+        ({"crashback": 4.0, "crashback_peak": 0.1}, (1, 1, 0), {4: 0.05}, 4, (0.01 - DRAG * 0.05**2) / MASS),
         ({"misalignment": 0.1}, (1, 1, 0), {}, 5, 0.01 * math.sin(0.1) / MASS),
         ({"dead_jump": 0.1}, (0.2, 0.2, 0), {}, 4, 0.2 * 0.01 / MASS),
         ({"dead_continuous": 0.1}, (0.2, 0.2, 0), {}, 4, 0.1 * 0.01 / MASS),
@@ -125,6 +128,18 @@ def test_each_hidden_number_gives_its_acceleration(
         s[place] = value
     rate = derivative(p, s, np.array(command, dtype=float), np.zeros(4), 0.0)
     assert rate[channel] == pytest.approx(expected, rel=1e-4, abs=1e-12)
+
+
+def test_the_slope_of_a_crash_stop_is_that_of_the_speeds_against_the_thrust() -> None:
+    """At one speed a against it s / (1 + (a / peak)^2), whatever the thrust; speeds along it do not count."""
+    from concealer import layout as at
+    from concealer.truth_after import AFTER
+
+    p, rows, commands = at.nominal_robot(), np.zeros((50, at.ROW)), np.full((10, 3), -0.5)
+    p[at.CRASHBACK], p[at.CRASHBACK_PEAK] = 3.0, 0.1
+    rows[:25, at.U], rows[25:, at.U] = 0.05, -0.08
+    commands[2] = -1.0
+    assert AFTER["crashback_loss"](p, rows, commands) == {"slope": pytest.approx(3.0 / 1.25)}
 
 
 ONLY = {  # which of u v w r a number may touch from rest under a command of both thrusters and the pump

@@ -26,6 +26,7 @@ Make = Callable[..., Any]
 every_effect = pytest.mark.parametrize("name", EFFECTS)
 catalogue = pytest.mark.parametrize("name", CATALOGUE_EFFECTS)
 TICKS = 4
+IN_LINE = [[0.0, -1.0, 1.0, -1.0, -0.1, 0.0, 0.0, 0.05]]  # 0.1 m behind another one, see terms.jet
 BOUNDS = ((-3.1, -3.1, -2.1), (3.1, 3.1, 0.0))
 
 
@@ -99,6 +100,8 @@ def test_it_does_something_finite(make_vehicles: Make, make_tank: Make, name: st
     rows[:, 1, :3] = rows[:, 0, :3] + 0.05
     if "side_thrusters" in EFFECTS[name].needs:
         vehicles.actuator_wrench[..., 0, 1] = 0.5
+    if "thruster_in_a_jet" in EFFECTS[name].needs:
+        vehicles = vehicles._replace(jets=np.tile(IN_LINE, (2, 15, 1, 1)))
     changed = with_effect(vehicles, name, some_numbers(name, (2, 15)))
     tank = make_tank(BOUNDS)
     after, before = swum(changed, tank, rows), swum(without_effect(vehicles, name), tank, rows)

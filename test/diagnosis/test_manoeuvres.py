@@ -35,7 +35,7 @@ def test_what_was_not_seen_is_shown_whatever_was_found() -> None:
 
 
 UP_AND_DOWN = {"depth_staircase", "surface_touch"}
-AHEAD = {"coast_down", "along_wall", "reverse_steps"}
+AHEAD = {"coast_down", "along_wall", "reverse_steps", "crash_stops"}
 AHEAD_AND_TURNING = {"zig_zag", "four_headings", "follow_neighbour", "slow_turns"}
 WITH_THRUSTERS = {"steps", "ramps_through_zero", "thrust_staircase", "ruler"}
 
@@ -44,7 +44,7 @@ WITH_THRUSTERS = {"steps", "ramps_through_zero", "thrust_staircase", "ruler"}
     ("platform", "cannot"),
     [
         ("lily", set()),  # a pump, and thrusters that turn both ways
-        ("hovercraft_epfl", {"pump_triangle", "reverse_steps"} | UP_AND_DOWN),
+        ("hovercraft_epfl", {"pump_triangle", "reverse_steps", "crash_stops"} | UP_AND_DOWN),
         ("haizhe_auv", {"pump_triangle"} | AHEAD | AHEAD_AND_TURNING),  # thrusters that push down, one way
         ("slocum_glider", AHEAD | AHEAD_AND_TURNING | WITH_THRUSTERS),  # a pump alone
         ("kvlcc2_hsva", {"pump_triangle"} | UP_AND_DOWN),  # a propeller that reverses, and a rudder

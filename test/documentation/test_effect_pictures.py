@@ -26,6 +26,7 @@ ON_THE_PAGE = [name for name, each in {**CATALOGUE_EFFECTS, **ERRORS}.items() if
 WITHOUT = {
     "net_buoyancy",  # a Lily weighs 0.44 kg and displaces 440 cm^3
     "patch_force",  # there are no patches in still water
+    "wash_loss",  # none of a Lily's thrusters stands in the jet of another one
     "sensor_latency",  # of when readings come, not of what they are
     "clock_skew",
 }

@@ -81,6 +81,7 @@ NEEDS: dict[str, Callable[[Platform], bool]] = {
     "ramps_through_zero": _has_thrusters,
     "thrust_staircase": _has_thrusters,
     "reverse_steps": _reverses,
+    "crash_stops": _reverses,
     "repeat_at_end": _acts,
     "depth_staircase": dives,
     "pump_triangle": has_pump,

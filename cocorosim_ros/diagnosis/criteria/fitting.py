@@ -70,6 +70,12 @@ class VehicleNeedsCriteria:
     pushes: float = 1e-6
     """[of a unit of force] to the side; less is rounding in a direction. Reckoned from the digits of directions in
     files."""
+    in_a_jet: float = 0.05
+    """[share of a thrust] that a thruster loses at least in the jet of another one by the law of `wash_loss`, wherever
+    azimuths turn both. Chosen, not measured: thrusts are hardly known to a twentieth."""
+    turned: int = 73
+    """[directions] of a thruster that an azimuth turns, in which this is asked. Chosen, not measured: every 5 degrees
+    of a full turn, a small part of a jet's width."""
 
 
 @dataclass(frozen=True)

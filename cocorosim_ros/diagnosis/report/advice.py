@@ -16,6 +16,7 @@ MANOEUVRES: dict[str, str] = {
     "ramps_through_zero": "ramp each thruster by itself slowly over its whole range",
     "thrust_staircase": "climb a staircase of thrust, all thrusters alike",
     "reverse_steps": "drive forwards and backwards on the same line with equal commands",
+    "crash_stops": "stop from full speed with full reverse thrust, ahead and astern, at several thrusts",
     "repeat_at_end": "drive the same programme at the beginning and at the end of a long recording",
     "depth_staircase": "hold five depths from the surface to the floor, twice up and down",
     "pump_triangle": "sweep the pump up and down in triangles of several widths",

@@ -43,6 +43,8 @@ PROGRAMMES: dict[str, tuple[Row, ...]] = {
     "thrust_staircase": (Row(10, 0.2), Row(10, 0.4), Row(10, 0.6), Row(10, 0.8), Row(10, 1.0), Row(15),
                          Row(6, 0.0, 0.4), Row(8)),
     "reverse_steps": (Row(8, 0.8), Row(8), Row(8, -0.8), Row(8), Row(8, 0.4), Row(8), Row(8, -0.4), Row(8)),
+    "crash_stops": (Row(10, 1.0), Row(4, -1.0), Row(8), Row(10, -1.0), Row(4, 1.0), Row(8), Row(10, 1.0), Row(8, -0.4),
+                    Row(10, -1.0), Row(8, 0.4), Row(6, 0.0, 0.4), Row(8)),
     "repeat_at_end": VARIED,
     "depth_staircase": (Row(3, 0, 0, -0.3), Row(20)) * 4 + (Row(3, 0, 0, 0.3), Row(20)) * 4,
     "pump_triangle": (Row(10, 0, 0, 0.2), Row(10, 0, 0, -0.2), Row(6, 0, 0, 0.5), Row(6, 0, 0, -0.5), Row(3, 0, 0, 1),

@@ -28,10 +28,18 @@ _UPRIGHT_NUMBERS = ("buoyancy_gain",)
 _UPRIGHT_EFFECTS = frozenset(entry.id for entry in ENTRIES if entry.channel == "heave")
 _UP_OR_DOWN = tuple(name for name, need in NEEDS.items() if need in (dives, has_pump))
 _BY_DEPTH = _UPRIGHT_EFFECTS | {entry.id for entry in ENTRIES if entry.manoeuvre in _UP_OR_DOWN}
+
+
+def _reverses(platform: Platform) -> bool:
+    return any(each.reverse > 0.0 for each in _thrusters(platform))
+
+
 _ORGANS: dict[str, Callable[[Platform], bool]] = {
     "pump_lag": has_pump,
-    "reverse_loss": lambda platform: any(each.reverse > 0.0 for each in _thrusters(platform)),
+    "reverse_loss": _reverses,
+    "crashback_loss": _reverses,
     "thruster_asymmetry": lambda platform: len(_thrusters(platform)) > 1,
+    "wash_loss": lambda platform: any(each.diameter is not None for each in _thrusters(platform)),
 }
 """Effects of actuators that not every vehicle has, by identifier, and whether one has them."""
 

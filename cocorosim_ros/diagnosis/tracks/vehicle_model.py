@@ -49,6 +49,7 @@ class VehicleModel:
     actuator_limit: Floats  # (actuators, 2) force at command +1 and -1 without own gains, both positive [N]
     is_pump: Flags  # (actuators,)
     actuator_curve: Floats  # (actuators, columns) see world.terms.curve
+    jets: Floats  # (pairs, JET_COLUMNS) see world.terms.jet
     full_force: Floats  # (actuators, 1) at command +1 as the wrench counts it [N], rudders 0
     steering: Floats  # (4,) amounts of X, Y, Z, N of rudders and fins at full speed [N, N, N, N m; body]
     above_water: tuple[float, float]  # areas as seen from ahead and from the side [m^2]
@@ -132,6 +133,7 @@ class VehicleModel:
             self._limit(row),
             self.is_pump,
             self.actuator_curve,
+            self.jets,
             STILL,
             around.lower,
             around.upper,
@@ -163,6 +165,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         _without_gains(platform, own, vehicles.actuator_limit[0, 0]),
         vehicles.is_pump[0, 0],
         vehicles.actuator_curve[0, 0],
+        vehicles.jets[0, 0],
         platform.full_forces()[:, AHEAD],
         rudder_forces(platform, full_speed(platform)) + fin_forces(platform, full_speed(platform)),
         (platform.hull.front_above_water or 0.0, platform.hull.side_above_water or 0.0),

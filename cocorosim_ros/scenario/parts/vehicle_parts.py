@@ -74,6 +74,7 @@ class Thruster:
     position: [m; body, from the centre of rotation]. direction: unit vector of its push forwards [body].
     maximum, maximum_reverse: force forwards and backwards [N], the same if `maximum_reverse` is None.
     curve: how the force grows with the command, in proportion if None. gain: what it pushes as a multiple of all this.
+    diameter: of its propeller [m], None where nothing is to be known of its jet.
     """
 
     name: str = field(metadata=TEXT)
@@ -86,6 +87,7 @@ class Thruster:
         metadata={**stored(read_curve, record_tree, form="curve from command to force"), "inside": ThrustCurve},
     )
     gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
+    diameter: float | None = field(default=None, metadata=quantity("length", "positive"))
     kind: Literal["thruster"] = field(default="thruster", metadata=choice("thruster"))
 
     @property

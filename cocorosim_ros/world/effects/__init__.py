@@ -15,6 +15,7 @@ from cocorosim_ros.world.effects.advance_loss import ADVANCE_LOSS
 from cocorosim_ros.world.effects.anisotropic_drag import ANISOTROPIC_DRAG
 from cocorosim_ros.world.effects.battery_sag import BATTERY_SAG
 from cocorosim_ros.world.effects.buoyancy_trim import BUOYANCY_TRIM
+from cocorosim_ros.world.effects.crashback_loss import CRASHBACK_LOSS
 from cocorosim_ros.world.effects.density_gradient import DENSITY_GRADIENT
 from cocorosim_ros.world.effects.eddy import EDDY
 from cocorosim_ros.world.effects.fin import FIN
@@ -47,6 +48,7 @@ from cocorosim_ros.world.effects.thruster_misalignment import THRUSTER_MISALIGNM
 from cocorosim_ros.world.effects.tidal_current import TIDAL_CURRENT
 from cocorosim_ros.world.effects.torque_bias import TORQUE_BIAS
 from cocorosim_ros.world.effects.wall_effect import WALL_EFFECT
+from cocorosim_ros.world.effects.wash_loss import WASH_LOSS
 from cocorosim_ros.world.effects.wind import WIND
 from cocorosim_ros.world.terms.effect import Effect
 
@@ -89,6 +91,8 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "surface_loss": SURFACE_LOSS,
     "surface_waves": SURFACE_WAVES,
     "tether_drag": TETHER_DRAG,
+    "crashback_loss": CRASHBACK_LOSS,
+    "wash_loss": WASH_LOSS,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

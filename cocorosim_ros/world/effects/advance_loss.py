@@ -11,7 +11,7 @@ from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
-from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.moment import Moment, speed_along
 from cocorosim_ros.world.terms.search import Search, Strength
 
 
@@ -22,10 +22,8 @@ def advance_loss(row: Floats, relative: Floats, moment: Moment, parameters: Floa
     for actuator in range(moment.actuator_wrench.shape[0]):
         if moment.is_pump[actuator]:
             continue
-        wrench, advance = moment.actuator_wrench[actuator], 0.0
-        for axis in range(3):
-            advance += wrench[axis] * relative[axis]
-        lost = slope * abs(moment.force[actuator]) * advance
+        wrench = moment.actuator_wrench[actuator]
+        lost = slope * abs(moment.force[actuator]) * speed_along(wrench, relative)
         for axis in range(4):
             total[axis] -= wrench[axis] * lost
 

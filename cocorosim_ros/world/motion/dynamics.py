@@ -102,6 +102,7 @@ def _catalogue_wrench(row: Floats, relative: Floats, time: float, body: Body, to
         body.neighbours,
         body.own,
         body.parameters[_ADVANCE_LOSS],
+        body.jets,
     )
     _add_catalogue_wrench(row, relative, moment, body.parameters, body.active, total)
 

@@ -30,6 +30,7 @@ class Moment(NamedTuple):
     neighbours: Floats  # (robots, NEIGHBOUR_SIZE), the robot itself among them; empty if nobody looks
     own: int  # the row of the robot itself, -1 if it is not among them
     advance_loss: float  # of the thrusters, fraction of the thrust lost per speed [s/m]
+    jets: Floats  # (pairs, JET_COLUMNS) thrusters that may stand in each other's jets, see terms.jet
 
 
 @kernel
@@ -48,6 +49,18 @@ def add_thrust(force: Floats, actuator_wrench: Floats, is_pump: Flags, total: Fl
         if not is_pump[actuator]:
             for axis in range(4):
                 total[axis] += actuator_wrench[actuator, axis] * force[actuator]
+
+
+@kernel
+def speed_along(wrench: Floats, relative: Floats) -> float:
+    """Speed through the water [m/s] of the vehicle's origin in the direction of the push of an actuator.
+
+    wrench: of the actuator, per newton, X, Y, Z first; relative: velocity through the water, u, v, w first [m/s; body].
+    """
+    along = 0.0
+    for axis in range(3):
+        along += wrench[axis] * relative[axis]
+    return along
 
 
 @kernel

@@ -25,6 +25,7 @@ from cocorosim_ros.world.sensors.law import NO_REGRESSORS_OF_READINGS, SENSOR_LA
 from cocorosim_ros.world.terms.equations import EQUATIONS
 from cocorosim_ros.world.terms.regressors import REGRESSORS
 from cocorosim_ros.world.vehicle_model.fins import fin_numbers, fins_of
+from cocorosim_ros.world.vehicle_model.jets import without_jets
 from cocorosim_ros.world.vehicle_model.plausible_body import check_body, displaced_mass
 from cocorosim_ros.world.vehicle_model.rudders import rudder_numbers, rudders_of
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, neutral_row
@@ -175,7 +176,7 @@ def build_faults(platforms: Sequence[Platform]) -> Faults | None:
 
 
 def not_simulated(robots: Mapping[str, Platform]) -> list[str]:
-    """One sentence for each effect of these robots' platforms that is the recording's and not the robot's."""
+    """One sentence for each effect of these platforms that is the recording's, or for which they lack a number."""
     who: dict[str, list[str]] = {}
     for robot, platform in robots.items():
         found = [
@@ -191,7 +192,7 @@ def not_simulated(robots: Mapping[str, Platform]) -> list[str]:
         f"{effect} belongs to a recording's camera and clocks or to an instrument, not to the robot's motion: "
         f"it is not simulated (platform of {names[0] if len(names) == 1 else f'{names[0]} and {len(names) - 1} more'})."
         for effect, names in who.items()
-    ]
+    ] + without_jets(robots.values())
 
 
 def _chosen(platform: Platform, columns: Mapping[str, int]) -> dict[str, float]:

@@ -9,6 +9,7 @@ import numpy as np
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.world.vehicle_model.curves import build_curves
+from cocorosim_ros.world.vehicle_model.jets import build_jets
 from cocorosim_ros.world.vehicle_model.platform_effects import active_bits, check_platform, parameter_row
 from cocorosim_ros.world.vehicle_model.vehicles import Vehicles
 
@@ -29,6 +30,6 @@ def build_vehicles(platforms: Sequence[Platform], runs: int = 1) -> Vehicles:
         check_platform(platform)
     parameters = np.array([parameter_row(platform) for platform in platforms])
     active = np.array([active_bits(platform) for platform in platforms], dtype=np.int64)
-    parts = (parameters, active, wrench, limit, pump, build_curves(platforms))
+    parts = (parameters, active, wrench, limit, pump, build_curves(platforms), build_jets(platforms))
     repeated = [np.repeat(part[None], runs, axis=0) for part in parts]
     return Vehicles(*repeated)

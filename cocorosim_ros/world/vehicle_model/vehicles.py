@@ -24,6 +24,7 @@ class Vehicles(NamedTuple):
     actuator_limit: Floats  # (runs, robots, actuators, 2) force at command +1 and -1, both positive [N]
     is_pump: Flags  # (runs, robots, actuators) whether it changes the robot's volume
     actuator_curve: Floats  # (runs, robots, actuators, columns) see terms.curve; no columns where all are plain
+    jets: Floats  # (runs, robots, pairs, JET_COLUMNS) see terms.jet; no pairs where no thruster has a diameter
 
 
 class Surroundings(NamedTuple):
@@ -44,6 +45,7 @@ class Body(NamedTuple):
     actuator_limit: Floats  # (actuators, 2)
     is_pump: Flags  # (actuators,)
     actuator_curve: Floats  # (actuators, columns) see terms.curve
+    jets: Floats  # (pairs, JET_COLUMNS) see terms.jet
     flow: Floats  # velocity of the water, see water.flow; empty in still water
     lower: Floats  # (3,) [m; world]
     upper: Floats  # (3,) [m; world]
@@ -101,6 +103,7 @@ def body_of(vehicles: Vehicles, surroundings: Surroundings, run: int, robot: int
         vehicles.actuator_limit[run, robot],
         vehicles.is_pump[run, robot],
         vehicles.actuator_curve[run, robot],
+        vehicles.jets[run, robot],
         surroundings.flow,
         surroundings.lower,
         surroundings.upper,
@@ -120,4 +123,5 @@ def as_runs(vehicles: Vehicles, runs: int, robots: int) -> Vehicles:
         vehicles.actuator_limit.reshape(runs, robots, actuators, vehicles.actuator_limit.shape[3]),
         vehicles.is_pump.reshape(runs, robots, actuators),
         vehicles.actuator_curve.reshape(runs, robots, actuators, vehicles.actuator_curve.shape[3]),
+        vehicles.jets.reshape(runs, robots, vehicles.jets.shape[2], vehicles.jets.shape[3]),
     )

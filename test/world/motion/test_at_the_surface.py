@@ -33,7 +33,7 @@ def moment() -> Any:
 
     return Moment(
         0.0, THRUST, np.zeros(3), np.zeros((3, 4)), np.zeros(3, dtype=bool), 0.0, 0.0, 1.0, 1.0, 0.5,
-        np.zeros((0, 5)), -1, 0.0,
+        np.zeros((0, 5)), -1, 0.0, np.zeros((0, 8)),
     )  # fmt: skip
 
 

@@ -263,6 +263,43 @@ def test_advance_loss_of_each_thruster_by_itself(acceleration: Swim, lily: Simpl
     assert rates[3] * lily.inertia == pytest.approx(-2 * 0.004 * lily.lever, rel=1e-12)
 
 
+def test_a_crash_stop_takes_as_long_as_the_lost_thrust_makes_it(swim: Swim, lily: SimpleNamespace) -> None:
+    """Astern from u0 without drag m u' = -F (1 - s u) until it stands, after that m u' = -F: both are solved by hand.
+
+    1 - s u grows as exp(s F t / m), so it stands when that has grown from 1 - s u0 to 1.
+    """
+    slope, begin, force = 5.0, 0.1, 2 * lily.thrust
+    path = swim({"crashback_loss.slope": slope}, {SURGE: begin}, [(-1, -1, 0)] * 15, steps=50)[:, 0, SURGE]
+    time = 0.5 * np.arange(16)
+    stands = -math.log(1.0 - slope * begin) * lily.mass / (slope * force)
+    braking = (1.0 - (1.0 - slope * begin) * np.exp(slope * force * time / lily.mass)) / slope
+    astern = -force * (time - stands) / lily.mass
+    assert time[0] < stands < time[-1]
+    # One step holds the kink at rest: its thrust errs by s F times the step's change of speed.
+    np.testing.assert_allclose(path, np.where(time < stands, braking, astern), rtol=0, atol=2e-6)
+
+
+@pytest.mark.parametrize(
+    ("speed", "forces", "left"),
+    [
+        (0.05, (0.004, 0.004), (1.0, 1.0)),
+        (0.0, (0.004, -0.004), (1.0, 1.0)),
+        (0.05, (-0.004, -0.004), (0.8, 0.8)),
+        (-0.05, (0.004, 0.004), (0.8, 0.8)),
+        (0.05, (0.004, -0.004), (1.0, 0.8)),
+        (0.4, (-0.004, 0.0), (0.0, 1.0)),
+    ],
+)
+def test_thrust_against_the_motion_alone_is_lost(
+    acceleration: Swim, lily: SimpleNamespace, speed: float, forces: tuple[float, float], left: tuple[float, float]
+) -> None:
+    """Along the push and at rest nothing, against it s u of the thrust, at most all, of each thruster by itself."""
+    rates = acceleration({"crashback_loss.slope": 4.0}, {SURGE: speed}, (*forces, 0.0))
+    given = [force * share for force, share in zip(forces, left, strict=True)]
+    assert rates[0] * lily.mass == pytest.approx(sum(given), rel=1e-12, abs=1e-18)
+    assert rates[3] * lily.inertia == pytest.approx((given[1] - given[0]) * lily.lever, rel=1e-12, abs=1e-18)
+
+
 def test_thrusters_off_their_axis(acceleration: Swim, lily: SimpleNamespace) -> None:
     """The force of both is turned by the angle; the arm makes a moment of its sideways part."""
     numbers = {"thruster_misalignment.angle": 0.1, "thruster_misalignment.arm": -0.05}

@@ -42,7 +42,7 @@ def at(seen: Course, point: int) -> np.ndarray:
     moment = Moment(
         seen.time[point], seen.thrust[point], seen.force[point], np.zeros((3, 4)), seen.is_pump,
         seen.force[point, 2], seen.rate[point, 2], 0.0, 0.0, clearance(row, LOWER, UPPER),
-        seen.neighbours[point], seen.own, 0.0,
+        seen.neighbours[point], seen.own, 0.0, np.zeros((0, 8)),
     )  # fmt: skip
     fill_regressors(row, row[4:8], moment, RATE * seen.time[point] + PHASE, values)
     return values
