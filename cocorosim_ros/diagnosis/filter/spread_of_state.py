@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import RMS_LEVEL, RMS_UPRIGHT, RMS_YAW
+from cocorosim_ros.diagnosis.filter.motion import RESPONSES
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
@@ -23,7 +24,7 @@ class Spread(NamedTuple):
     high: Floats  # (VERTICAL, VERTICAL)
     high_slope: Floats  # (VFZ, VERTICAL)
     high_step: Floats  # (VERTICAL, VERTICAL)
-    response: Floats  # (4,) acceleration by unit of force
+    response: Floats  # (RESPONSES,) acceleration by unit of force
 
 
 class NewVariance(NamedTuple):
@@ -51,7 +52,7 @@ def make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
         high,
         np.zeros(VFZ * VERTICAL),
         np.zeros(VERTICAL * VERTICAL),
-        np.zeros(4),
+        np.zeros(RESPONSES),
     )
     add_force(parts, noise, new)
     return parts
