@@ -5,9 +5,9 @@ m (u_dot - v r - x_g r^2 - y_g r_dot) = X, m (v_dot + u r + x_g r_dot - y_g r^2)
 I_z r_dot + m x_g (v_dot + u r) - m y_g (u_dot - v r) = N, with I_z = I + m (x_g^2 + y_g^2) about the origin and I, the
 platform's yaw inertia, about the centre of mass: so each offset is one that a body can have. Added mass stays where the
 origin is; its terms are those of effects.added_mass.
-What tells it from a pose of another point (sensors.errors.pose_lever), which moves poses in turns alike: with its centre
-ahead a vehicle resists turns under way by N = -m x_g u r and answers a force to the side with a turn, so that its
-heading differs too; a pose of another point leaves heading and turn rate as they are.
+A pose of another point (sensors.errors.pose_lever) moves poses in turns alike and leaves heading and turn rate as they
+are. A vehicle whose centre is ahead resists turns under way by N = -m x_g u r, and answers a force to the side with a
+turn: heading, compass and gyro tell the two apart.
 Assumes: weight and buoyancy do not turn the hull, which stays level.
 Source: Fossen (2021), sections 3.3 and 6.5.
 """
@@ -55,5 +55,5 @@ OFFSET_CENTRE = Effect(
         ),
     ),
     search=Search(channel="yaw", manoeuvre="zig_zag"),
-    check="Balance the vehicle on an edge, flooded as in water: its centre of mass should be where its file has the origin.",
+    check="Balance the vehicle on an edge, flooded as in water: its centre of mass should be at its file's origin.",
 )

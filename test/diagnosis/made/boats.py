@@ -51,7 +51,10 @@ effects:
 
 
 class Truth(NamedTuple):
-    """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag."""
+    """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag.
+
+    Forces act at the origin, INERTIA is that about the centre of mass.
+    """
 
     surge: float = 8.0  # kg/m
     sway: float = 24.0  # kg/m
@@ -60,6 +63,7 @@ class Truth(NamedTuple):
     weed: float = 0.0  # N m, of a moment that turns the boat to the left
     rough: float = 0.0  # N s/m: random push by speed, N, and ARM times as much moment; anew in every tick
     choppy: float = 0.0  # N: such a push that does not depend on speed
+    ahead: float = 0.0  # m, of the centre of mass before the origin
 
 
 def platform(folder: Path, more: str = "") -> Any:
@@ -80,13 +84,16 @@ def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0) -> Any:
     def rate(_: float, state: Any, true: Truth, wanted: Any, push: Any) -> list[float]:
         _x, _y, yaw, u, v, r, left, right = state
         drag = (-true.surge * abs(u) * u, -true.sway * abs(v) * v, -true.linear * r - 0.2 * abs(r) * r)
+        aside = drag[1] + push[1]
+        about_origin = ARM * (right - left) + drag[2] + true.weed + ARM * push[2]
+        turn = (about_origin - true.ahead * aside) / INERTIA
         return [
             u * math.cos(yaw) - v * math.sin(yaw),
             u * math.sin(yaw) + v * math.cos(yaw),
             r,
-            (left + right + drag[0] + push[0]) / MASS + v * r,
-            (drag[1] + push[1]) / MASS - u * r,
-            (ARM * (right - left) + drag[2] + true.weed + ARM * push[2]) / INERTIA,
+            (left + right + drag[0] + push[0]) / MASS + v * r + true.ahead * r**2,
+            aside / MASS - u * r - true.ahead * turn,
+            turn,
             (wanted[0] - left) / true.lag,
             (wanted[1] - right) / true.lag,
         ]
