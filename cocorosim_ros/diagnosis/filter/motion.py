@@ -23,8 +23,6 @@ FORCE = PUSH_X  # the first of the four
 ROW_SHARE = 2 + MEMORY_SIZE  # columns of a row for each actuator
 NUDGE = 1e-4  # m, rad, m/s, rad/s, N, N m for slopes of the rate
 AT_POINT = 2  # number of stages of a step before the rates at its end
-RESPONSES = 4 + 9
-"""Accelerations by unit of force: (4,) along each axis, and (3, 3) of surge, sway and yaw by X, Y and N, flat."""
 HELD = Fading(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)  # random forces that stay as they are given
 
 
@@ -124,7 +122,7 @@ def advance(motion: Motion, clock: Clock, drive: Drive, point: int, body: Body) 
 def responses(motion: Motion, time: float, body: Body, response: Floats) -> None:
     """Write the acceleration (4,) by unit of force or moment along each body axis [1/kg, 1/kg, 1/kg, 1/(kg m^2)].
 
-    response (RESPONSES,): what stands behind these is written for a vehicle whose axes are coupled alone.
+    response (4 + 9,): what stands behind these is written for a vehicle whose axes are coupled alone.
     """
     row, rate = motion.row, motion.rate
     cosine, sine = NUDGE * math.cos(row[YAW]), NUDGE * math.sin(row[YAW])

@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import RMS_LEVEL, RMS_UPRIGHT, RMS_YAW
-from cocorosim_ros.diagnosis.filter.motion import RESPONSES
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
@@ -24,7 +23,7 @@ class Spread(NamedTuple):
     high: Floats  # (VERTICAL, VERTICAL)
     high_slope: Floats  # (VFZ, VERTICAL)
     high_step: Floats  # (VERTICAL, VERTICAL)
-    response: Floats  # (RESPONSES,) acceleration by unit of force
+    response: Floats  # (4 + 9,) acceleration by unit of force along each axis, and (3, 3) of surge, sway and yaw, flat
 
 
 class NewVariance(NamedTuple):
@@ -52,7 +51,7 @@ def make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
         high,
         np.zeros(VFZ * VERTICAL),
         np.zeros(VERTICAL * VERTICAL),
-        np.zeros(RESPONSES),
+        np.zeros(4 + 9),
     )
     add_force(parts, noise, new)
     return parts
