@@ -79,6 +79,8 @@ def some_numbers(name: str, shape: tuple[int, ...]) -> Any:
             values[..., column] *= 0.001
         if parameter.name.startswith(("equation", "regressor")):
             values[..., column] = draw.integers(0, 7, shape)
+    if name == "offset_centre":
+        values *= 0.2  # within the hull
     return values
 
 
@@ -125,7 +127,8 @@ def test_it_tells_what_it_is(name: str) -> None:
     """Each parameter is told in full, the effect has a summary, and acts somewhere."""
     effect = EFFECTS[name]
     assert effect.summary
-    assert any((effect.wrench, effect.inertia, effect.water, effect.command, effect.thrust, effect.response))
+    places = ("wrench", "inertia", "centre", "water", "command", "thrust", "response")
+    assert any(getattr(effect, place) for place in places)
     assert effect.parameters
     for parameter in effect.parameters:
         assert parameter.name.isidentifier() and parameter.unit and parameter.meaning

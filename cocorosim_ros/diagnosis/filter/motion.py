@@ -12,7 +12,7 @@ from cocorosim_ros.diagnosis.filter.records import Drive, Grid, Stretch
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
-from cocorosim_ros.world.motion.dynamics import state_rate
+from cocorosim_ros.world.motion.dynamics import COUPLING_BITS, state_rate
 from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.state.state import HEAVE, MEMORY_SIZE, RATE, STATE_SIZE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
 from cocorosim_ros.world.terms.blocks import HFX, HFY, HN, HORIZONTAL, HR, HU, HV, HX, HY, HYAW, VERTICAL, VFZ, VW, VZ
@@ -120,7 +120,10 @@ def advance(motion: Motion, clock: Clock, drive: Drive, point: int, body: Body) 
 
 @kernel
 def responses(motion: Motion, time: float, body: Body, response: Floats) -> None:
-    """Write the acceleration (4,) by unit of force or moment along each body axis [1/kg, 1/kg, 1/kg, 1/(kg m^2)]."""
+    """Write the acceleration (4,) by unit of force or moment along each body axis [1/kg, 1/kg, 1/kg, 1/(kg m^2)].
+
+    response (4 + 9,): what stands behind these is written for a vehicle whose axes are coupled alone.
+    """
     row, rate = motion.row, motion.rate
     cosine, sine = NUDGE * math.cos(row[YAW]), NUDGE * math.sin(row[YAW])
     for nudged in range(2):
@@ -132,6 +135,37 @@ def responses(motion: Motion, time: float, body: Body, response: Floats) -> None
             response[axis] = (rate[SURGE + axis] - response[axis]) / (NUDGE if nudged == 1 else 1.0)
     for column in range(4):
         body.parameters[FORCE + column] = 0.0
+    if body.active & COUPLING_BITS != 0:
+        _coupled_responses(motion, time, body, response)
+
+
+@kernel
+def _coupled_responses(motion: Motion, time: float, body: Body, response: Floats) -> None:
+    """Write the accelerations (3, 3) of surge, sway and yaw by unit of X, Y and N, flat, behind the first four."""
+    row, rate, base = motion.row, motion.rate, motion.trial
+    cosine, sine = NUDGE * math.cos(row[YAW]), NUDGE * math.sin(row[YAW])
+    state_rate(row, time, body, base)
+    for force in range(3):
+        body.parameters[PUSH_X] = cosine if force == 0 else -sine if force == 1 else 0.0
+        body.parameters[PUSH_Y] = sine if force == 0 else cosine if force == 1 else 0.0
+        body.parameters[PUSH_YAW] = NUDGE if force == 2 else 0.0
+        state_rate(row, time, body, rate)
+        for answer in range(3):
+            column = YAW_RATE if answer == 2 else SURGE + answer
+            response[4 + 3 * answer + force] = (rate[column] - base[column]) / NUDGE
+    for column in range(4):
+        body.parameters[FORCE + column] = 0.0
+
+
+@kernel
+def _put_coupled_slopes(yaw: float, response: Floats, across: Floats) -> None:
+    """Write the derivatives of surge, sway and yaw rate by the random force of a vehicle whose axes are coupled."""
+    sine, cosine = math.sin(yaw), math.cos(yaw)
+    for answer in range(3):
+        by, at = 4 + 3 * answer, (HU + answer) * HORIZONTAL
+        across[at + HFX] = response[by] * cosine - response[by + 1] * sine
+        across[at + HFY] = response[by] * sine + response[by + 1] * cosine
+        across[at + HN] = response[by + 2]
 
 
 @kernel
@@ -173,6 +207,8 @@ def write_slopes(motion: Motion, time: float, body: Body, response: Floats, acro
         across[HV * HORIZONTAL + column] = (rate[SWAY] - base[SWAY]) / NUDGE
         across[HR * HORIZONTAL + column] = (rate[YAW_RATE] - base[YAW_RATE]) / NUDGE
     _put_force_slopes(row[YAW], response, across, upright)
+    if body.active & COUPLING_BITS != 0:
+        _put_coupled_slopes(row[YAW], response, across)
 
 
 @allocating_kernel

@@ -23,7 +23,7 @@ class Spread(NamedTuple):
     high: Floats  # (VERTICAL, VERTICAL)
     high_slope: Floats  # (VFZ, VERTICAL)
     high_step: Floats  # (VERTICAL, VERTICAL)
-    response: Floats  # (4,) acceleration by unit of force
+    response: Floats  # (4 + 9,) acceleration by unit of force along each axis, and (3, 3) of surge, sway and yaw, flat
 
 
 class NewVariance(NamedTuple):
@@ -51,7 +51,7 @@ def make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
         high,
         np.zeros(VFZ * VERTICAL),
         np.zeros(VERTICAL * VERTICAL),
-        np.zeros(4),
+        np.zeros(4 + 9),
     )
     add_force(parts, noise, new)
     return parts

@@ -27,6 +27,7 @@ from cocorosim_ros.world.effects.linear_drag import LINEAR_DRAG
 from cocorosim_ros.world.effects.misplaced_root_drag import MISPLACED_ROOT_DRAG
 from cocorosim_ros.world.effects.neighbour_wake import NEIGHBOUR_WAKE
 from cocorosim_ros.world.effects.net_buoyancy import NET_BUOYANCY
+from cocorosim_ros.world.effects.offset_centre import OFFSET_CENTRE
 from cocorosim_ros.world.effects.patch_force import PATCH_FORCE
 from cocorosim_ros.world.effects.payload_shift import PAYLOAD_SHIFT
 from cocorosim_ros.world.effects.pump_lag import PUMP_LAG
@@ -93,6 +94,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "tether_drag": TETHER_DRAG,
     "crashback_loss": CRASHBACK_LOSS,
     "wash_loss": WASH_LOSS,
+    "offset_centre": OFFSET_CENTRE,
     **LAWS,
 }
 RUDDERS: dict[str, Effect] = {"rudder_1": RUDDER, "rudder_2": RUDDER}

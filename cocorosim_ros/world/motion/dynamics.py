@@ -1,7 +1,8 @@
 """Newton and Euler for a vehicle that neither pitches nor rolls: M nu_dot + C(nu) nu = tau.
 
 In body axes: m (u_dot - v r) = X, m (v_dot + u r) = Y, m w_dot = Z, I r_dot = N; the pose follows by
-x_dot = u cos(psi) - v sin(psi), y_dot = u sin(psi) + v cos(psi), z_dot = w, psi_dot = r.
+x_dot = u cos(psi) - v sin(psi), y_dot = u sin(psi) + v cos(psi), z_dot = w, psi_dot = r. Where the centre of mass is
+not the origin, these are coupled (effects.offset_centre).
 Source: Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control (2021), chapters 2 and 3, with the
 axes of REP 103.
 
@@ -29,6 +30,8 @@ _BASIC = hooks("wrench", BASIC_EFFECTS)
 _CATALOGUE = hooks("wrench", {**CATALOGUE_EFFECTS, **OF_ACTUATORS})
 _CATALOGUE_BITS = sum(EFFECT_BIT[name] for name in _CATALOGUE)
 _INERTIA_BITS = bits("inertia")
+COUPLING_BITS = bits("centre")
+"""Of effects under which a force along one axis accelerates others too."""
 _WATER_BITS = bits("water")
 _ADVANCE_LOSS = PARAMETER_COLUMNS["advance_loss.slope"]
 _DRAG, _YAW_DRAG = PARAMETER_COLUMNS["drag"], PARAMETER_COLUMNS["yaw_drag"]
@@ -50,6 +53,12 @@ _add_inertia = compile_lines(
     "parameters, active, inertia",
     calls(hooks("inertia"), "{parameters}, inertia"),
     hooks("inertia"),
+)
+_add_centre = compile_lines(
+    "add_centre",
+    "parameters, active, place",
+    calls(hooks("centre"), "{parameters}, place"),
+    hooks("centre"),
 )
 _add_catalogue_water = compile_lines(
     "add_catalogue_water",
@@ -116,6 +125,32 @@ def _share_of_hull(body: Body, share: Floats) -> None:
         share[axis] = own / (own + share[axis])
 
 
+@outlined_kernel
+def _couple(row: Floats, body: Body, total: Floats) -> None:
+    """Turn the wrench (4,) on the origin into mass and own inertia times the accelerations that it gives the origin.
+
+    With the added mass A of each axis and the centre of mass at (x, y), effects.offset_centre has
+    (m + A_u) a - m y r_dot = X + m x r^2, (m + A_v) b + m x r_dot = Y + m y r^2 and
+    (I + m (x^2 + y^2) + A_r) r_dot + m (x b - y a) = N for a = u_dot - v r and b = v_dot + u r.
+    At x = y = 0 it does what `_share_of_hull` does, bit for bit.
+    """
+    mass, inertia, turn = body.parameters[MASS], body.parameters[YAW_INERTIA], row[YAW_RATE]
+    share, place, added = stack_array(4), stack_array(2), stack_array(4)
+    _add_centre(body.parameters, body.active, place)
+    _add_inertia(body.parameters, body.active, added)
+    for axis in range(3):
+        share[axis] = mass / (mass + added[axis])
+    ahead, left = place[0], place[1]
+    surge, sway = total[0] + mass * ahead * turn * turn, total[1] + mass * left * turn * turn
+    aside = mass * (ahead * ahead * (1.0 - share[1]) + left * left * (1.0 - share[0]))
+    share[3] = inertia / (inertia + added[3] + aside)
+    total[3] = (total[3] + left * share[0] * surge - ahead * share[1] * sway) * share[3]
+    faster = total[3] / inertia
+    total[0] = share[0] * (surge + mass * left * faster)
+    total[1] = share[1] * (sway - mass * ahead * faster)
+    total[2] *= share[2]
+
+
 @kernel
 def _add_actuators(row: Floats, actuator_wrench: Floats, total: Floats) -> None:
     for actuator in range(actuator_wrench.shape[0]):
@@ -139,6 +174,22 @@ def _answer(row: Floats, total: Floats, parameters: Floats, rate: Floats) -> Non
 
 
 @kernel
+def _through_inertia(row: Floats, body: Body, total: Floats) -> None:
+    """Turn the wrench (4,) of a robot that has more inertia than its own into what `_answer` takes, out of line."""
+    changed = stack_array(4)
+    if body.active & COUPLING_BITS != 0:
+        for axis in range(4):
+            changed[axis] = total[axis]
+        _couple(row, body, changed)
+        for axis in range(4):
+            total[axis] = changed[axis]
+        return
+    _share_of_hull(body, changed)
+    for axis in range(4):
+        total[axis] *= changed[axis]
+
+
+@kernel
 def state_rate(row: Floats, time: float, body: Body, rate: Floats) -> None:
     """Write the time derivative of one robot's state `row` (row_size(actuators),) at `time` [s] into `rate`.
 
@@ -157,11 +208,8 @@ def state_rate(row: Floats, time: float, body: Body, rate: Floats) -> None:
         for axis in range(4):
             total[axis] += more[axis]
     _add_actuators(row, body.actuator_wrench, total)
-    if body.active & _INERTIA_BITS != 0:
-        share = stack_array(4)
-        _share_of_hull(body, share)
-        for axis in range(4):
-            total[axis] *= share[axis]
+    if body.active & (_INERTIA_BITS | COUPLING_BITS) != 0:
+        _through_inertia(row, body, total)
     _answer(row, total, parameters, rate)
 
 

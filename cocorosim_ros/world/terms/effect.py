@@ -91,6 +91,7 @@ class Effect(Description):
     body frame. `row` is one robot's state (state.state), `relative` (4,) its velocity through the water [m/s,
     rad/s; body], `moment` what else there is to know (terms.moment).
     inertia(parameters, inertia) adds to the inertia (4,) against surge, sway, heave [kg] and yaw [kg m^2].
+    centre(parameters, place) adds to the place (2,) of the centre of mass, ahead and left of the origin [m; body].
     water(place, time, parameters, total) adds to the water's velocity (3,) [m/s; world] at a place (3,) [m; world].
     command(fraction, fitting, time, parameters) changes the commands (actuators,), fractions, in place.
     thrust(share, fitting, time, parameters) changes what they give (actuators,), as shares of the limits, in place.
@@ -100,6 +101,7 @@ class Effect(Description):
 
     wrench: Hook | None = None
     inertia: Hook | None = None
+    centre: Hook | None = None
     water: Hook | None = None
     command: Hook | None = None
     thrust: Hook | None = None

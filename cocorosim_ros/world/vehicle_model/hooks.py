@@ -9,7 +9,7 @@ from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.terms.effect import Hook
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, PARAMETER_COLUMNS, parameter_names
 
-Place = Literal["wrench", "inertia", "water", "command", "thrust", "response"]
+Place = Literal["wrench", "inertia", "centre", "water", "command", "thrust", "response"]
 
 
 def hooks(place: Place, effects: Mapping[str, object] = EFFECTS) -> dict[str, Hook]:

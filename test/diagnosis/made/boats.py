@@ -72,6 +72,7 @@ class Truth(NamedTuple):
     """What the boat really is: X = -surge |u| u, Y = -sway |v| v, N = -linear r - 0.2 |r| r, and the thrusters' lag.
 
     total: drag goes by the whole speed, X = -surge V u, Y = -sway V v. lag: 0 for thrusters that follow at once.
+    Forces act at the origin, INERTIA is that about the centre of mass.
     """
 
     surge: float = 8.0  # kg/m
@@ -84,6 +85,7 @@ class Truth(NamedTuple):
     total: bool = False
     wind: tuple[float, float] = (0.0, 0.0)  # m/s, of the air in the world; its centre of pressure is at 0.05 m
     askew: float = 0.0  # rad, by which a thruster that turns stands farther to the left than it should
+    ahead: float = 0.0  # m, of the centre of mass before the origin
 
 
 Forces = Callable[[Truth, float, float], tuple[float, float, float]]
@@ -147,13 +149,16 @@ def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0, forces:
         if true.lag == 0.0:
             left, right = wanted
         water, air, thrust = drag(true, u, v, r), blown(true, yaw, u, v), forces(true, left, right)
+        aside = thrust[1] + water[1] + push[1] + air[1]
+        about_origin = thrust[2] + water[2] + true.weed + ARM * push[2] + air[2]
+        turn = (about_origin - true.ahead * aside) / INERTIA
         return [
             u * math.cos(yaw) - v * math.sin(yaw),
             u * math.sin(yaw) + v * math.cos(yaw),
             r,
-            (thrust[0] + water[0] + push[0] + air[0]) / MASS + v * r,
-            (thrust[1] + water[1] + push[1] + air[1]) / MASS - u * r,
-            (thrust[2] + water[2] + true.weed + ARM * push[2] + air[2]) / INERTIA,
+            (thrust[0] + water[0] + push[0] + air[0]) / MASS + v * r + true.ahead * r**2,
+            aside / MASS - u * r - true.ahead * turn,
+            turn,
             late[0] / true.lag if true.lag else 0.0,
             late[1] / true.lag if true.lag else 0.0,
         ]
