@@ -20,8 +20,8 @@ from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, unseen_parts
 
-HEADING = "heading"
-TURNING = "yaw"  # with which the names of numbers that turn a vehicle begin: yaw_drag, linear_drag.yaw
+_TURNED = "heading"  # channel of free runs
+_OF_TURNS = "yaw"  # with which the names of numbers that turn a vehicle begin: yaw_drag, linear_drag.yaw
 
 
 class Restrained(NamedTuple):
@@ -67,13 +67,13 @@ def _choices(unknowns: Sequence[Unknown], worse: Sequence[str]) -> Iterator[list
     """Numbers to hold, fewest kinds first; worse: channels that have collapsed."""
     turning = [each for each in unknowns if _turns(each)]
     moving = [each for each in unknowns if not _turns(each)]
-    if HEADING in worse and turning:
+    if _TURNED in worse and turning:
         yield turning
-    if set(worse) - {HEADING} and moving:
+    if set(worse) - {_TURNED} and moving:
         yield moving
     if turning and moving:
         yield [*turning, *moving]
 
 
 def _turns(unknown: Unknown) -> bool:
-    return unknown.column.rpartition(".")[2].startswith(TURNING)
+    return unknown.column.rpartition(".")[2].startswith(_OF_TURNS)

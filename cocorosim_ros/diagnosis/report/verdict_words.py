@@ -79,7 +79,7 @@ COLLAPSED = Words(
     "its own fault; whether physics is missing is not known.",
     _NO_MODEL,
 )
-HELD = Words(
+KEPT_AS_GIVEN = Words(
     "The fit has collapsed: little is known",
     "Fitted numbers of the platform foretold unseen data worse than the platform as given, so the file's are "
     "kept. What is found beside them may stand for something else; whether physics is missing is not known.",
@@ -126,7 +126,7 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
     if diagnosis.against is not None:
         return _of_difference(diagnosis)
     if diagnosis.held:
-        return HELD
+        return KEPT_AS_GIVEN
     if diagnosis.verdict == "insufficient":
         return INSUFFICIENT
     if collapsed_channels(diagnosis.fit):
