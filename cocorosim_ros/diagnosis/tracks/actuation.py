@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
+from cocorosim_ros.world.state.state import X
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS, Body
 
@@ -79,7 +80,7 @@ class Actuation:
         Assumes: small angles to the level, as the law of fins does.
         """
         normals = self.vehicle.fin_normal
-        return np.asarray(normals[:, 0] - np.einsum("nj,aj->na", turns[:, 0], normals))
+        return np.asarray(normals[:, X] - np.einsum("nj,aj->na", turns[:, X], normals))
 
     def _added(self, turns: Floats, force: Floats) -> Floats:
         """Difference (points, 3) of the thrust in level axes and in the robot's own, of forces (points, actuators)."""
