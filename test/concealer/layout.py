@@ -35,8 +35,10 @@ FloatArray = NDArray[np.float64]
     DENSER, DENSER_SCALE, BUBBLES, BUBBLES_REACH,
     # still later: waves on the surface
     SWELL, SWELL_OMEGA, SWELL_DIRECTION, SWELL_PHASE,
-) = range(97)  # fmt: skip
-SIZE = 97
+    # last: a centre of mass off the origin
+    CENTRE_AHEAD, CENTRE_LEFT, CENTRE_SHIFT,
+) = range(100)  # fmt: skip
+SIZE = 100
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(
