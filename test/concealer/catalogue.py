@@ -206,6 +206,14 @@ def stratification(rng: np.random.Generator, amount: float, scene: Scene) -> Sec
     return Secret("stratification", {"depth": depth, "force": force}, "tanh step", shared=True)
 
 
+def offset_centre(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Mass that lies ahead or astern, little aside, and moves with the water in the pump by up to a millimetre."""
+    ahead, left = signed(rng, amount), amount * rng.uniform(-0.3, 0.3)
+    scene.own[[at.CENTRE_AHEAD, at.CENTRE_LEFT, at.CENTRE_SHIFT]] = ahead, left, rng.uniform(-1e-3, 1e-3)
+    form = "moves with the pump; where it is while that is neutral"
+    return Secret("offset_centre", {"ahead": ahead, "left": left}, form)
+
+
 def payload_shift(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """Trim that changes within a second."""
     duration = scene.own[at.DURATION]
@@ -240,5 +248,6 @@ BODY: dict[str, Hide] = {
         neighbour_wake, thruster_lag, thruster_deadband, thruster_asymmetry, torque_bias, reverse_loss, advance_loss,
         battery_sag, thruster_misalignment, buoyancy_trim, pump_lag, hull_compressibility, stratification,
         payload_shift, density_gradient, surface_loss, surface_waves, wind, hull_emergence, crashback_loss,
+        offset_centre,
     )
 }  # fmt: skip

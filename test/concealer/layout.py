@@ -39,8 +39,10 @@ FloatArray = NDArray[np.float64]
     WIND, WIND_DIRECTION, GUST_OMEGA, GUST_PHASE, WIND_TURN, EMERGE,
     # last: thrust lost against the motion
     CRASHBACK, CRASHBACK_PEAK,
-) = range(105)  # fmt: skip
-SIZE = 105
+    # and a centre of mass off the origin
+    CENTRE_AHEAD, CENTRE_LEFT, CENTRE_SHIFT,
+) = range(108)  # fmt: skip
+SIZE = 108
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(

@@ -5,6 +5,9 @@
     (m + A_w) dw/dt = Z
     (I + A_r) dr/dt = N - (A_v - A_u) u_r v_r
 
+Where the centre of mass is at (x, y) beside the origin, at which forces act and drag is felt, surge, sway and yaw are
+one system (`answer`); I is the inertia about the centre. Water that the pump draws in moves the centre.
+
 Integrated by the explicit midpoint rule with steps of 5 ms. Random forces and the wakes of neighbours are held
 during a step. Assumptions: no roll or pitch; the water accelerates the robot by drag alone.
 """
@@ -24,6 +27,26 @@ from concealer.fluid import current, oddities, resist, swell
 from concealer.forms import formed, remember
 from concealer.layout import FloatArray
 from concealer.pilot import decide
+
+
+@compiled
+def answer(p: FloatArray, s: FloatArray, load: FloatArray, rate: FloatArray) -> None:
+    """Fills in the rates of surge, sway and yaw rate under a load (3,) that holds all terms but those of the offset."""
+    x, y = p[at.CENTRE_AHEAD] + p[at.CENTRE_SHIFT] * s[at.PLAY], p[at.CENTRE_LEFT]
+    m, r = p[at.MASS], s[at.R]
+    along, aside, about = m + p[at.ADDED_SURGE], m + p[at.ADDED_SWAY], p[at.INERTIA] + p[at.ADDED_YAW]
+    if x == 0.0 and y == 0.0:
+        rate[at.U], rate[at.V], rate[at.R] = load[0] / along, load[1] / aside, load[2] / about
+        return
+    inertia = np.zeros((3, 3))
+    inertia[0, 0], inertia[1, 1], inertia[2, 2] = along, aside, about + m * (x * x + y * y)
+    inertia[0, 2], inertia[2, 0], inertia[1, 2], inertia[2, 1] = -m * y, -m * y, m * x, m * x
+    felt = load.copy()
+    felt[0] += m * x * r * r
+    felt[1] += m * y * r * r
+    felt[2] -= m * r * (x * s[at.U] + y * s[at.V])
+    found = np.linalg.solve(inertia, felt)
+    rate[at.U], rate[at.V], rate[at.R] = found[0], found[1], found[2]
 
 
 @compiled
@@ -49,10 +72,12 @@ def derivative(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArr
         more = formed(p, s, command, t)
         surge, sway, heave, yaw = surge + more[0], sway + more[1], heave + more[2], yaw + more[3]
     m, a_u, a_v = p[at.MASS], p[at.ADDED_SURGE], p[at.ADDED_SWAY]
-    rate[at.U] = (surge + m * r * s[at.V] + a_v * r * v_r + a_u * r * v_c) / (m + a_u)
-    rate[at.V] = (sway - m * r * s[at.U] - a_u * r * u_r - a_v * r * u_c) / (m + a_v)
+    load = np.zeros(3)
+    load[0] = surge + m * r * s[at.V] + a_v * r * v_r + a_u * r * v_c
+    load[1] = sway - m * r * s[at.U] - a_u * r * u_r - a_v * r * u_c
+    load[2] = yaw - (a_v - a_u) * u_r * v_r
+    answer(p, s, load, rate)
     rate[at.W] = heave / (m + p[at.ADDED_HEAVE])
-    rate[at.R] = (yaw - (a_v - a_u) * u_r * v_r) / (p[at.INERTIA] + p[at.ADDED_YAW])
     rate[at.X] = cos * s[at.U] - sin * s[at.V]
     rate[at.Y] = sin * s[at.U] + cos * s[at.V]
     rate[at.Z] = s[at.W]

@@ -6,7 +6,6 @@ WITHOUT = {
     "ground_log_scale": "no vehicle of the trials has a log of its speed over ground",
     "ground_log_misalignment": "no vehicle of the trials has a log of its speed over ground",
     "wash_loss": "no vehicle of the trials has a thruster in the jet of another",
-    "offset_centre": "forces of the trials' vehicles are told about their centres of mass",
 }
 """Effects that are not hidden, and why."""
 

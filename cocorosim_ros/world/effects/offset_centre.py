@@ -29,6 +29,9 @@ def offset_centre(parameters: Floats, place: Floats) -> None:
     place[1] += left
 
 
+END = 6.5
+"""Largest offset that a diagnosis looks for, in `large` amounts of 1/13 of the hull's length: an end of the hull."""
+
 OFFSET_CENTRE = Effect(
     summary="centre of mass off the origin",
     centre=offset_centre,
@@ -40,7 +43,7 @@ OFFSET_CENTRE = Effect(
             multiplies="N",
             gives="N m",
             part="N = -m ahead (v' + u r) with X = m ahead r^2 and Y = -m ahead r'",
-            search=Strength(large=0.01),
+            search=Strength(large=0.01, least=-END, most=END),
             example=Example(0.01, "balanced on an edge"),
         ),
         Number(
@@ -50,7 +53,7 @@ OFFSET_CENTRE = Effect(
             multiplies="N",
             gives="N m",
             part="N = m left (u' - v r) with X = m left r' and Y = m left r^2",
-            search=Strength(large=0.01),
+            search=Strength(large=0.01, least=-END, most=END),
             example=Example(0.002, "balanced on an edge"),
         ),
     ),

@@ -1,8 +1,9 @@
 """Whether a platform's mass, volume and inertia can belong to one body: a slipped power of ten is said, not simulated.
 
 The limits are those of nature, not of taste: hydrogen is the lightest and osmium the heaviest that a hull can be filled
-with (CRC Handbook of Chemistry and Physics: 0.0899 and 22 590 kg/m^3), and no mass within a hull is farther from its
-centre than a corner. What displaces less than half or more than twice its mass does not swim, whatever its pump does.
+with (CRC Handbook of Chemistry and Physics: 0.0899 and 22 590 kg/m^3), no mass within a hull is farther from its
+centre than a corner, and no two points of a hull are farther apart than it is long or wide. What displaces less than
+half or more than twice its mass does not swim, whatever its pump does.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ def check_body(platform: Platform) -> None:
     _check_displacement(platform)
     _check_inertia(platform)
     _check_sliding(platform)
+    _check_centre(platform)
 
 
 def displaced_mass(platform: Platform) -> float:
@@ -76,4 +78,15 @@ def _check_sliding(platform: Platform) -> None:
             raise CocorosimError(
                 f"{platform.origin}: '{part.name}' has the 'travel' {part.travel:g} m to each side, which is beyond "
                 f"the 'hull' of {size[0]:g} m x {size[1]:g} m x {size[2]:g} m; correct the one or the other."
+            )
+
+
+def _check_centre(platform: Platform) -> None:
+    place, hull = platform.effects.get("offset_centre", {}), platform.hull
+    for name, most in (("ahead", hull.length), ("left", hull.width)):
+        offset = place.get(name, 0.0)
+        if abs(offset) > most:
+            raise CocorosimError(
+                f"{platform.origin}: '{name}' of 'offset_centre' has '{offset:g} m' in a 'hull' of {hull.length:g} m x "
+                f"{hull.width:g} m, which has no centre of mass there; at most {most:g} m to either side are allowed."
             )

@@ -10,6 +10,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.scenario.reading.config_files import config_names
+from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 LILY = load_platform("lily")
@@ -22,6 +23,11 @@ def with_volume(factor: float) -> Platform:
         for part in LILY.actuators
     )
     return replace(LILY, actuators=tuple(parts))
+
+
+def with_centre(ahead: float) -> Platform:
+    """A Lily whose centre of mass is so far ahead of the origin [m]."""
+    return replace(LILY, effect_quantities={"offset_centre": {"ahead": Quantity(ahead, "m", "length")}})
 
 
 @pytest.mark.parametrize("name", config_names("platforms"))
@@ -39,6 +45,7 @@ def test_shipped_platforms_can_exist(name: str) -> None:
         (replace(LILY, mass=1e300), r"'mass' has '1e\+300 kg' in a 'hull' .* heavier than any metal"),
         (replace(LILY, hull=replace(LILY.hull, length=1e300)), r"lighter than hydrogen"),
         (replace(LILY, yaw_inertia=1e300), r"'yaw_inertia' has '1e\+300 kg m\^2'"),
+        (with_centre(-0.2), r"'ahead' of 'offset_centre' has '-0\.2 m' .* at most 0\.13 m to either side"),
     ],
 )
 def test_a_slipped_power_of_ten_is_a_sentence(platform: Platform, sentence: str) -> None:
