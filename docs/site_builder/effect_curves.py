@@ -77,7 +77,22 @@ def driven(effect: Effect, numbers: Floats, now: Circumstances) -> Floats:
     return robot.pushed(share * np.where(share >= 0.0, robot.limit[:, 0], robot.limit[:, 1]))
 
 
-OUTCOMES: dict[str, Outcome] = {"water": flowing, "command": driven, "thrust": driven, "wrench": pushed}
+def swung(effect: Effect, numbers: Floats, now: Circumstances) -> Floats:
+    """(4,) X, Y, Z [N], N [N m; body] by which mass off the origin resists a turn at constant speed and rate."""
+    place = np.zeros(2)
+    plain(effect.centre)(numbers, place)
+    ahead, left = lily().number("mass") * place
+    about_origin = -now.r * (ahead * now.u + left * now.v)
+    return np.array([ahead * now.r**2, left * now.r**2, 0.0, about_origin])
+
+
+OUTCOMES: dict[str, Outcome] = {
+    "water": flowing,
+    "command": driven,
+    "thrust": driven,
+    "wrench": pushed,
+    "centre": swung,
+}
 """Functions of what is drawn, by the hook that an effect has."""
 
 
@@ -110,7 +125,7 @@ def _words(effect: Effect, part: int) -> tuple[str, str, str]:
         axis = "xyz"[part]
         return f"V_{axis}", "m/s", f"The velocity of the water along {axis} of the world"
     equation = EQUATIONS[part]
-    adds = "What it adds to" if effect.wrench is not None else "By the thrusters:"
+    adds = "What it adds to" if effect.wrench is not None or effect.centre is not None else "By the thrusters:"
     return equation.symbol, equation.unit, f"{adds} {equation.meaning}"
 
 

@@ -69,6 +69,14 @@ def test_a_curve_shows_something(name: str) -> None:
         assert np.isfinite([curve.with_it, curve.without]).all()
 
 
+def test_a_centre_ahead_resists_a_turn_under_way() -> None:
+    """N = -m x_g u r of a Lily of 0.44 kg at full speed, with the example's 0.01 m: nothing where it does not turn."""
+    curve = shown("offset_centre")
+    assert curve.axis.name == "r"
+    np.testing.assert_allclose(curve.with_it, -0.44 * 0.01 * cruising().u * curve.axis.values, rtol=1e-9, atol=1e-18)
+    assert not curve.without.any()
+
+
 def test_quadratic_drag_is_the_parabola_of_the_paper() -> None:
     """A Lily feels 0.01 N at 0.075 m/s (Read et al. 2013, equation 6) and a quarter of it at half the speed."""
     curve = shown("quadratic_drag")
