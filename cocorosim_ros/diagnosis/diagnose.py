@@ -27,7 +27,7 @@ from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns
-from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, restrained
+from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, mends, restrained
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
@@ -77,15 +77,11 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     form: ChosenForm | None = None
     if evidence.platform.drag_form is None:
         base, form = with_best_form(base, RECALIBRATION.most_rounds)
-    progress("choosing what no fit sees", 0.2)
-    steady = restrained(base)
-    base, unseen, naming = _named_evenly(steady, progress)
-    progress("locating what was missing", 0.7)
+    steady, found = _steadily_searched(base, progress)
+    base, naming, table, passed = found.base, found.naming, found.free.table, found.passed
+    progress("locating what was missing", 0.9)
     courses = smoothed_tracks(base)
     located = locate(base, naming.screened, naming.laws, courses)
-    progress("running free on what the fit did not see", 0.8)
-    naming, free, passed = _beyond_doubt(naming, unseen)
-    table = free.table
     progress("writing down", 0.95)
     passed = (*passed, *(() if is_exact(table) else refused_effects(naming)))
     numbers = fitted(naming.fit)
@@ -95,7 +91,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     missing = any(each.stands for each in passed)
-    blind = bool(steady.held) or (is_blind(silent) and not shows_known(naming))
+    blind = bool(steady.held) or (is_blind(silent, base.tracks) and not shows_known(naming))
     verdict = _verdict(effects, moved, missing=missing, blind=blind)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
@@ -104,7 +100,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     case = Case(naming.fit, naming.named, effects, final_courses, table)
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = stopped(effects, against)
-    unlike, nothing_shown = unlike_regimes(unseen), unrecorded(base.tracks)
+    unlike, nothing_shown = unlike_regimes(found.unseen), unrecorded(base.tracks)
     return Diagnosis(
         verdict,
         sentence_of(verdict, effects, moved, passed, collapsed=bool(steady.held or collapsed_channels(table))),
@@ -119,7 +115,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         residual_forces(base, courses),
         residual_forces(naming.fit, final_courses),
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
-        free_runs=free.runs,
+        free_runs=found.free.runs,
         gathered=gathered_evidence(base, naming.fit),
         remarks=(
             *intake.evidence.remarks,
@@ -146,15 +142,42 @@ def noise_remarks(fit: Fit) -> tuple[str, ...]:
     return (*growth_remarks(fit), *memory_remarks(fit))
 
 
-def _named_evenly(steady: Restrained, progress: Progress) -> tuple[Fit, Unseen, Naming]:
+class Search(NamedTuple):
+    """What a search on top of a base has found, and its free runs; passed: effects that it took back."""
+
+    base: Fit
+    unseen: Unseen
+    naming: Naming
+    free: HeldOutFreeRuns
+    passed: tuple[PassedOver, ...]
+
+
+def _steadily_searched(base: Fit, progress: Progress) -> tuple[Restrained, Search]:
+    """Search on top of a base; where what is found foretells worse than the platform as given, with numbers held."""
+    found = _searched(base, progress)
+    steady = restrained(base, found.free.table)
+    if steady.held:
+        again = _searched(steady.base, progress)
+        if mends(again.free.table, found.free.table):
+            return steady, again
+    return Restrained(base), found
+
+
+def _searched(base: Fit, progress: Progress) -> Search:
+    progress("choosing what no fit sees", 0.2)
+    base, unseen, naming = _named_evenly(base, progress)
+    progress("running free on what the fit did not see", 0.8)
+    return Search(base, unseen, *_beyond_doubt(naming, unseen))
+
+
+def _named_evenly(base: Fit, progress: Progress) -> tuple[Fit, Unseen, Naming]:
     """Name effects, on top of a model whose noise is as the recordings show it: of readings, and of the water.
 
     White errors of readings take slow ones for evidence of what acts slowly; a random force that is the same at all
     times takes errors that grow with speed for evidence of what acts at speed. Both are asked of the model with all
     its effects, since one that is missing shows there too; only then the search begins again.
     """
-    base = steady.base
-    unseen, naming = _named(base, progress, Shares(0.25, 0.35, 0.4), steady.unseen)
+    unseen, naming = _named(base, progress, Shares(0.25, 0.35, 0.4))
     coloured = with_coloured_readings(base, naming.fit)
     if coloured is not None:
         base = coloured
@@ -173,14 +196,14 @@ class Shares(NamedTuple):
     end: float
 
 
-def _named(base: Fit, progress: Progress, done: Shares, unseen: Unseen | None = None) -> tuple[Unseen, Naming]:
+def _named(base: Fit, progress: Progress, done: Shares) -> tuple[Unseen, Naming]:
     """Name effects, with free runs that are as long as the found vehicle coasts.
 
     A recalibrated model that lacks an effect may coast for a third of the time, as a blimp does whose drag has to stand
     for that sideways. So where the found model coasts for another time, the search begins again with free runs of
-    its length: one that began with the found model would take these too. unseen: measure of the base, if it is known.
+    its length: one that began with the found model would take these too.
     """
-    unseen = unseen_parts(base) if unseen is None else unseen
+    unseen = unseen_parts(base)
     naming = name_effects(base, _between(progress, done.begin, done.once), unseen)
     if naming.named and (seconds := seconds_of_free_runs(naming.fit)) != unseen.seconds:
         unseen = unseen_parts(base, seconds)

@@ -157,7 +157,11 @@ def test_platform_reads_back_and_pickles(tmp_path: Path) -> None:
         (f"{{value: 2, unit: kg, {SOURCE}}}", "2 kg", "line 7: 'mass' has '2 kg' without a source"),
         (f"mass: {{value: 2, unit: kg, {SOURCE}}}\n", "", "line 1: lacks 'mass'; add it."),
         ("kind: thruster", "kind: truster", "'actuators[0].kind' has 'truster'; did you mean 'thruster'?"),
-        ("    kind: thruster\n", "", "'actuators[0]' lacks 'kind'; allowed: thruster, buoyancy, rudder, azimuth, fin."),
+        (
+            "    kind: thruster\n",
+            "",
+            "'actuators[0]' lacks 'kind'; allowed: thruster, buoyancy, rudder, azimuth, fin, sliding_mass.",
+        ),
         ("value: [0, 2, 0]", "value: [0, 0, 0]", "which points nowhere"),
         ("value: [0, 2, 0]", "value: [0, 2]", "write 3 values"),
         ("name: bow", "name: port", "'actuators' has the name 'port' more than once"),

@@ -15,7 +15,7 @@ from cocorosim_ros.diagnosis.catalogue.shown_by import can_be_told
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.evidence.clocks import has_clock_of_commands
 from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
-from cocorosim_ros.diagnosis.fitting.vehicle_needs import HAS
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import has_all
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -208,7 +208,7 @@ def expand(
     for entry in entries:
         if entry.needs_neighbours and len(numbers) < 2:
             continue
-        if not all(HAS[need](tracks[0].vehicle) for need in entry.needs):
+        if not has_all(tracks[0].vehicle, entry.needs):
             continue
         concerned = tuple(name for name in numbers if _shows(entry, [tracks[each] for each in numbers[name]], known))
         if not concerned:

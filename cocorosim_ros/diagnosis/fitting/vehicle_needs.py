@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -49,3 +49,8 @@ HAS: Mapping[str, Callable[[VehicleModel], bool]] = {
     "tall_hull": lambda vehicle: vehicle.height >= VEHICLE_NEEDS.tall,
 }
 """Tell by name whether a vehicle has something that effects need."""
+
+
+def has_all(vehicle: VehicleModel, needs: Sequence[str]) -> bool:
+    """Tell whether a vehicle has all that an effect needs, by the names of HAS."""
+    return all(HAS[need](vehicle) for need in needs)

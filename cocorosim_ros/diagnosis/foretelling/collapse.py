@@ -1,4 +1,4 @@
-"""Collapse of a fit: its recalibrated model foretells unseen data worse than the platform as given."""
+"""Collapse of a fit: its model foretells unseen data worse than the platform as given."""
 
 from __future__ import annotations
 
@@ -9,13 +9,20 @@ from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.foretelling.exactness import EXACT, is_beyond_steps
 
 
-def collapsed_channels(table: Mapping[str, HeldOut]) -> tuple[str, ...]:
-    """Name the channels of free runs by which a fit has collapsed: those that clearly err more, and not by steps."""
-    return tuple(channel for channel in EXACT if channel in table and _is_worse(channel, table[channel]))
+def collapsed_channels(
+    table: Mapping[str, HeldOut], model: str = "recalibrated", worse: float = HARD_STOPS.worse
+) -> tuple[str, ...]:
+    """Name the channels of free runs by which a fit has collapsed: those that clearly err more, and not by steps.
+
+    model: 'recalibrated', or 'augmented' for the one with the effects. worse: error from which it is one, in multiples
+    of that of the platform as given.
+    """
+    return tuple(channel for channel in EXACT if channel in table and _is_worse(channel, table[channel], model, worse))
 
 
-def _is_worse(channel: str, row: HeldOut) -> bool:
-    if not row.recalibrated > HARD_STOPS.worse * row.nominal:
+def _is_worse(channel: str, row: HeldOut, model: str, worse: float) -> bool:
+    error: float = getattr(row, model)
+    if not error > worse * row.nominal:
         return False
-    low, _ = row.intervals.get("recalibrated", (row.recalibrated, row.recalibrated))
-    return low > row.nominal and is_beyond_steps(channel, row.recalibrated)
+    low, _ = row.intervals.get(model, (error, error))
+    return low > row.nominal and is_beyond_steps(channel, error)

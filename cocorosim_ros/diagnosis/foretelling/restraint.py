@@ -1,37 +1,40 @@
 """Numbers of the platform that are held as its file gives them, since fitted ones foretell unseen data worse.
 
-A model that lacks a cause gives its own numbers the task of that cause. They then explain what was fitted and foretell
-nothing else: the fit has collapsed. Free runs say in which channel. The numbers that turn the vehicle are held first
-where the heading is foretold worse, those that move it where its place is, and all if that is not enough; what is
-fitted beside them is fitted anew. Nothing found on such a base is more than suspected.
+Numbers of a model that lacks a cause may stand for that cause. They then explain what was fitted and foretell nothing
+else, also with all the effects that were found beside them: the fit has collapsed. Free runs say in which channel.
+The numbers that turn the vehicle are held first where the heading is foretold worse, those that move it where its place
+is, and all if that is not enough; what is fitted beside them is fitted anew. Nothing found on such a base is more than
+suspected.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from cocorosim_ros.diagnosis.criteria.foretelling import RESTRAINT
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import climbed
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
+from cocorosim_ros.diagnosis.foretelling.exactness import EXACT
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
-from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, unseen_parts
+from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 
 _TURNED = "heading"  # channel of free runs
 _OF_TURNS = "yaw"  # with which the names of numbers that turn a vehicle begin: yaw_drag, linear_drag.yaw
 
 
 class Restrained(NamedTuple):
-    """A base whose free runs have not collapsed, or which holding numbers does not help; held: their names.
+    """A base some of whose numbers are held, `held` by their names; () for one that is as it was fitted.
 
-    worse: the channels that the fit without held numbers foretold worse, each with its errors there.
+    worse: the channels that the model without held numbers foretold worse, each with its errors there.
     """
 
     base: Fit
-    unseen: Unseen
     held: tuple[str, ...] = ()
     worse: tuple[tuple[str, HeldOut], ...] = ()
 
@@ -41,26 +44,44 @@ class Restrained(NamedTuple):
         names = ", ".join(self.held)
         return tuple(
             f"With {names} fitted, the {channel} of unseen data was foretold worse than by the platform as given: by "
-            f"{row.recalibrated:.3g} for {row.nominal:.3g} {row.unit}; they are kept as the file gives them."
+            f"{row.augmented:.3g} for {row.nominal:.3g} {row.unit}; they are kept as the file gives them."
             for channel, row in self.worse
-            if self.held
         )
 
 
-def restrained(base: Fit) -> Restrained:
-    """Hold numbers of a base whose free runs have collapsed, as few kinds of them as stop the collapse."""
-    unseen = unseen_parts(base)
-    table = held_out_free_runs(unseen, base).table
-    worse = tuple((channel, table[channel]) for channel in collapsed_channels(table))
-    if not worse:
-        return Restrained(base, unseen)
+def restrained(base: Fit, table: Mapping[str, HeldOut]) -> Restrained:
+    """Hold numbers of a base whose found model has collapsed, as few kinds of them as stop the collapse.
+
+    table: free runs with all that was found on this base. The base comes back as it is where its model has not
+    collapsed, or where holding numbers does not help.
+    """
+    worse = tuple((channel, table[channel]) for channel in _worse(table))
     for held in _choices(base.unknowns, [channel for channel, _ in worse]):
         kept = [place for place, unknown in enumerate(base.unknowns) if unknown not in held]
         fit = climbed(evaluated(replace(base, unknowns=tuple(base.unknowns[k] for k in kept), q=base.q[kept])))
-        own = unseen_parts(fit)
-        if not collapsed_channels(held_out_free_runs(own, fit).table):
-            return Restrained(fit, own, tuple(dict.fromkeys(each.owner.parameter for each in held)), worse)
-    return Restrained(base, unseen)
+        if not collapsed_channels(held_out_free_runs(unseen_parts(fit), fit).table):
+            return Restrained(fit, tuple(dict.fromkeys(each.owner.parameter for each in held)), worse)
+    return Restrained(base)
+
+
+def mends(table: Mapping[str, HeldOut], before: Mapping[str, HeldOut]) -> bool:
+    """Tell whether what was found with held numbers foretells better than what was found before.
+
+    It has to in the mean of the logarithms of errors in multiples of those of the platform as given, over the channels;
+    and those in which the one before had collapsed, and all others, must not be worse than the platform as given.
+    """
+    again = [table[channel] for channel in _worse(before) if channel in table]
+    mended = all(row.augmented <= RESTRAINT.worse * row.nominal for row in again)
+    return mended and not _worse(table) and _mean_error(table, before) < _mean_error(before, table)
+
+
+def _worse(table: Mapping[str, HeldOut]) -> tuple[str, ...]:
+    return collapsed_channels(table, "augmented", RESTRAINT.worse)
+
+
+def _mean_error(table: Mapping[str, HeldOut], other: Mapping[str, HeldOut]) -> float:
+    rows = [table[channel] for channel in EXACT if channel in table and channel in other]
+    return sum(math.log(row.augmented / row.nominal) for row in rows if row.augmented > 0.0 and row.nominal > 0.0)
 
 
 def _choices(unknowns: Sequence[Unknown], worse: Sequence[str]) -> Iterator[list[Unknown]]:
@@ -71,7 +92,7 @@ def _choices(unknowns: Sequence[Unknown], worse: Sequence[str]) -> Iterator[list
         yield turning
     if set(worse) - {_TURNED} and moving:
         yield moving
-    if turning and moving:
+    if worse and turning and moving:
         yield [*turning, *moving]
 
 

@@ -7,11 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.catalogue.catalogue import IDS, WHERE_RECORDED
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS, WHERE_RECORDED
 from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import has_all
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.world.sensors.errors import ERRORS
 
 OF_EVERY_STREAM = {name for name, error in ERRORS.items() if error.streams is not None}
@@ -106,9 +108,15 @@ def _is_seen(screened: Screened) -> bool:
     return expected_nats(screened, DETECTABILITY.medium) >= NAMING.threshold
 
 
-def is_blind(unseen: Sequence[str]) -> bool:
-    """Tell whether so little of the catalogue could be seen that a diagnosis without effects says nothing."""
-    return len(set(unseen) & set(IDS)) > DETECTABILITY.blind * len(IDS)
+def is_blind(unseen: Sequence[str], tracks: Sequence[Track]) -> bool:
+    """Tell whether so little of the catalogue could be seen that a diagnosis without effects says nothing.
+
+    Effects of what none of the vehicles has, as of a cable, are no part of what could be seen.
+    """
+    possible = {entry.id for entry in ENTRIES if any(has_all(track.vehicle, entry.needs) for track in tracks)} & set(
+        IDS
+    )
+    return len(possible & set(unseen)) > DETECTABILITY.blind * len(possible)
 
 
 def shows_known(naming: Naming) -> bool:

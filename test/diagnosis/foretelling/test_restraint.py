@@ -12,7 +12,7 @@ import pytest
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
-from cocorosim_ros.diagnosis.foretelling.restraint import restrained
+from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, restrained
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.scenario.parts.platform import load_platform
 
@@ -37,14 +37,16 @@ def test_numbers_that_stand_for_a_wrong_log_are_held(swim: Swim) -> None:
     In held-out parts the log is true, so that the platform as given foretells the heading there.
     """
     evidence = swim(load_platform("lily"), 480.0, seed=5)
-    sound = restrained(base_fit(evidence))
-    assert sound.held == () and sound.sentences == ()
-    (split,), step = sound.unseen.splits, sound.base.tracks[0].timeline.grid.step
+    sound = base_fit(evidence)
+    measure = unseen_parts(sound)
+    assert restrained(sound, held_out_free_runs(measure, sound).table) == Restrained(sound)
+    (split,), step = measure.splits, sound.tracks[0].timeline.grid.step
     wrong = with_turning_commands_tripled(evidence, [(span.first * step, span.end * step) for span in split.seen])
     base = base_fit(wrong)
-    assert "heading" in collapsed_channels(held_out_free_runs(unseen_parts(base), base).table)
-    steady = restrained(base)
+    collapsed = held_out_free_runs(unseen_parts(base), base).table
+    assert "heading" in collapsed_channels(collapsed)
+    steady = restrained(base, collapsed)
     assert "yaw_torque_gain" in steady.held
-    table = held_out_free_runs(steady.unseen, steady.base).table
+    table = held_out_free_runs(unseen_parts(steady.base), steady.base).table
     assert table["heading"].recalibrated == pytest.approx(table["heading"].nominal, rel=0.1)
     assert any("heading" in sentence and "yaw_torque_gain" in sentence for sentence in steady.sentences)
