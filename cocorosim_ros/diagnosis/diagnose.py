@@ -143,7 +143,7 @@ def noise_remarks(fit: Fit) -> tuple[str, ...]:
 
 
 class Search(NamedTuple):
-    """What a search on top of a base has found, and its free runs; passed: effects that it took back."""
+    """Findings of a search on top of a base, and its free runs; passed: effects that it took back."""
 
     base: Fit
     unseen: Unseen

@@ -7,6 +7,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE
 from cocorosim_ros.world.terms.motors import Motors
 from site_builder.axes import Axis, axis_of
@@ -27,7 +28,9 @@ def wrong_by(error: SensorError, change: Change, numbers: Floats, now: Circumsta
     """Reading less truth, in the unit of the reading, for the numbers (numbers,) of the error."""
     named = {number.name: value for number, value in zip(error.numbers, numbers, strict=True)}
     still = np.zeros(STATE_SIZE)
-    truth = plain(KINDS[change.kind].foresee)((now.t, 0.0, 0.0, 0.0), now.row, (still, still), now.relative)
+    kind = KINDS[change.kind]
+    weight = (PASCAL_PER_METRE,) if kind.by_weight else ()
+    truth = plain(kind.foresee)((now.t, 0.0, 0.0, 0.0), now.row, (still, still), now.relative, *weight)
     robot = lily()
     there = {
         "row": now.row,

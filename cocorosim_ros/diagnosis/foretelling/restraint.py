@@ -40,7 +40,7 @@ class Restrained(NamedTuple):
 
     @property
     def sentences(self) -> tuple[str, ...]:
-        """What is said of it: a sentence for each channel that was foretold worse; () where nothing is held."""
+        """Sentences on it, one for each channel that was foretold worse; () where nothing is held."""
         names = ", ".join(self.held)
         return tuple(
             f"With {names} fitted, the {channel} of unseen data was foretold worse than by the platform as given: by "
