@@ -9,9 +9,13 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import has_all
+from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 # The contract's table, but for frame_mixup, which is told before any physics is.
 CONTRACT = """linear_drag anisotropic_drag added_mass steady_current sheared_current tidal_current tether wall_effect
@@ -122,8 +126,6 @@ def test_a_skew_counts_by_what_it_makes_of_the_recording() -> None:
 
 def test_an_instrument_that_few_robots_have_is_asked_for_where_it_was_recorded() -> None:
     """A log over ground: without one, nothing of it is unseen, and silence tells as much as before there was any."""
-    from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown
-
     entry = next(each for each in ENTRIES if each.id == "ground_log_scale")
     tried: Any = SimpleNamespace(
         candidate=SimpleNamespace(entry=entry, spread=1.0), information=np.array([[1e-9]]), felt=float("nan")
@@ -133,5 +135,17 @@ def test_an_instrument_that_few_robots_have_is_asked_for_where_it_was_recorded()
     assert set(not_shown([tried])) == {*IDS, entry.id}
     seen: Any = SimpleNamespace(candidate=tried.candidate, information=np.array([[1e9]]), felt=float("nan"))
     assert set(not_shown([seen])) == set(IDS)
-    share = IDS[: int(0.45 * len(IDS))]
-    assert not is_blind([*share, entry.id, "ground_log_misalignment"])
+    lily: Any = SimpleNamespace(vehicle=vehicle_model(load_platform("lily")))
+    had = [each.id for each in ENTRIES if each.id in IDS and has_all(lily.vehicle, each.needs)]
+    share = list(dict.fromkeys(had))[: int(0.45 * len(set(had)))]
+    assert not is_blind([*share, entry.id, "ground_log_misalignment"], [lily])
+
+
+def test_what_a_vehicle_cannot_have_is_no_blindness() -> None:
+    """A cable, a thruster in another's jet: no Lily has them, so that unseen they say nothing of her recordings."""
+    lily: Any = SimpleNamespace(vehicle=vehicle_model(load_platform("lily")))
+    had = {each.id for each in ENTRIES if each.id in IDS and has_all(lily.vehicle, each.needs)}
+    lacking = set(IDS) - had
+    assert {"tether_drag", "wash_loss", "wind"} <= lacking and "thruster_lag" in had
+    assert not is_blind(sorted(lacking), [lily])
+    assert is_blind(sorted(had), [lily])
