@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -36,7 +37,8 @@ DEPTH = [quantity.name for quantity in QUANTITIES].index("depth")
 def regimes_along(track: Track, course: Smoothed) -> Floats:
     """Values (points, quantities) of QUANTITIES along a smoothed course, with the platform's own thrust."""
     state, drive = course.mean, track.actuation.drive(track.vehicle.row)
-    thrust = np.linalg.norm(drive.force, axis=1)
+    is_thruster = track.vehicle.is_thruster  # of the actuators, before what roll and pitch add
+    thrust = np.linalg.norm(drive.force[:, : len(is_thruster)][:, is_thruster], axis=1)
     return np.column_stack(
         [
             np.linalg.norm(state[:, SURGE : HEAVE + 1], axis=1),
@@ -54,10 +56,11 @@ def unlikeness(one: Floats, other: Floats) -> float:
     """Largest difference between the means of two parts (n, quantities), (m, quantities), in standard deviations.
 
     The standard deviation is that of both parts together. Depth counts less, quantities that hardly vary for nothing.
+    Infinite where one of them is empty: what holds out nothing, or all, is worse than any other choice.
     """
     both = np.concatenate([one, other])
     if not len(one) or not len(other):
-        return 0.0
+        return math.inf
     spread = both.std(axis=0)
     varies = spread > FREE_RUNS.steady * np.abs(both).max(axis=0)
     apart = np.abs(one.mean(axis=0) - other.mean(axis=0)) / np.where(varies, spread, np.inf)

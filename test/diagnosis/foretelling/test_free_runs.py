@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.nameless_force import foretold, turn_back
-from cocorosim_ros.diagnosis.foretelling.regimes import QUANTITIES
+from cocorosim_ros.diagnosis.foretelling.regimes import QUANTITIES, regimes_along
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.showing.regimes import unlike_regimes
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
@@ -140,3 +140,11 @@ def test_parts_of_another_regime_are_said(without_camera: Fit) -> None:
         if name == "depth"
     )
     assert "median depth is 2 m" in said and "between 0 and 0 m" in said.replace("-0", "0")
+
+
+def test_thrust_is_that_of_thrusters(without_camera: Fit) -> None:
+    """Both of a Lily's at full command are told as 5 mN times the root of two, and her pump, of 98 mN, not at all."""
+    (track,) = without_camera.tracks
+    along = regimes_along(track, track.filter.smoothed(without_camera.filled[0]))
+    thrust = along[:, [quantity.name for quantity in QUANTITIES].index("thrust")]
+    assert 0.0 < thrust.max() <= 5e-3 * np.sqrt(2.0) * (1.0 + 1e-9)

@@ -62,6 +62,13 @@ def test_of_many_short_recordings_whole_ones_are_held_out() -> None:
     assert all(each.seen == (Span(0, 100),) for each in splits if not each.held)
 
 
+def test_a_choice_that_fits_nothing_is_not_taken() -> None:
+    """Of six seconds that end unlike their begin a block in the middle would leave rests too short to be fitted."""
+    (found,) = split_tracks(tracks(60), 5.0, [0], [of_one_quantity(np.arange(60) >= 36)])
+    assert found.held and found.seen
+    assert unlikeness(np.zeros((0, len(QUANTITIES))), of_one_quantity(np.arange(60))) == math.inf
+
+
 def test_nothing_is_held_out_of_other_tracks() -> None:
     """Two of four are judged: they are split as if alone, and the others are fitted whole."""
     points = (700, 1000, 800, 1000)
