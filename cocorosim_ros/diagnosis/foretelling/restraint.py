@@ -10,7 +10,7 @@ suspected.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -84,16 +84,14 @@ def _mean_error(table: Mapping[str, HeldOut], other: Mapping[str, HeldOut]) -> f
     return sum(math.log(row.augmented / row.nominal) for row in rows if row.augmented > 0.0 and row.nominal > 0.0)
 
 
-def _choices(unknowns: Sequence[Unknown], worse: Sequence[str]) -> Iterator[list[Unknown]]:
-    """Numbers to hold, fewest kinds first; worse: channels that have collapsed."""
+def _choices(unknowns: Sequence[Unknown], worse: Sequence[str]) -> list[list[Unknown]]:
+    """Numbers to hold, fewest kinds first and all at last; worse: channels that have collapsed."""
     turning = [each for each in unknowns if _turns(each)]
     moving = [each for each in unknowns if not _turns(each)]
-    if _TURNED in worse and turning:
-        yield turning
-    if set(worse) - {_TURNED} and moving:
-        yield moving
-    if worse and turning and moving:
-        yield [*turning, *moving]
+    kinds = [turning if _TURNED in worse else [], moving if set(worse) - {_TURNED} else []]
+    whole = [*turning, *moving] if worse else []
+    chosen = [kind for kind in (*kinds, whole) if kind]
+    return [held for place, held in enumerate(chosen) if held not in chosen[:place]]
 
 
 def _turns(unknown: Unknown) -> bool:

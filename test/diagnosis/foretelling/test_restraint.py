@@ -1,4 +1,4 @@
-"""Numbers that foretell worse than the platform's own are held: a log that is true in some parts, a ferry."""
+"""Numbers that foretell worse than the platform's own are held: a log that is true in some parts alone."""
 
 from __future__ import annotations
 
@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
-from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, restrained
+from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, mends, restrained
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.scenario.parts.platform import load_platform
 
@@ -50,3 +52,41 @@ def test_numbers_that_stand_for_a_wrong_log_are_held(swim: Swim) -> None:
     table = held_out_free_runs(unseen_parts(steady.base), steady.base).table
     assert table["heading"].recalibrated == pytest.approx(table["heading"].nominal, rel=0.1)
     assert any("heading" in sentence and "yaw_torque_gain" in sentence for sentence in steady.sentences)
+
+
+def table(**channels: tuple[float, float]) -> dict[str, HeldOut]:
+    """Free runs whose errors are sure: by channel those of the platform as given, and of the found model."""
+    return {
+        name: HeldOut(nominal, found, found, 0.0, "m", {"augmented": (found, found)}, 20.0, "readings")
+        for name, (nominal, found) in channels.items()
+    }
+
+
+@pytest.mark.parametrize(
+    ("again", "mended"),
+    [
+        (table(position=(1.0, 0.9), heading=(1.0, 1.0)), True),  # 0.9 for 0.8 times 2
+        (table(position=(1.0, 0.9), heading=(1.0, 1.3)), False),  # still worse than the platform as given
+        (table(position=(1.0, 1.3), heading=(1.0, 0.5)), False),  # worse in another channel
+        (table(position=(1.0, 1.2), heading=(1.0, 1.2)), True),  # 1.44 for 1.6
+        (table(position=(10.0, 9.0), heading=(0.1, 0.1)), True),  # in multiples of the platform as given
+    ],
+)
+def test_held_numbers_are_to_mend_what_had_collapsed(again: dict[str, HeldOut], mended: bool) -> None:
+    """Before, headings erred by twice as much as with the platform as given, and positions by 0.8 of it."""
+    assert mends(again, table(position=(1.0, 0.8), heading=(1.0, 2.0))) is mended
+
+
+def test_a_diagnosis_says_what_it_holds(swim: Swim) -> None:
+    """Of a log that is true in held-out parts alone: numbers are kept, names suspected, and the headline says it."""
+    evidence = swim(load_platform("lily"), 480.0, seed=5)
+    measure = unseen_parts(base_fit(evidence))
+    (split,), step = measure.splits, measure.tracks[0].timeline.grid.step
+    seen = [(span.first * step, span.end * step) for span in split.seen]
+    found = diagnose(with_turning_commands_tripled(evidence, seen), lambda words, share: None)
+    assert "yaw_torque_gain" in found.held
+    assert any("yaw_torque_gain" in warning for warning in found.warnings)
+    assert all(effect.tier == "suspected" for effect in found.effects)
+    assert "collapsed" in found.sentence and found.verdict in ("mismatch", "insufficient")
+    assert "yaw_torque_gain" not in {number.parameter for number in found.all_recalibrated}
+    assert found.fit["heading"].augmented <= 1.25 * found.fit["heading"].nominal
