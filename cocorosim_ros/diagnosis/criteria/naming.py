@@ -52,6 +52,9 @@ class PairLawCriteria:
     law: longer than a random force remembers, so that parts scatter by themselves. Chosen, not measured."""
     fewest_parts: int = 8
     """[parts] whose scatter tells something. Chosen, not measured."""
+    spare: float = 2.0
+    """[times the fewest parts] that fit into all recordings together, since what is left over at their ends is no part
+    of its own. Chosen, not measured."""
     clear: float = 2.5
     """[standard deviations] from which a law is screened: of a thousand laws that are not there, about twelve are.
     Reckoned from the normal distribution."""

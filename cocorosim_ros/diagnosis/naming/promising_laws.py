@@ -67,7 +67,7 @@ def promising_laws(laws: Sequence[Law], fit: Fit, courses: Sequence[Smoothed]) -
 
     courses: the smoothed course of each track under the fit, in their order.
     """
-    sums = [_sums(laws, fit, number, course) for number, course in enumerate(courses)]
+    sums = [_sums(laws, fit, number, course, _part(fit, courses)) for number, course in enumerate(courses)]
     groups = [list(range(len(courses))), *map(list, tracks_by_robot(fit.tracks).values())]
     found = [_Sums(*map(np.concatenate, zip(*(sums[number] for number in group), strict=True))) for group in groups]
     clear = np.max([each.clearness for each in found], axis=0)
@@ -98,11 +98,20 @@ class _Sums(NamedTuple):
         return np.asarray(self.products.sum(axis=0) ** 2 / np.maximum(sizes, 1e-300))
 
 
-def _sums(laws: Sequence[Law], fit: Fit, number: int, course: Smoothed) -> _Sums:
-    """Sums over the parts of one track; what is left over at its end belongs to the last part."""
+def _part(fit: Fit, courses: Sequence[Smoothed]) -> float:
+    """Length [s] of the parts: by the slowest vehicle, but short enough for PAIR_LAWS.fewest_parts of them.
+
+    No less than those of a Lily: of short recordings of a slow vehicle parts scatter less than by themselves.
+    """
+    wanted = PAIR_LAWS.part * max(slowness(track.vehicle) for track in fit.tracks)
+    room = sum(float(course.time[-1] - course.time[0]) for course in courses) / PAIR_LAWS.fewest_parts
+    return max(PAIR_LAWS.part, min(wanted, room / PAIR_LAWS.spare))
+
+
+def _sums(laws: Sequence[Law], fit: Fit, number: int, course: Smoothed, part: float) -> _Sums:
+    """Sums over the parts [s] of one track; what is left over at its end belongs to the last part."""
     values = values_along(fit.tracks[number].actuation.course_along(course, fit.filled[number]))
     force = forces_by_equation(course.mean)
-    part = slowness(fit.tracks[number].vehicle) * PAIR_LAWS.part
     size = max(1, round(part / float(course.time[1] - course.time[0])))
     begins = np.arange(0, len(course.time) - size + 1, size)
 
