@@ -53,20 +53,23 @@ def course(rng: np.random.Generator, seconds: float) -> tuple[Any, Course]:
     return SimpleNamespace(time=time, mean=mean), seen
 
 
-@pytest.mark.parametrize("robots", [1, 2])
-def test_the_law_that_the_force_follows_is_among_the_first(robots: int) -> None:
-    """A force along x of twice the amount of w, on the last robot alone, in noise of the same size."""
+@pytest.mark.parametrize(("platform", "robots"), [("lily", 1), ("lily", 2), ("kvlcc2_hsva", 1)])
+def test_the_law_that_the_force_follows_is_among_the_first(platform: str, robots: int) -> None:
+    """A force along x of twice the amount of w, on the last robot alone, in noise of the same size.
+
+    In as many seconds of a ship, which coasts for longer than an eighth of them, it is looked for too.
+    """
     rng = np.random.default_rng(11)
     made = [course(rng, 400.0) for _ in range(robots)]
     smoothed, seen = zip(*made, strict=True)
-    lily = vehicle_model(load_platform("lily"))
+    vehicle = vehicle_model(load_platform(platform))
     push = 2.0 * np.abs(smoothed[-1].mean[:, 6])
     for each in smoothed:
         each.mean[:, FORCE_X] = 2.0 * rng.standard_normal(len(each.time))
     smoothed[-1].mean[:, FORCE_X] += push
     tracks = [
         SimpleNamespace(
-            name=str(number), vehicle=lily, actuation=SimpleNamespace(course_along=lambda _, row: seen[int(row[0])])
+            name=str(number), vehicle=vehicle, actuation=SimpleNamespace(course_along=lambda _, row: seen[int(row[0])])
         )
         for number in range(robots)
     ]
