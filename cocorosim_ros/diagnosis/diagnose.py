@@ -155,7 +155,7 @@ class Search(NamedTuple):
 def _steadily_searched(base: Fit, progress: Progress) -> tuple[Restrained, Search]:
     """Search on top of a base; where what is found foretells worse than the platform as given, with numbers held."""
     found = _searched(base, progress)
-    steady = restrained(base, found.free.table)
+    steady = restrained(base, found.free)
     if steady.held:
         again = _searched(steady.base, progress)
         if mends(again.free.table, found.free.table):

@@ -21,7 +21,7 @@ from cocorosim_ros.diagnosis.fitting.recalibration import climbed
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import EXACT
-from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 
 _TURNED = "heading"  # channel of free runs
@@ -49,13 +49,15 @@ class Restrained(NamedTuple):
         )
 
 
-def restrained(base: Fit, table: Mapping[str, HeldOut]) -> Restrained:
+def restrained(base: Fit, free: HeldOutFreeRuns) -> Restrained:
     """Hold numbers of a base whose found model has collapsed, as few kinds of them as stop the collapse.
 
-    table: free runs with all that was found on this base. The base comes back as it is where its model has not
-    collapsed, or where holding numbers does not help.
+    free: free runs with all that was found on this base. The base comes back as it is where its model has not
+    collapsed, where too few runs tell it, or where holding numbers does not help.
     """
-    worse = tuple((channel, table[channel]) for channel in _worse(table))
+    if len(free.runs) < RESTRAINT.fewest:
+        return Restrained(base)
+    worse = tuple((channel, free.table[channel]) for channel in _worse(free.table))
     for held in _choices(base.unknowns, [channel for channel, _ in worse]):
         kept = [place for place, unknown in enumerate(base.unknowns) if unknown not in held]
         fit = climbed(evaluated(replace(base, unknowns=tuple(base.unknowns[k] for k in kept), q=base.q[kept])))

@@ -41,12 +41,13 @@ def test_numbers_that_stand_for_a_wrong_log_are_held(swim: Swim) -> None:
     evidence = swim(load_platform("lily"), 480.0, seed=5)
     sound = base_fit(evidence)
     measure = unseen_parts(sound)
-    assert restrained(sound, held_out_free_runs(measure, sound).table) == Restrained(sound)
+    assert restrained(sound, held_out_free_runs(measure, sound)) == Restrained(sound)
     (split,), step = measure.splits, sound.tracks[0].timeline.grid.step
     wrong = with_turning_commands_tripled(evidence, [(span.first * step, span.end * step) for span in split.seen])
     base = base_fit(wrong)
-    collapsed = held_out_free_runs(unseen_parts(base), base).table
-    assert "heading" in collapsed_channels(collapsed)
+    collapsed = held_out_free_runs(unseen_parts(base), base)
+    assert "heading" in collapsed_channels(collapsed.table)
+    assert restrained(base, collapsed._replace(runs=collapsed.runs[:2])) == Restrained(base)  # two may be chance
     steady = restrained(base, collapsed)
     assert "yaw_torque_gain" in steady.held
     table = held_out_free_runs(unseen_parts(steady.base), steady.base).table
