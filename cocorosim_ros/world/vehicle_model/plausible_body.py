@@ -83,7 +83,9 @@ def _check_sliding(platform: Platform) -> None:
 
 def _check_centre(platform: Platform) -> None:
     place, hull = platform.effects.get("offset_centre", {}), platform.hull
-    for name, most in (("ahead", hull.length), ("left", hull.width)):
+    # One limit for both: a diagnosis looks for both up to half the length, and what it finds has to be read back.
+    most = max(hull.length, hull.width)
+    for name in ("ahead", "left"):
         offset = place.get(name, 0.0)
         if abs(offset) > most:
             raise CocorosimError(
