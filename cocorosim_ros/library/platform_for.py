@@ -7,7 +7,9 @@ import re
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.library.recording import read_recording
+from cocorosim_ros.scenario.parts.six_degrees import AXES
 from cocorosim_ros.scenario.reading.arguments import Place
+from cocorosim_ros.scenario.reading.entry import listed
 
 _COMMAND = "thruster_command"
 _SENSORS = ("compass", "pressure", "imu", "velocity", "ground_velocity")
@@ -42,7 +44,7 @@ def with_the_parts_of(text: str, recording: Place) -> str:
 
     text: the template, whose blocks `actuators` and `sensors` are replaced. Thrusters, pumps, rudders and stern
     planes are told by their names; every number stays an estimate to be replaced. Raises
-    CocorosimError if the recording cannot be read or holds no commands.
+    CocorosimError if the recording cannot be read, holds no commands, or those of sticks alone.
     """
     read = read_recording(recording)
     names, there = list[str](), set[str]()
@@ -54,6 +56,11 @@ def with_the_parts_of(text: str, recording: Place) -> str:
         found = ", ".join(sorted(there)) or "no readings"
         raise CocorosimError(
             f"{read.path} holds no {_COMMAND} (it has {found}), so it does not tell the actuators; leave out --for."
+        )
+    if set(names) <= set(AXES):
+        raise CocorosimError(
+            f"{read.path} holds a {_COMMAND} of {listed(names, 'and')}, which are sticks and no actuators; leave out "
+            "--for, name the actuators that the vehicle has, and say by 'mixing' what sticks make of them."
         )
     head, _, rest = text.partition("\nactuators:")
     comment, _, end = rest.partition("\nsensors:")

@@ -125,3 +125,23 @@ def test_a_recording_that_tells_no_actuators(cocorosim: Run, tmp_path: Path, mon
     assert "holds no thruster_command (it has compass)" in done.err
     assert "does not follow from a recording" in cocorosim("new", "map", "boat", "--for", "bag").err
     assert not list(tmp_path.glob("boat*"))
+
+
+@pytest.mark.parametrize("sticks", [("surge", "yaw"), ("heave",)])
+def test_sticks_are_no_actuators(cocorosim: Run, tmp_path: Path, sticks: tuple[str, ...]) -> None:
+    """A log of sticks tells of no thruster; the sentence points to what a platform says of sticks."""
+    log, table = tmp_path / "map.yaml", tmp_path / "drive.csv"
+    limits = '{column: %s, unit: "1", stop: 0, forward: 1, reverse: -1}'
+    commands = "".join(f"        {name}: {limits % name}\n" for name in sticks)
+    log.write_text(
+        "name: log\nformat: csv\ntables:\n  - files: drive.csv\n    time: {column: t, unit: s}\n    robot: boat\n"
+        f"    streams:\n      thruster_command:\n{commands}"
+    )
+    rows = "".join(f"{0.1 * k:g}{',0.5' * len(sticks)}\n" for k in range(20))
+    table.write_text(f"{','.join(('t', *sticks))}\n{rows}")
+    assert cocorosim("convert", log, table, "--out", tmp_path / "bag").status == 0
+    done = cocorosim("new", "platform", "boat", "--for", tmp_path / "bag", "--out", tmp_path / "boat.yaml")
+    assert (done.status, done.err.count("\n")) == (2, 1)
+    assert f"of {' and '.join(sticks)}, which are sticks and no actuators" in done.err
+    assert "'mixing'" in done.err
+    assert not (tmp_path / "boat.yaml").exists()

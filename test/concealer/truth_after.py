@@ -22,6 +22,12 @@ def _plane(value: FloatArray, *regressors: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.lstsq(np.stack([np.ones_like(value), *regressors], axis=1), value, rcond=None)[0])
 
 
+def _slope(x: FloatArray, y: FloatArray, weight: FloatArray, otherwise: float) -> float:
+    """Least-squares slope of the straight line through the origin; `otherwise` if no x counts."""
+    felt = float((weight * x * x).sum())
+    return float((weight * x * y).sum()) / felt if felt > 0.0 else float(otherwise)
+
+
 def sheared_current(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Parameters:
     """The plane through the water's velocity at the places visited; only directions that were hidden."""
     water = np.array([current(p, row, 0.0) for row in rows[::EVERY]])
@@ -52,23 +58,27 @@ def tether_line(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Param
 
 
 def advance_loss(p: FloatArray, rows: FloatArray, commands: FloatArray) -> Parameters:
-    """Slope of the straight line through the thrust curve at the run's speeds, weighted by the thrust."""
+    """Slope of the straight line through the thrust curve at the run's speeds, weighted by the thrust.
+
+    That at rest if nothing was ever driven under way.
+    """
     ticks = rows[: len(commands) * 5 : 5]
     force = commands[:, :2].sum(axis=1)
     a = ticks[:, at.U] * np.sign(force)
     loss = p[at.ADVANCE] * a * (1.0 + p[at.ADVANCE_CURVE] * np.abs(a))
-    weight = force**2
-    return {"slope": float((weight * a * loss).sum() / (weight * a * a).sum())}
+    return {"slope": _slope(a, loss, force**2, p[at.ADVANCE])}
 
 
 def crashback_loss(p: FloatArray, rows: FloatArray, commands: FloatArray) -> Parameters:
-    """Slope of the straight line through what is lost at the speeds against the thrust, weighted by the thrust."""
+    """Slope of the straight line through what is lost at the speeds against the thrust, weighted by the thrust.
+
+    That at rest if nothing ever went against the thrust.
+    """
     ticks = rows[: len(commands) * 5 : 5]
     force = commands[:, :2].sum(axis=1)
     a = -ticks[:, at.U] * np.sign(force)
     loss = np.array([lost_against(p, each) for each in a])
-    weight = force**2 * (a > 0.0)
-    return {"slope": float((weight * a * loss).sum() / (weight * a * a).sum())}
+    return {"slope": _slope(a, loss, force**2 * (a > 0.0), p[at.CRASHBACK])}
 
 
 def battery_sag(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Parameters:
@@ -95,8 +105,7 @@ def hull_emergence(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Pa
     z = rows[::EVERY, at.Z]
     walls = np.clip(0.5 + z / at.TALL, 0.0, 1.0)
     lost = p[at.EMERGE] * np.array([emerged(each) for each in z])
-    felt = float((walls * walls).sum())
-    return {"share": float((walls * lost).sum()) / felt if felt > 0.0 else float(p[at.EMERGE])}
+    return {"share": _slope(walls, lost, np.ones_like(walls), p[at.EMERGE])}
 
 
 AFTER: dict[str, After] = {

@@ -165,6 +165,19 @@ def test_the_slope_of_a_crash_stop_is_that_of_the_speeds_against_the_thrust() ->
     assert AFTER["crashback_loss"](p, rows, commands) == {"slope": pytest.approx(3.0 / 1.25)}
 
 
+@pytest.mark.parametrize(("law", "name"), [("advance_loss", "ADVANCE"), ("crashback_loss", "CRASHBACK")])
+def test_a_robot_that_is_never_driven_loses_what_is_hidden(law: str, name: str) -> None:
+    """Adrift at 0.05 m/s without a command, and at rest under one: no speed counts, and the slope is that at rest."""
+    from concealer import layout as at
+    from concealer.truth_after import AFTER
+
+    p, adrift, driven = at.nominal_robot(), np.zeros((50, at.ROW)), np.full((10, 3), -0.5)
+    p[getattr(at, name)], p[at.CRASHBACK_PEAK] = 3.0, 0.1
+    assert AFTER[law](p, adrift, driven) == {"slope": 3.0}
+    adrift[:, at.U] = 0.05
+    assert AFTER[law](p, adrift, np.zeros((10, 3))) == {"slope": 3.0}
+
+
 ONLY = {  # which of u v w r a number may touch from rest under a command of both thrusters and the pump
     "asymmetry": "r", "torque_bias": "r", "trim": "w", "shrink": "w", "osc_z": "w", "osc_yaw": "r", "reverse_loss": "",
     "battery": "u", "linear_heave": "", "rate_heave": "w", "rate_yaw": "r", "pump_yaw": "r", "cross_sway": "",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 WITHOUT = {
     "ground_log_scale": "no vehicle of the trials has a log of its speed over ground",
     "ground_log_misalignment": "no vehicle of the trials has a log of its speed over ground",
@@ -43,3 +45,25 @@ def test_what_is_asked_for_alone_is_never_drawn() -> None:
 
     for numbers in (prior.load(), load()):
         assert not set(numbers["asked_for"]) & {*numbers["effects"], *numbers["outside"]}
+
+
+# What the seeds [60, 0], [60, 1], ... hid alone, and two or three together, before anything was hidden for the asking.
+ALONE = (
+    "tether", "sensor_latency", "motor_field", "tidal_current", "imu_bias", "compass_distortion", "linear_drag",
+    "density_gradient",
+)  # fmt: skip
+TOGETHER = (
+    ["battery_sag", "linear_drag"],
+    ["compass_distortion", "pump_lag", "speed_log_scale"],
+    ["thruster_misalignment", "tidal_current"],
+)
+
+
+def test_seeds_draw_what_they_drew() -> None:
+    """Names of the version before: one more in the list of what is drawn moves all others."""
+    from concealer import prior
+
+    numbers = prior.load()
+    for kind, names in (("single", [[name] for name in ALONE]), ("several", list(TOGETHER))):
+        for seed, hidden in enumerate(names):
+            assert prior.suspects(np.random.default_rng([60, seed]), numbers, kind, "rich") == hidden

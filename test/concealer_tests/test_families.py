@@ -22,7 +22,7 @@ BEFORE = {
 # Effects that came into the prior after those numbers were taken.
 LATER = {
     "density_gradient", "surface_loss", "speed_log_scale", "speed_log_misalignment", "pose_heading", "pose_lever",
-    "motor_field", "surface_waves", "crashback_loss", "offset_centre",
+    "motor_field", "surface_waves",
 }  # fmt: skip
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -22,13 +24,24 @@ def test_every_manoeuvre_has_a_programme() -> None:
     assert set(PROGRAMMES) == set(MANOEUVRES)
 
 
-CASES = [*((name, "lily") for name in MANOEUVRES), ("zig_zag", "hovercraft_epfl"), ("steps", "haizhe_auv")]
+CASES = [
+    *((name, "lily") for name in MANOEUVRES),
+    ("zig_zag", "hovercraft_epfl"),
+    ("steps", "haizhe_auv"),
+    ("crash_stops", "kvlcc2_hsva"),
+    ("repeat_at_end", "kvlcc2_hsva"),
+]
 DRIVEN = [
     (platform, name)
     for platform in ("hovercraft_epfl", "haizhe_auv", "slocum_glider", "kvlcc2_hsva", "milliampere_ferry", "tauv_pool")
     for name in MANOEUVRES
     if can_drive(load_platform(platform), name)
 ]
+
+
+def seconds_of(settings: dict[str, Any]) -> list[float]:
+    """How long each row lasts [s], by the settings of the controller."""
+    return [float(value.removesuffix(" s")) for key, value in settings.items() if re.fullmatch(r"row_\d+_time", key)]
 
 
 @pytest.mark.parametrize(("name", "platform"), CASES)
@@ -41,7 +54,11 @@ def test_it_can_be_driven(name: str, platform: str, tmp_path: Path) -> None:
     file = tmp_path / "next_manoeuvre.yaml"
     file.write_text(scenario_of(name, load_platform(platform), platform))
     scenario: Any = load_scenario(str(file))
-    once = sum(row.seconds for row in PROGRAMMES[name])
+    (swarm,) = yaml.safe_load(file.read_text())["swarm"]
+    once = sum(seconds_of(swarm["overrides"]))
+    if platform == "lily":
+        assert once == sum(row.seconds for row in PROGRAMMES[name])
+    assert scenario.duration > once or name != "repeat_at_end"
     assert scenario.duration >= 600.0 and scenario.duration % once == pytest.approx(0.0)
     simulation = Simulation(build_world(scenario), start_poses(scenario, 0)[None])
     for _ in range(2):
@@ -80,6 +97,23 @@ def test_a_ship_turns_under_way() -> None:
 
     assert ahead_while_turning("kvlcc2_hsva") == {0.5}
     assert ahead_while_turning("lily") == {0.0}
+
+
+@pytest.mark.parametrize("name", ["lily", "jeff", "esso_osaka", "kvlcc2_hsva"])
+def test_a_crash_stop_begins_at_full_speed_within_the_tank(name: str) -> None:
+    """Within a twentieth: from rest u = V tanh(t k V / m) is the solution of m u' = k V^2 - k u^2."""
+    platform = load_platform(name)
+    full = math.sqrt(np.abs(platform.actuator_wrenches()[:, 0] @ platform.full_forces()[:, 0]) / platform.drag)
+    scenario = yaml.safe_load(scenario_of("crash_stops", platform, name))
+    seconds = seconds_of(scenario["swarm"][0]["overrides"])
+    assert math.tanh(seconds[0] * platform.drag * full / platform.mass) > 0.95
+    assert float(scenario["tank"]["size"][0].removesuffix(" m")) > 2.0 * seconds[0] * full
+
+
+def test_a_slow_vehicle_sinks_no_farther() -> None:
+    """A Jeff coasts longer than a Lily; the steps of a staircase of depths stay as they are."""
+    (swarm,) = yaml.safe_load(scenario_of("depth_staircase", load_platform("jeff"), "jeff"))["swarm"]
+    assert seconds_of(swarm["overrides"]) == [row.seconds for row in PROGRAMMES["depth_staircase"]]
 
 
 def test_fins_turn_and_lift(tmp_path: Path) -> None:

@@ -14,6 +14,14 @@ import pytest
 from boats import KNOWN, Truth, platform, recorded
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.diagnosis.tracks.vehicle_size import sizes
+from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.scenario.reading.config_files import config_names
+from cocorosim_ros.scenario.reading.quantity import Quantity
+from cocorosim_ros.world.effects.offset_centre import OFFSET_CENTRE
+from cocorosim_ros.world.terms.search import Strength
+from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 AHEAD, SECONDS, SEED = 0.1, 150.0, 5
 SWELL = 0.3  # N, at random: 0.015 of a thruster's full force
@@ -52,6 +60,20 @@ def test_a_boat_without_one_is_not_said_to_have_it(tmp_path: Path, lever: float)
     evidence = recorded(platform(tmp_path, KNOWN), Truth(choppy=SWELL), SECONDS, SEED)
     found = diagnosed(_marked(evidence, lever))
     assert [each.id for each in found.effects] == (["pose_lever"] if lever else [])
+
+
+@pytest.mark.parametrize("name", config_names("platforms"))
+def test_what_is_looked_for_can_be_read_back(name: str) -> None:
+    """A ship is far narrower than half its length, up to which both numbers are looked for."""
+    vehicle = load_platform(name)
+    assert len(OFFSET_CENTRE.parameters) == 2
+    for number in OFFSET_CENTRE.parameters:
+        assert isinstance(number.search, Strength)
+        end = number.search.most * number.search.large * sizes(vehicle_model(vehicle))["m"]
+        assert end == pytest.approx(0.5 * vehicle.hull.length)
+        for offset in (-end, end):
+            there = {"offset_centre": {number.name: Quantity(offset, "m", "length")}}
+            check_platform(replace(vehicle, effect_quantities=there))
 
 
 def _marked(evidence: Any, lever: float) -> Any:

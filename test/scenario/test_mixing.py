@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.parts.platform import Platform, platform_tree, read_platform, read_platform_file
+from cocorosim_ros.scenario.parts.mixing import FullSticks, Mixing
+from cocorosim_ros.scenario.parts.platform import (
+    Platform,
+    load_platform,
+    platform_tree,
+    read_platform,
+    read_platform_file,
+)
 from cocorosim_ros.scenario.parts.stick_mixing import StickMixing
+from cocorosim_ros.scenario.parts.thrust_curve import ThrustCurve
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.entry import entry_of
 from cocorosim_ros.world.six_degrees.description import vehicle_of
 from cocorosim_ros.world.vehicle_model.curves import forces_at
@@ -86,6 +96,22 @@ def test_eight_thrusters_give_what_six_sticks_ask_for(tmp_path: Path) -> None:
     np.testing.assert_allclose(force @ wrench, sticks * np.array(FULL), atol=1e-9)
     null = np.linalg.svd(wrench.T)[2][6:]
     np.testing.assert_allclose(force @ null.T, 0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize(("stick", "upward"), [("heave", True), ("yaw", False)])
+def test_thrusters_without_a_part_in_it_rest_within_a_dead_band(stick: str, upward: bool) -> None:
+    """Of eight thrusters the four that push up give heave alone, and the four level ones yaw.
+
+    What rounding of the pseudo-inverse leaves of the others would become a command beyond their dead band.
+    """
+    curve = ThrustCurve("square", dead_band=0.075)
+    thrusters = [part for part in load_platform("bluerov2_heavy").actuators if isinstance(part, Thruster)]
+    parts = [replace(part, curve=curve) for part in thrusters]
+    mixing = StickMixing(Mixing("allocation", full_sticks=FullSticks(*FULL)), parts)
+    found = mixing.commands(np.eye(6)[[AXES.index(stick)]])[0]
+    driven = np.array([(abs(part.direction[2]) > 0.5) == upward for part in parts])
+    assert np.count_nonzero(driven) == 4
+    assert (found[~driven] == 0.0).all() and (np.abs(found[driven]) > 0.075).all()
 
 
 CURVES = {

@@ -68,7 +68,7 @@ class ManoeuvreCriteria:
     depth: float = 4.0
     """[m] of water. Chosen, not measured."""
     side: float = 100.0
-    """[s at full speed] side of the tank. Chosen, not measured."""
+    """[s at full speed, of a Lily; see slowness] side of the tank. Chosen, not measured."""
     least_side: float = 6.0
     """[m] side of the tank of the slowest robots. Chosen, not measured."""
 

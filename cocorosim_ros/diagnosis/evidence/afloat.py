@@ -13,7 +13,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.evidence import AFLOAT
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT, Z
-from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD, pressure_per_metre
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
@@ -54,7 +54,7 @@ def _afloat(log: RobotLog, platform: Platform) -> tuple[tuple[float, float], ...
 def _depth(log: RobotLog, platform: Platform) -> tuple[Floats, Floats] | None:
     """Moments (n,) [s] and depths (n,) [m] above a level of its own; None where no stream shows any."""
     for topic, column, metre in (
-        ("pressure", AMBIENT, platform.water_density * platform.gravity),
+        ("pressure", AMBIENT, pressure_per_metre(platform, log)),
         ("pose", Z, -1.0),
     ):
         stream = log.streams.get(topic)

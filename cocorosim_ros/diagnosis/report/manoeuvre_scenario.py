@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import drives, turns_at_rest
 from cocorosim_ros.diagnosis.criteria.report import MANOEUVRE, REPORT
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import full_speed
 from cocorosim_ros.diagnosis.report.advice import MANOEUVRES
+from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -19,7 +22,7 @@ from cocorosim_ros.world.controllers.request import DIRECT_LIMIT
 
 
 class Row(NamedTuple):
-    """Commands for `seconds`: ahead, counter-clockwise turn and rise, each in -1..1."""
+    """Commands for `seconds`, if as quick as a Lily: ahead, counter-clockwise turn and rise, each in -1..1."""
 
     seconds: float
     ahead: float = 0.0
@@ -72,17 +75,18 @@ def scenario_of(name: str, platform: Platform, reference: str) -> str:
             f"{platform.origin}: 'actuators' has {len(platform.actuators)}, and {DIRECT_LIMIT} are the most that a "
             "programme of commands can drive; drive the manoeuvre with a controller of your own."
         )
-    side = max(MANOEUVRE.least_side, math.ceil(MANOEUVRE.side * full_speed(platform)))
+    rows, slow = _rows(name, platform), _slowness(platform)
+    side = max(MANOEUVRE.least_side, math.ceil(MANOEUVRE.side * slow * full_speed(platform)))
     poses = "\n".join(
         f"        - [{x:g} m, {y:g} m, -{MANOEUVRE.depth / 2:g} m, 0 deg]" for x, y in _places(name, platform, side)
     )
-    settings = "\n".join(f"      {key}: {value}" for key, value in _overrides(name, platform).items())
+    settings = "\n".join(f"      {key}: {value}" for key, value in _overrides(name, platform, rows).items())
     return f"""# {MANOEUVRES[name][0].upper()}{MANOEUVRES[name][1:]}. Make the tank yours.
 name: next_manoeuvre
 description: {MANOEUVRES[name].replace(":", ",")}
 seed: 1
 tick: 0.5 s
-duration: {_duration(name):g} s
+duration: {_duration(name, rows):g} s
 
 tank:
   size: [{side:g} m, {side:g} m, {MANOEUVRE.depth:g} m]
@@ -111,10 +115,12 @@ recording:
 """
 
 
-def _duration(name: str) -> float:
-    """Duration [s] of the fewest whole rounds of the programme that last long enough."""
-    once = sum(row.seconds for row in PROGRAMMES[name])
-    return once * math.ceil((MANOEUVRE.long if name == "repeat_at_end" else MANOEUVRE.least_duration) / once)
+def _duration(name: str, rows: Sequence[Row]) -> float:
+    """Duration [s] of the fewest whole rounds of the programme that last long enough, and repeat what is to be."""
+    once = sum(row.seconds for row in rows)
+    if name == "repeat_at_end":
+        return once * max(2, math.ceil(MANOEUVRE.long / once))
+    return once * math.ceil(MANOEUVRE.least_duration / once)
 
 
 def _places(name: str, platform: Platform, side: float) -> list[tuple[float, float]]:
@@ -127,24 +133,35 @@ def _places(name: str, platform: Platform, side: float) -> list[tuple[float, flo
     return [(0.0, 0.0)]
 
 
-def _overrides(name: str, platform: Platform) -> dict[str, str]:
+def _overrides(name: str, platform: Platform, rows: Sequence[Row]) -> dict[str, str]:
     """The settings of the controller `programme`."""
     found = {"ramps": "true" if name in RAMPED else "false"}
     for number, shares in enumerate(_shares(platform), 1):
         for motion, share in zip(("ahead", "turn", "rise"), shares, strict=True):
             found[f"actuator_{number}_{motion}"] = f"{share:g}"
-    for number, row in enumerate(_rows(name, platform), 1):
+    for number, row in enumerate(rows, 1):
         found[f"row_{number}_time"] = f"{row.seconds:g} s"
         found |= {f"row_{number}_{motion}": f"{getattr(row, motion):g}" for motion in ("ahead", "turn", "rise")}
     return found
 
 
 def _rows(name: str, platform: Platform) -> list[Row]:
-    """Rows of a programme as a vehicle can drive them: one that turns under way alone turns while it drives ahead."""
-    rows = list(PROGRAMMES[name][:ROWS])
+    """Rows of a programme as a vehicle can drive them: one that turns under way alone turns while it drives ahead.
+
+    A ship that coasts for a minute is not at full speed after ten seconds: what is driven lasts longer, and so do the
+    pauses between, in whole seconds. A vehicle that is to change its depth does not sink farther.
+    """
+    rows, slow = list(PROGRAMMES[name][:ROWS]), _slowness(platform)
+    if slow > 1.0 and any(row.ahead or row.turn for row in rows):
+        rows = [row if row.rise else row._replace(seconds=math.ceil(slow * row.seconds)) for row in rows]
     if turns_at_rest(platform) or not drives(platform):
         return rows
     return [row._replace(ahead=MANOEUVRE.under_way) if row.turn and not row.ahead else row for row in rows]
+
+
+def _slowness(platform: Platform) -> float:
+    """Times of a vehicle relative to those of a Lily [1]; 1 for one that drives up and down alone."""
+    return slowness(vehicle_model(platform)) if drives(platform) else 1.0
 
 
 def _shares_of_fin(fin: Fin) -> tuple[float, float, float]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import pressure_per_metre
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.grid import grid_begin, grid_step
@@ -18,7 +19,6 @@ from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel, vehicle_m
 from cocorosim_ros.diagnosis.tracks.vehicle_size import shortest_coasting
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 
 
 def wanted_step(vehicle: VehicleModel, row: Floats) -> float:
@@ -76,9 +76,8 @@ def make_track(platform: Platform, log: RobotLog, begin: float, end: float, foun
     A platform whose numbers were found by a filter has the step of this filter.
     """
     own = platform.of_robot(log.name)
-    vehicle = replace(vehicle_model(own), tilts=log.attitude is not None)
-    if "pressure" in log.streams and log.streams["pressure"].from_depth:
-        vehicle = replace(vehicle, water_weight=PASCAL_PER_METRE)
+    water = pressure_per_metre(own, log)
+    vehicle = replace(vehicle_model(own), tilts=log.attitude is not None, water_weight=water)
     step = own.fitted_step or wanted_step(vehicle, vehicle.row if found is None else found)
     timeline = Timeline(log, step, grid_begin(log.command_time, step, begin), end)
     actuation = Actuation(vehicle, log, timeline.grid)

@@ -12,6 +12,8 @@ from cocorosim_ros.scenario.parts.mixing import Mixing, allocation_matrix, mixed
 from cocorosim_ros.scenario.parts.thrust_curve import command_for
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, Thruster
 
+_ROUNDING = 1e-9  # of the largest force of a moment: what the pseudo-inverse leaves of forces that should be none
+
 
 class StickMixing:
     """What sticks do to actuators.
@@ -41,6 +43,8 @@ class StickMixing:
         What is more than an actuator can give is cut, for each by itself.
         """
         wanted = np.clip(sticks, -1.0, 1.0) @ self._matrix
+        if self._thrusters:  # however small, a force is a command beyond the dead band of its curve
+            wanted[np.abs(wanted) < _ROUNDING * np.abs(wanted).max(axis=1, keepdims=True)] = 0.0
         for column, part in enumerate(self._thrusters):
             wanted[:, column] = _command(part, wanted[:, column])
         return np.clip(wanted, -1.0, 1.0)

@@ -18,9 +18,9 @@ from scipy.stats import t as student
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.scenario.parts.vehicle_parts import BuoyancyPump
 from cocorosim_ros.study.calibration.calibration_run import CalibrationRun
 from cocorosim_ros.study.calibration.free_run import ACCURATE, free_run
+from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import PARAMETER_COLUMNS, YAW_INERTIA, Vehicles
 
@@ -58,9 +58,10 @@ class _Model:
         self._run = run
         self._base = build_vehicles([platform])
         row = self._base.parameters[0, 0]
-        pumps = [isinstance(part, BuoyancyPump) for part in platform.actuators]
-        self._thrusters = np.array([index for index, pump in enumerate(pumps) if not pump], dtype=np.int64)
-        self._pumps = np.array([index for index, pump in enumerate(pumps) if pump], dtype=np.int64)
+        pumps, curves = self._base.is_pump[0, 0], self._base.actuator_curve[0, 0]
+        # What is told an angle has a limit too, which is no force.
+        self._thrusters = np.array([part for part in range(len(pumps)) if is_thruster(pumps, curves, part)], np.int64)
+        self._pumps = np.flatnonzero(pumps)
         self.names = ["thrust_gain", "drag", "yaw_drag", "inertia"]
         self.units = ["1", "kg/m", "N m s^2", "kg m^2"]
         self.nominal = [1.0, row[PARAMETER_COLUMNS["drag"]], row[PARAMETER_COLUMNS["yaw_drag"]], row[YAW_INERTIA]]

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
 from cocorosim_ros.scenario.parts.platform import Platform, platform_tree
+from cocorosim_ros.scenario.parts.vehicle_parts import Actuator, BuoyancyPump, Thruster
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
 from cocorosim_ros.study.calibration.fit import Fit, Fitted
 
@@ -38,41 +41,65 @@ def fitted_tree(name: str, platform: Platform, fit: Fit, recording: str) -> dict
         "description": f"{platform.description}; fitted to {recording}",
         "based_on": str(Path(platform.origin).resolve()),
     }
-    for found, key in KEYS.items():
-        if found in numbers:
-            tree[key] = _sourced(numbers[found].value, numbers[found].unit, recording, numbers[found])
-    tree["actuators"] = [_actuator(part, platform, numbers, recording) for part in platform_tree(platform)["actuators"]]
+    for name_of_fit, key in KEYS.items():
+        if name_of_fit in numbers:
+            number = numbers[name_of_fit]
+            tree[key] = _sourced(number.value, number.unit, recording, number)
+    trees, found = platform_tree(platform)["actuators"], _Found(platform, numbers, recording)
+    tree["actuators"] = [_actuator(part, texts, found) for part, texts in zip(platform.actuators, trees, strict=True)]
     return tree
 
 
-def _actuator(part: dict[str, Any], platform: Platform, numbers: dict[str, Fitted], recording: str) -> dict[str, Any]:
-    """One actuator with its strength as fitted, everything else as it was."""
-    described: dict[str, Any] = {"name": part["name"], "kind": part["kind"]}
-    for key, text in part.items():
-        if key in described:
-            continue
-        if isinstance(text, list):
-            values, unit = [_number(each) for each in text], _unit(text[0])
-            described[key] = {"value": values, "unit": unit, "source": f"platform '{platform.name}'"}
-            continue
-        value, number = _scaled(key, _number(text), platform, numbers)
-        if number is None:
-            described[key] = {"value": value, "unit": _unit(text), "source": f"platform '{platform.name}'"}
-        else:
-            described[key] = _sourced(value, _unit(text), recording, number)
+@dataclass(frozen=True)
+class _Found:
+    """What was found of a platform, by name, and in which recording."""
+
+    platform: Platform
+    numbers: Mapping[str, Fitted]
+    recording: str
+
+
+def _actuator(part: Actuator, texts: Mapping[str, Any], found: _Found) -> dict[str, Any]:
+    """One actuator as it was, with its strength as fitted.
+
+    That of a thruster is its `gain`. Its `maximum` stays: by it sticks become commands (StickMixing), which were those
+    of the recording, and with it the forces in the table of a curve.
+    """
+    described = _as_it_was(part, texts, found.platform)
+    for key, (value, number) in _fitted(part, found).items():
+        unit = described[key]["unit"] if key in described else "1"
+        described[key] = _sourced(value, unit, found.recording, number)
     return described
 
 
-def _scaled(key: str, value: float, platform: Platform, numbers: dict[str, Fitted]) -> tuple[float, Fitted | None]:
-    """A number of an actuator with what was found, and by which number of the fit."""
-    if key.startswith("maximum") and "thrust_gain" in numbers:
-        return value * numbers["thrust_gain"].value, numbers["thrust_gain"]
-    if key == "volume_range" and "buoyancy_gain" in numbers:
-        return value * numbers["buoyancy_gain"].value, numbers["buoyancy_gain"]
-    if key == "neutral_volume" and "buoyancy_trim" in numbers:
-        weight = platform.mass + numbers["buoyancy_trim"].value / platform.gravity
-        return weight / platform.water_density, numbers["buoyancy_trim"]
-    return value, None
+def _as_it_was(record: Any, texts: Mapping[str, Any], platform: Platform) -> dict[str, Any]:
+    """The keys of a record, its `record_tree`, with every number as a mapping that has unit and source."""
+    source, described = f"platform '{platform.name}'", dict[str, Any]()
+    for key, text in texts.items():
+        kept = getattr(record, key)
+        if isinstance(kept, str):
+            described[key] = text
+        elif isinstance(text, Mapping):
+            described[key] = _as_it_was(kept, text, platform)
+        elif isinstance(text, list):
+            described[key] = {"value": list(kept), "unit": _unit(text[0]), "source": source}
+        else:
+            described[key] = {"value": kept, "unit": _unit(text), "source": source}
+    return described
+
+
+def _fitted(part: Actuator, found: _Found) -> dict[str, tuple[float, Fitted]]:
+    """The numbers of an actuator that were fitted, by key: its value now, and by which number of the fit."""
+    numbers, fitted = found.numbers, dict[str, tuple[float, Fitted]]()
+    if isinstance(part, Thruster) and "thrust_gain" in numbers:
+        gain = 1.0 if part.gain is None else part.gain
+        fitted["gain"] = gain * numbers["thrust_gain"].value, numbers["thrust_gain"]
+    if isinstance(part, BuoyancyPump) and "buoyancy_gain" in numbers:
+        fitted["volume_range"] = part.volume_range * numbers["buoyancy_gain"].value, numbers["buoyancy_gain"]
+    if isinstance(part, BuoyancyPump) and "buoyancy_trim" in numbers:
+        weight = found.platform.mass + numbers["buoyancy_trim"].value / found.platform.gravity
+        fitted["neutral_volume"] = weight / found.platform.water_density, numbers["buoyancy_trim"]
+    return fitted
 
 
 def _sourced(value: float, unit: str, recording: str, number: Fitted) -> dict[str, Any]:
@@ -84,10 +111,6 @@ def _sourced(value: float, unit: str, recording: str, number: Fitted) -> dict[st
         "confidence": "measured",
         "note": interval,
     }
-
-
-def _number(text: str) -> float:
-    return float(str(text).split(" ", maxsplit=1)[0])
 
 
 def _unit(text: str) -> str:

@@ -91,6 +91,11 @@ def joined(parts: list[Stream], findings: list[str]) -> Stream:
 
     Raises CocorosimError if time runs backwards and is not to be sorted, or the parts do not fit together.
     """
+    if len({part.from_depth for part in parts}) > 1:
+        raise CocorosimError(
+            f"{_name(parts[0])} is given as 'depth' by one table and as 'pressure' by another, which are read by "
+            "different weights of water; give it by one of them only."
+        )
     ordered = [_in_order(part, findings) for part in _pieces(parts)]
     stream = ordered[0] if len(ordered) == 1 else _held_together(ordered, findings)
     repeated = np.count_nonzero(np.diff(stream.stamp_ns) == 0)

@@ -3,8 +3,9 @@
 With the centre of mass x_g ahead of the origin and y_g left of it:
 m (u_dot - v r - x_g r^2 - y_g r_dot) = X, m (v_dot + u r + x_g r_dot - y_g r^2) = Y,
 I_z r_dot + m x_g (v_dot + u r) - m y_g (u_dot - v r) = N, with I_z = I + m (x_g^2 + y_g^2) about the origin and I, the
-platform's yaw inertia, about the centre of mass: so each offset is one that a body can have. Added mass stays where the
-origin is; its terms are those of effects.added_mass.
+platform's yaw inertia, about the centre of mass: so a body can have each offset. Added mass stays where the origin is;
+its terms are those of effects.added_mass. One that is negative sideways leaves less against a turn, the more the
+farther x_g is: where I + A_r + m x_g^2 A_v / (m + A_v) is not above zero, vehicle_model.plausible_body refuses both.
 A pose of another point (sensors.errors.pose_lever) moves poses in turns alike and leaves heading and turn rate as they
 are. A vehicle whose centre is ahead resists turns under way by N = -m x_g u r, and answers a force to the side with a
 turn: heading, compass and gyro tell the two apart.

@@ -83,10 +83,34 @@ def _check_sliding(platform: Platform) -> None:
 
 def _check_centre(platform: Platform) -> None:
     place, hull = platform.effects.get("offset_centre", {}), platform.hull
-    for name, most in (("ahead", hull.length), ("left", hull.width)):
+    # One limit for both: a diagnosis looks for both up to half the length, and what it finds has to be read back.
+    most = max(hull.length, hull.width)
+    for name in ("ahead", "left"):
         offset = place.get(name, 0.0)
         if abs(offset) > most:
             raise CocorosimError(
                 f"{platform.origin}: '{name}' of 'offset_centre' has '{offset:g} m' in a 'hull' of {hull.length:g} m x "
                 f"{hull.width:g} m, which has no centre of mass there; at most {most:g} m to either side are allowed."
             )
+    _check_resistance(platform, place.get("ahead", 0.0))
+
+
+def _check_resistance(platform: Platform, ahead: float) -> None:
+    """Refuse a centre of mass `ahead` [m] of the origin beside added mass, if forces would accelerate backwards.
+
+    By Sylvester's criterion of the mass matrix of surge, sway and yaw (effects.offset_centre): with A_v sideways and
+    A_r in yaw, m + A_v and I + A_r + m x^2 A_v / (m + A_v) are greater than zero, wherever the centre is to the side.
+    """
+    added = platform.effects.get("added_mass", {})
+    aside, turning = added.get("sway_minus_surge", 0.0), added.get("yaw", 0.0)
+    if not ahead or not (aside or turning):
+        return
+    across = platform.mass + aside
+    around = platform.yaw_inertia + turning + platform.mass * ahead**2 * aside / across if across > 0.0 else 0.0
+    if across <= 0.0 or around <= 0.0:
+        left_over = f"{across:.3g} kg against a push to the side" if across <= 0.0 else f"{around:.3g} kg m^2 in a turn"
+        raise CocorosimError(
+            f"{platform.origin}: 'ahead' of 'offset_centre' has '{ahead:g} m' beside 'added_mass' with {aside:g} kg as "
+            f"'sway_minus_surge' and {turning:g} kg m^2 as 'yaw', which leaves an inertia of {left_over}, and a body "
+            "has more than 0; correct the one or the other."
+        )

@@ -39,6 +39,13 @@ def test_it_lies_at_the_surface(glider: Platform) -> None:
     assert f"1 times, {end - begin:.0f} s at the longest and first from {begin:.1f} s on" in said
 
 
+def test_depths_that_a_map_made_pressures_are_depths(glider: Platform) -> None:
+    """A hull's length below the surface is one, whatever the platform's water weighs."""
+    pressure = Stream(TIME, 101325.0 + 9810.0 * DOWN_AND_UP[:, None], np.array([50.0]), from_depth=True)
+    log, _ = with_times_afloat(dive(streams={"pressure": pressure}), replace(glider, water_density=2000.0))
+    assert log.afloat[0][0] == pytest.approx(420 - 1.8 / (39.6 / 200), abs=1.0)
+
+
 def test_it_is_a_hole_between_two_courses(glider: Platform) -> None:
     """What comes before and after is diagnosed, each by itself."""
     log, _ = with_times_afloat(dive(), glider)

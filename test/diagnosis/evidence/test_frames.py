@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.evidence.frames.correction import corrected
 from cocorosim_ros.diagnosis.evidence.frames.mirrored_poses import mirrored_poses
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
 from cocorosim_ros.diagnosis.evidence.frames.needed_corrections import needed_corrections
+from cocorosim_ros.diagnosis.evidence.frames.units import height_unit, pressure_unit
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 
@@ -302,3 +303,22 @@ def test_right_recordings_tell_which_of_two_streams_is_mirrored() -> None:
     assert of_place.wrong == "the sign of y is flipped"
     assert of_yaw.wrong == "as to the yaw, its sign is flipped (clockwise positive)"
     assert needed_corrections(right[1], blimp, right) == ()
+
+
+@pytest.mark.parametrize(
+    ("topic", "change", "words"),
+    [
+        ("pose", lambda v: [1000 * v[0], 1000 * v[1], 1000 * v[2], v[3]], "millimetres"),
+        ("pressure", lambda v: [v[0] / 100.0], "hectopascals"),
+    ],
+)
+def test_depths_that_a_map_made_pressures_weigh_as_in_fresh_water(
+    lily_platform: Platform, swum: Swum, swim: Any, topic: str, change: Any, words: str
+) -> None:
+    """By the weight of a fluid five times as dense, heights and pressures would be in no unit that there is."""
+    log = swum(swim(topics=("pose", "pressure")))
+    log = replace(log, streams={**log.streams, "pressure": replace(log.streams["pressure"], from_depth=True)})
+    log, dense = mixed(log, topic, change), replace(lily_platform, water_density=5000.0)
+    motion = motion_together([log], dense)
+    found = pressure_unit([log], motion, dense) if topic == "pressure" else height_unit([log], motion, dense)
+    assert found is not None and words in found.wrong

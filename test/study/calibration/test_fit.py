@@ -13,11 +13,14 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.graph.runs.run_record import RunRecord
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.parts.steering import Rudder
 from cocorosim_ros.study.calibration.calibration_run import CalibrationRun, read_calibration_run
 from cocorosim_ros.study.calibration.fit import fit_platform
+from cocorosim_ros.study.calibration.free_run import ACCURATE, free_run
 from cocorosim_ros.study.calibration.platform_file import write_platform
 from cocorosim_ros.wire.topics.body import describe_body
 from cocorosim_ros.world.checks.loading import load_scenario
+from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 TRUE = {
     "thrust_gain": 1.13,
@@ -125,3 +128,22 @@ def test_a_robot_that_is_not_there(recording: Path) -> None:
     """The sentence names the robots that are."""
     with pytest.raises(CocorosimError, match="no poses of 'lily_01'; it has jeff_01"):
         read_calibration_run(recording, load_platform("jeff"), "lily_01")
+
+
+def test_a_weaker_thruster_turns_no_rudder_less() -> None:
+    """A rudder's largest angle is no thrust: a Lily with one, of 0.8 times the thrust, is found so within 0.1 %."""
+    lily = load_platform("lily")
+    rudder = Rudder("rudder", (-0.06, 0.0, 0.0), area=0.001, aspect_ratio=1.5, largest_angle=0.5)
+    nominal = replace(lily, actuators=(*lily.actuators, rudder))
+    weaker: list[Any] = [replace(part, gain=0.8) if part.kind == "thruster" else part for part in nominal.actuators]
+    moments = np.arange(0.0, 60.0, 0.5)
+    commands = np.zeros((len(moments), 4))
+    commands[:80, :2], commands[20:50, 3], commands[50:80, 3], commands[80:90, 0] = 1.0, 1.0, -0.5, 1.0
+    path = free_run(
+        build_vehicles([replace(nominal, actuators=tuple(weaker))]), np.zeros(4), moments, commands, ACCURATE
+    )
+    fit = fit_platform(nominal, CalibrationRun("lily", moments, commands, np.arange(len(moments)), path))
+    found = {number.name: number for number in fit.numbers}
+    assert found["thrust_gain"].value == pytest.approx(0.8, rel=1e-3)
+    for name in ("drag", "yaw_drag", "inertia"):
+        assert found[name].value == pytest.approx(found[name].nominal, rel=1e-3)

@@ -100,3 +100,15 @@ def test_the_command(tmp_path: Path) -> None:
     call[1] = str(tmp_path / "absent.csv")
     assert isinstance(CliRunner().invoke(command, [*call, "--force"]).exception, CocorosimError)
     assert (tmp_path / "bag" / "metadata.yaml").exists()
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_a_pressure_of_depths_and_one_of_a_sensor(convert_csv: Convert, first: int) -> None:
+    """The two are read by different weights of water, so that one topic cannot hold both, in whichever order."""
+    head = GOOD[: GOOD.index("pose:")]
+    numbers = ("{depth: {column: x, unit: m}}", "{pressure: {column: x, unit: bar}}")
+    tables = [f"{head}pressure: {number}\n" for number in numbers]
+    both = tables[first] + tables[1 - first].replace("a.csv", "b.csv")
+    later = LOG.replace("\n0,", "\n2,").replace("\n1,", "\n3,")
+    with pytest.raises(CocorosimError, match="boat/pressure is given as 'depth' by one table and as 'pressure'"):
+        convert_csv(both, {"a.csv": LOG, "b.csv": later})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -25,9 +26,12 @@ def with_volume(factor: float) -> Platform:
     return replace(LILY, actuators=tuple(parts))
 
 
-def with_centre(ahead: float) -> Platform:
-    """A Lily whose centre of mass is so far ahead of the origin [m]."""
-    return replace(LILY, effect_quantities={"offset_centre": {"ahead": Quantity(ahead, "m", "length")}})
+def with_centre(ahead: float, left: float = 0.0, aside: float = 0.0) -> Platform:
+    """A Lily whose centre of mass is so far ahead and left of the origin [m], with this added mass sideways [kg]."""
+    effects = {"offset_centre": {"ahead": Quantity(ahead, "m", "length"), "left": Quantity(left, "m", "length")}}
+    return replace(
+        LILY, effect_quantities=effects | {"added_mass": {"sway_minus_surge": Quantity(aside, "kg", "mass")}}
+    )
 
 
 @pytest.mark.parametrize("name", config_names("platforms"))
@@ -46,6 +50,11 @@ def test_shipped_platforms_can_exist(name: str) -> None:
         (replace(LILY, hull=replace(LILY.hull, length=1e300)), r"lighter than hydrogen"),
         (replace(LILY, yaw_inertia=1e300), r"'yaw_inertia' has '1e\+300 kg m\^2'"),
         (with_centre(-0.2), r"'ahead' of 'offset_centre' has '-0\.2 m' .* at most 0\.13 m to either side"),
+        (
+            with_centre(0.065, aside=-0.1),
+            r"'0\.065 m' beside .* with -0\.1 kg .* of -0\.000142 kg m\^2 in a turn",
+        ),
+        (with_centre(0.01, aside=-0.5), r"an inertia of -0\.06 kg against a push to the side"),
     ],
 )
 def test_a_slipped_power_of_ten_is_a_sentence(platform: Platform, sentence: str) -> None:
@@ -64,3 +73,17 @@ def test_one_robot_that_differs_is_checked_too() -> None:
     """The numbers below 'robots' count as well."""
     with pytest.raises(CocorosimError, match="heavier than any metal"):
         check_platform(replace(LILY, robots={"lily_02": replace(LILY, mass=1e300)}))
+
+
+@pytest.mark.parametrize("aside", [-0.44, -0.3, -0.1, 0.0, 0.5])
+@pytest.mark.parametrize("ahead", [-0.065, -0.04, 0.02, 0.065])
+@pytest.mark.parametrize("left", [0.0, 0.05])
+def test_what_is_refused_is_no_mass_matrix(aside: float, ahead: float, left: float) -> None:
+    """Fossen's (2021, eq. 3.49) with added mass on its diagonal: an eigenvalue that is not above zero."""
+    m, about_origin = LILY.mass, LILY.yaw_inertia + LILY.mass * (ahead**2 + left**2)
+    matrix = np.array([[m, 0.0, -m * left], [0.0, m + aside, m * ahead], [-m * left, m * ahead, about_origin]])
+    if np.linalg.eigvalsh(matrix).min() > 0.0:
+        check_platform(with_centre(ahead, left, aside))
+    else:
+        with pytest.raises(CocorosimError, match="and a body has more than 0"):
+            check_platform(with_centre(ahead, left, aside))

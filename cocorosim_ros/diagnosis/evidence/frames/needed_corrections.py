@@ -85,7 +85,7 @@ def _units(logs: Logs, platform: Platform) -> Found:
         units.heading_in_degrees(logs, motion),
         units.rate_in_degrees(motion),
         pressure,
-        pose or units.height_unit(motion, platform),
+        pose or units.height_unit(logs, motion, platform),
         *(
             units.length_unit(topic, np.abs(moved), expected, motion, "the commands let")
             for topic, moved in motion.moved.items()

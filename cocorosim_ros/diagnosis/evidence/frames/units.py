@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.evidence.frames.motion import ShownMotion
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT
 from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
+from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import pressure_per_metre
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.state.pressure import SURFACE_PRESSURE
@@ -58,7 +59,7 @@ def pressure_unit(logs: Sequence[RobotLog], motion: ShownMotion, platform: Platf
     if level >= UNITS.absolute:
         return None
     per_metre = _ratio(motion.sinking, motion.climb, motion)
-    weight, (shallow, steep) = platform.water_density * platform.gravity, UNITS.pressure_slope
+    weight, (shallow, steep) = _weight(logs, platform), UNITS.pressure_slope
     for unit, factor, (low, high) in UNITS.pressures:
         fits = np.isnan(per_metre) or shallow < per_metre * factor / weight < steep
         if low <= level < high and fits:
@@ -80,13 +81,19 @@ def _ratio(left: Floats, right: Floats, motion: ShownMotion) -> float:
     return abs(slope(left, right)) if related or exact else float("nan")
 
 
-def height_unit(motion: ShownMotion, platform: Platform) -> FrameCorrection | None:
+def height_unit(logs: Sequence[RobotLog], motion: ShownMotion, platform: Platform) -> FrameCorrection | None:
     """The correction of poses in another unit than metres, by the pressure; None for metres."""
     if platform.water_density < UNITS.dense:
         return None
-    metres = motion.sinking / (platform.water_density * platform.gravity)
+    metres = motion.sinking / _weight(logs, platform)
     ratio = _ratio(motion.climb, metres, motion)
     return _length("pose", ratio, "the pressure lets")
+
+
+def _weight(logs: Sequence[RobotLog], platform: Platform) -> float:
+    """Pressure per metre [Pa/m] that most of the logs show, of those with a pressure if there are any."""
+    shown = [log for log in logs if "pressure" in log.streams] or logs
+    return float(np.median([pressure_per_metre(platform, log) for log in shown]))
 
 
 def length_unit(

@@ -1,10 +1,12 @@
-"""Rough scales of a platform: its full speed, and the time over which it coasts."""
+"""Scales of a platform: its full speed, the time over which it coasts, and what a metre of its water weighs."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.scenario.parts.platform import Platform
+from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 
 FORWARD, LEFT, UP, TURN = range(4)
 """Columns of a platform's wrenches: forces along the axes of the body, and the moment about z."""
@@ -22,3 +24,14 @@ def coasting_time(platform: Platform) -> float:
     """Time m / (k v) [s] in which a platform loses half of its full speed v; 0 without thrust or without drag."""
     braking = platform.drag * full_speed(platform)
     return platform.mass / braking if braking > 0.0 else 0.0
+
+
+def pressure_per_metre(platform: Platform, log: RobotLog) -> float:
+    """Pressure [Pa/m] that a log shows for each metre of depth: what the platform's water weighs.
+
+    Pressures that a map made of depths are by the contract's fresh water.
+    """
+    stream = log.streams.get("pressure")
+    if stream is not None and stream.from_depth:
+        return PASCAL_PER_METRE
+    return platform.water_density * platform.gravity
