@@ -241,6 +241,18 @@ def test_nothing_found_is_the_platform_again(example: Example, tmp_path: Path, v
     assert replace(written(tmp_path, found, origin()), description=lily.description) == lily
 
 
+def test_numbers_that_have_not_moved_are_not_written_where_nothing_could_be_told(
+    example: Example, tmp_path: Path
+) -> None:
+    """Of recordings that cannot tell; with one that has clearly moved all fitted numbers are written."""
+    lily = load_platform("lily")
+    drag = Recalibrated("drag", lily.drag, Estimate(1.5, 1.0, 2.0, "kg/m"), ("lily_01",))
+    telling = replace(example("recalibrate"), verdict="insufficient", all_recalibrated=(drag,), effects=())
+    for moved, value in (((), lily.drag), ((drag,), 1.5)):
+        found = written(tmp_path, replace(telling, recalibrated=moved), origin(), f"{value}.yaml")
+        assert found.drag == value
+
+
 def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
     """A law outside the catalogue."""
     numbers = {"coefficient": -3e-4, **numbers}
