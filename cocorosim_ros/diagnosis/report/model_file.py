@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.report.effect_keys import (
     fixed_numbers,
     parameters_beside,
@@ -88,12 +89,13 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
 
 
 def _written(diagnosis: Diagnosis) -> Sequence[Recalibrated]:
-    """Choose the fitted numbers that a model is given; none where recordings cannot tell and none has clearly moved.
+    """Choose the fitted numbers that a model is given; none of recordings that cannot tell, without sound ones.
 
-    Such numbers foretell by chance: of one half of a ferry's trial they made headings three times worse.
+    Sound: one has clearly moved, and the fit has not collapsed. Others foretell by chance: of one half of a ferry's trial
+    they made headings three times worse.
     """
-    told_nothing = diagnosis.verdict == "insufficient" and not (diagnosis.recalibrated or diagnosis.effects)
-    if told_nothing and diagnosis.against is None:
+    is_sound = bool(diagnosis.recalibrated) and not collapsed_channels(diagnosis.fit)
+    if diagnosis.verdict == "insufficient" and diagnosis.against is None and not (diagnosis.effects or is_sound):
         return ()
     return diagnosis.all_recalibrated or diagnosis.recalibrated
 

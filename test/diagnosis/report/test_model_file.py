@@ -12,7 +12,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, HeldOut, Recalibrated
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.scenario.parts.platform import DragForm, Platform, load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
@@ -244,12 +244,15 @@ def test_nothing_found_is_the_platform_again(example: Example, tmp_path: Path, v
 def test_numbers_that_have_not_moved_are_not_written_where_nothing_could_be_told(
     example: Example, tmp_path: Path
 ) -> None:
-    """Of recordings that cannot tell; with one that has clearly moved all fitted numbers are written."""
+    """Of recordings that cannot tell; with one that has clearly moved all are written, unless the fit has collapsed."""
     lily = load_platform("lily")
     drag = Recalibrated("drag", lily.drag, Estimate(1.5, 1.0, 2.0, "kg/m"), ("lily_01",))
     telling = replace(example("recalibrate"), verdict="insufficient", all_recalibrated=(drag,), effects=())
-    for moved, value in (((), lily.drag), ((drag,), 1.5)):
-        found = written(tmp_path, replace(telling, recalibrated=moved), origin(), f"{value}.yaml")
+    worse = {"heading": HeldOut(0.1, 0.3, 0.3, 0.05, "rad")}
+    for name, moved, fit, value in (
+        ("none", (), {}, lily.drag), ("one", (drag,), {}, 1.5), ("collapsed", (drag,), worse, lily.drag),
+    ):  # fmt: skip
+        found = written(tmp_path, replace(telling, recalibrated=moved, fit=fit), origin(), f"{name}.yaml")
         assert found.drag == value
 
 
