@@ -91,7 +91,7 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
 def _written(diagnosis: Diagnosis) -> Sequence[Recalibrated]:
     """Choose the fitted numbers that a model is given; none of recordings that cannot tell, without sound ones.
 
-    Sound: one has clearly moved, and the fit has not collapsed. Others foretell by chance: of one half of a ferry's trial
+    Sound: one has clearly moved, and the fit has not collapsed. Others foretell by chance: of half of a ferry's trial
     they made headings three times worse.
     """
     is_sound = bool(diagnosis.recalibrated) and not collapsed_channels(diagnosis.fit)
