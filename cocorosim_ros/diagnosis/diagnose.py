@@ -281,9 +281,9 @@ def _shifted(base: Fit) -> bool:
     By the likelihood ratio; and where the platform's file gives 95 % intervals, also by the distance from its numbers
     in standard deviations of both (Wald's test).
     """
-    surely = float(chi2.ppf(1.0 - VERDICT.sure, len(base.unknowns)))
     if not base.unknowns:
         return False
+    surely = float(chi2.ppf(1.0 - VERDICT.sure, len(base.unknowns)))
     if 2.0 * (base.objective - nominal_fit(base).objective) <= surely:
         return False
     stated = np.array([unknown.stated for unknown in base.unknowns])

@@ -56,9 +56,11 @@ def split_tracks(
     """
     numbers = sorted(among)
     assignments = _assignments([tracks[number] for number in numbers], seconds)
-    apart = [_apart(splits, [regimes[number] for number in numbers]) for splits in assignments]
-    best = 0 if apart[0] <= FREE_RUNS.unlike else int(np.argmin(apart))
-    chosen = iter(assignments[best])
+    own = [regimes[number] for number in numbers]
+    best = assignments[0]
+    if _apart(best, own) > FREE_RUNS.unlike:
+        best = min(assignments, key=lambda splits: _apart(splits, own))
+    chosen = iter(best)
     whole = [Split((), (Span(0, track.timeline.grid.points),)) for track in tracks]
     return tuple(next(chosen) if number in among else split for number, split in enumerate(whole))
 
@@ -78,20 +80,19 @@ def _assignments(tracks: Sequence[Track], seconds: float) -> list[tuple[Split, .
     places = _recordings(tracks)
     counts = [_blocks(track, seconds) for track in tracks]
     points = [track.timeline.grid.points for track in tracks]
-    shifts = range(FREE_RUNS.assignments)
-    if max(places) + 1 >= FREE_RUNS.many and max(counts) == 1:
-        ways = [
-            tuple(_whole(length, place + shift) for length, place in zip(points, places, strict=True))
-            for shift in shifts
-        ]
-    else:
-        ways = [
-            tuple(
-                _spread(length, count, FREE_RUNS.places[(place + shift) % len(FREE_RUNS.places)])
-                for length, count, place in zip(points, counts, places, strict=True)
-            )
-            for shift in shifts
-        ]
+    are_whole = max(places) + 1 >= FREE_RUNS.many and max(counts) == 1
+
+    def split(length: int, count: int, place: int) -> Split:
+        return (
+            _whole(length, place)
+            if are_whole
+            else _spread(length, count, FREE_RUNS.places[place % len(FREE_RUNS.places)])
+        )
+
+    ways = [
+        tuple(split(length, count, place + shift) for length, count, place in zip(points, counts, places, strict=True))
+        for shift in range(FREE_RUNS.assignments)
+    ]
     return list(dict.fromkeys(ways))
 
 

@@ -113,9 +113,8 @@ def is_blind(unseen: Sequence[str], tracks: Sequence[Track]) -> bool:
 
     Effects of what none of the vehicles has, as of a cable, are no part of what could be seen.
     """
-    possible = {entry.id for entry in ENTRIES if any(has_all(track.vehicle, entry.needs) for track in tracks)} & set(
-        IDS
-    )
+    had = {entry.id for entry in ENTRIES if any(has_all(track.vehicle, entry.needs) for track in tracks)}
+    possible = had & set(IDS)
     return len(possible & set(unseen)) > DETECTABILITY.blind * len(possible)
 
 

@@ -67,7 +67,8 @@ def promising_laws(laws: Sequence[Law], fit: Fit, courses: Sequence[Smoothed]) -
 
     courses: the smoothed course of each track under the fit, in their order.
     """
-    sums = [_sums(laws, fit, number, course, _part(fit, courses)) for number, course in enumerate(courses)]
+    part = _part(fit, courses)
+    sums = [_sums(laws, fit, number, course, part) for number, course in enumerate(courses)]
     groups = [list(range(len(courses))), *map(list, tracks_by_robot(fit.tracks).values())]
     found = [_Sums(*map(np.concatenate, zip(*(sums[number] for number in group), strict=True))) for group in groups]
     clear = np.max([each.clearness for each in found], axis=0)

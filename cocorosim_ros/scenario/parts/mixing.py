@@ -78,8 +78,7 @@ def mixed_thrusters(actuators: Sequence[Actuator]) -> list[Thruster]:
 
 def allocation_matrix(mixing: Mixing, actuators: Sequence[Actuator]) -> Floats:
     """(sticks, thrusters) what one newton of each thruster of `mixed_thrusters` gives along or about each stick."""
-    parts = mixed_thrusters(actuators)
-    columns = [np.concatenate([part.direction, np.cross(part.position, part.direction)]) for part in parts]
+    columns = [part.wrench for part in mixed_thrusters(actuators)]
     axes = [AXES.index(stick) for stick in mixing.sticks]
     return np.array(columns).reshape(-1, len(AXES)).T[axes]
 

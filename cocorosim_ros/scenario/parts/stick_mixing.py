@@ -36,6 +36,8 @@ class StickMixing:
             self.driven = tuple(part.name for part in self._thrusters)
             amounts = np.array(list(mixing.full_sticks.amounts.values() if mixing.full_sticks else ()))
             self._matrix = amounts[:, None] * smallest_forces(allocation_matrix(mixing, actuators)).T
+        self.names = (*self.sticks, *(part.name for part in actuators if part.name not in self.driven))
+        """What a command by sticks names: these, and the actuators that they do not drive."""
 
     def commands(self, sticks: Floats) -> Floats:
         """(n, driven) fractions -1..1 at positions (n, sticks) of the sticks; a stick beyond -1..1 is at its end.

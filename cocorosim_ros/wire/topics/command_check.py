@@ -46,7 +46,6 @@ class _StickReader:
         self._message = stick_message(body, mixing)
         self._mixing = mixing
         self._actuators = body.actuators
-        self._names = (*mixing.sticks, *(name for name in body.actuators if name not in mixing.driven))
 
     def read(self, data: bytes) -> tuple[Floats, str]:
         try:
@@ -55,8 +54,8 @@ class _StickReader:
             driven = quoted(self._mixing.driven)
             told = f"{_unused(error)} A command names sticks, or in their place what they drive, {driven}."
             return np.zeros(len(self._actuators)), told
-        complaints = _brought_in(wanted, self._names)
-        asked = self._mixing.without_sticks(dict(zip(self._names, wanted.tolist(), strict=True)))
+        complaints = _brought_in(wanted, self._mixing.names)
+        asked = self._mixing.without_sticks(dict(zip(self._mixing.names, wanted.tolist(), strict=True)))
         return np.array([asked[name] for name in self._actuators]), "; ".join(complaints)
 
 

@@ -45,7 +45,7 @@ def command_message(body: BodyDescription) -> PackedMessage:
 
 def stick_message(body: BodyDescription, mixing: StickMixing) -> PackedMessage:
     """`thruster_command` of a robot commanded by sticks: these, then the fractions of actuators that none drives."""
-    return _named_commands(body, (*mixing.sticks, *(name for name in body.actuators if name not in mixing.driven)))
+    return _named_commands(body, mixing.names)
 
 
 def _named_commands(body: BodyDescription, names: Sequence[str]) -> PackedMessage:

@@ -77,6 +77,4 @@ def _slope(part: fin.Fin) -> float:
 
 def _wrench(part: object) -> Floats:
     """(6,) force and moment per newton; none of a fin or a sliding mass."""
-    if not isinstance(part, Thruster):
-        return np.zeros(6)
-    return np.concatenate([part.direction, np.cross(part.position, part.direction)])
+    return part.wrench if isinstance(part, Thruster) else np.zeros(6)

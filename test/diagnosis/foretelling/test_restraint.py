@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -15,10 +15,17 @@ from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, mends, restrained
-from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, unseen_parts
 from cocorosim_ros.scenario.parts.platform import load_platform
 
 Swim = Callable[..., Any]
+
+
+class Swum(NamedTuple):
+    """A recording, and the measure of its sound base."""
+
+    evidence: Any
+    measure: Unseen
 
 
 def with_turning_commands_tripled(evidence: Any, among: list[tuple[float, float]]) -> Any:
@@ -33,17 +40,27 @@ def with_turning_commands_tripled(evidence: Any, among: list[tuple[float, float]
     return replace(evidence, recordings=(replace(recording, robots=(replace(log, command=command),)),))
 
 
-def test_numbers_that_stand_for_a_wrong_log_are_held(swim: Swim) -> None:
+@pytest.fixture(scope="module")
+def sound(swim: Swim) -> Swum:
+    """A swim of a Lily, and what is held out of it."""
+    evidence = swim(load_platform("lily"), 480.0, seed=5)
+    return Swum(evidence, unseen_parts(base_fit(evidence)))
+
+
+@pytest.fixture(scope="module")
+def wrong(sound: Swum) -> Any:
+    """The same swim, whose log is true in held-out parts alone."""
+    (split,), step = sound.measure.splits, sound.measure.tracks[0].timeline.grid.step
+    return with_turning_commands_tripled(sound.evidence, [(each.first * step, each.end * step) for each in split.seen])
+
+
+def test_numbers_that_stand_for_a_wrong_log_are_held(sound: Swum, wrong: Any) -> None:
     """Fitted parts have commands logged three times as different as they were: a third of the torque gain fits them.
 
     In held-out parts the log is true, so that the platform as given foretells the heading there.
     """
-    evidence = swim(load_platform("lily"), 480.0, seed=5)
-    sound = base_fit(evidence)
-    measure = unseen_parts(sound)
-    assert restrained(sound, held_out_free_runs(measure, sound)) == Restrained(sound)
-    (split,), step = measure.splits, sound.tracks[0].timeline.grid.step
-    wrong = with_turning_commands_tripled(evidence, [(span.first * step, span.end * step) for span in split.seen])
+    good = sound.measure.base
+    assert restrained(good, held_out_free_runs(sound.measure, good)) == Restrained(good)
     base = base_fit(wrong)
     collapsed = held_out_free_runs(unseen_parts(base), base)
     assert "heading" in collapsed_channels(collapsed.table)
@@ -78,13 +95,9 @@ def test_held_numbers_are_to_mend_what_had_collapsed(again: dict[str, HeldOut], 
     assert mends(again, table(position=(1.0, 0.8), heading=(1.0, 2.0))) is mended
 
 
-def test_a_diagnosis_says_what_it_holds(swim: Swim) -> None:
+def test_a_diagnosis_says_what_it_holds(wrong: Any) -> None:
     """Of a log that is true in held-out parts alone: numbers are kept, names suspected, and the headline says it."""
-    evidence = swim(load_platform("lily"), 480.0, seed=5)
-    measure = unseen_parts(base_fit(evidence))
-    (split,), step = measure.splits, measure.tracks[0].timeline.grid.step
-    seen = [(span.first * step, span.end * step) for span in split.seen]
-    found = diagnose(with_turning_commands_tripled(evidence, seen), lambda words, share: None)
+    found = diagnose(wrong, lambda words, share: None)
     assert "yaw_torque_gain" in found.held
     assert any("yaw_torque_gain" in warning for warning in found.warnings)
     assert all(effect.tier == "suspected" for effect in found.effects)
