@@ -58,6 +58,8 @@ def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) 
     values = {name: part.neutral + 1.0 + index for index, (name, part) in enumerate(KNOWN_EFFECTS[effect].items())}
     if effect == "anisotropic_drag":
         values["form"] = 2.0  # one that adds to the drag by total speed, which Lily has
+    if effect == "offset_centre":
+        values = {name: 0.01 * value for name, value in values.items()}  # within her hull, or she is refused
     parts = [
         f"{name}: {number(value, '1' if KNOWN_EFFECTS[effect][name].unit == '*' else KNOWN_EFFECTS[effect][name].unit)}"
         for name, value in values.items()
