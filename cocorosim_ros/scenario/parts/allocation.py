@@ -12,7 +12,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.entry import Entry
+
+
+def wrench_of(thruster: Thruster) -> Floats:
+    """(6,) force and moment per newton of a thruster [1, m; body]."""
+    return np.concatenate([thruster.direction, np.cross(thruster.position, thruster.direction)])
 
 
 def smallest_forces(matrix: Floats) -> Floats:

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.scenario.parts.allocation import check_rank
+from cocorosim_ros.scenario.parts.allocation import check_rank, wrench_of
 from cocorosim_ros.scenario.parts.six_degrees import AXES
 from cocorosim_ros.scenario.parts.steering import Azimuth
 from cocorosim_ros.scenario.parts.thrust_curve import check_rising
@@ -78,7 +78,7 @@ def mixed_thrusters(actuators: Sequence[Actuator]) -> list[Thruster]:
 
 def allocation_matrix(mixing: Mixing, actuators: Sequence[Actuator]) -> Floats:
     """(sticks, thrusters) what one newton of each thruster of `mixed_thrusters` gives along or about each stick."""
-    columns = [part.wrench for part in mixed_thrusters(actuators)]
+    columns = [wrench_of(part) for part in mixed_thrusters(actuators)]
     axes = [AXES.index(stick) for stick in mixing.sticks]
     return np.array(columns).reshape(-1, len(AXES)).T[axes]
 

@@ -7,9 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-import numpy as np
-
-from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.direction import DIRECTION
 from cocorosim_ros.scenario.parts.fin import Fin
 from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
@@ -97,11 +94,6 @@ class Thruster:
     def reverse(self) -> float:
         """Force backwards at command -1 [N], unsigned."""
         return self.maximum if self.maximum_reverse is None else self.maximum_reverse
-
-    @property
-    def wrench(self) -> Floats:
-        """(6,) force and moment per newton [1, m; body]."""
-        return np.concatenate([self.direction, np.cross(self.position, self.direction)])
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts import fin
+from cocorosim_ros.scenario.parts.allocation import wrench_of
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.six_degrees import AXES, SixDegrees
 from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
@@ -77,4 +78,4 @@ def _slope(part: fin.Fin) -> float:
 
 def _wrench(part: object) -> Floats:
     """(6,) force and moment per newton; none of a fin or a sliding mass."""
-    return part.wrench if isinstance(part, Thruster) else np.zeros(6)
+    return wrench_of(part) if isinstance(part, Thruster) else np.zeros(6)
