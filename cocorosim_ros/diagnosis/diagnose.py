@@ -26,9 +26,10 @@ from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import is_exact
+from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns
 from cocorosim_ros.diagnosis.foretelling.restraint import Restrained, mends, restrained
-from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
+from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs
 from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, screened_effects, shows_known
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
@@ -203,13 +204,16 @@ def _named(base: Fit, progress: Progress, done: Shares) -> tuple[Unseen, Naming]
     for that sideways. So where the found model coasts for another time, the search begins again with free runs of
     its length: one that began with the found model would take these too.
     """
-    unseen = unseen_parts(base)
+    wanted = seconds_of_free_runs(base)
+    unseen = foreseeable_parts(base, wanted)
     naming = name_effects(base, _between(progress, done.begin, done.once), unseen)
-    if naming.named and (seconds := seconds_of_free_runs(naming.fit)) != unseen.seconds:
-        unseen = unseen_parts(base, seconds)
-        again = name_effects(base, _between(progress, done.once, done.end), unseen)
-        naming = better_foretelling(naming, again, unseen)
-    return unseen, naming
+    if not naming.named or (seconds := seconds_of_free_runs(naming.fit)) == wanted:
+        return unseen, naming
+    others = foreseeable_parts(base, seconds)
+    if others.seconds == unseen.seconds:
+        return unseen, naming
+    again = name_effects(base, _between(progress, done.once, done.end), others)
+    return others, better_foretelling(naming, again, others)
 
 
 def _between(progress: Progress, low: float, high: float) -> Progress:

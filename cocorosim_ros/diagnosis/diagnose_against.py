@@ -30,8 +30,8 @@ from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect,
 from cocorosim_ros.diagnosis.fitting.drag_forms import word_of_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
-from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.naming.detectability import (
     name_of,
     not_shown,
@@ -135,7 +135,7 @@ def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[st
 
 
 def _judged(fit: Fit, numbers: tuple[int, ...], alike: Alike, thrusters: tuple[str, ...]) -> Judged:
-    return Judged(numbers, alike, thrusters, unseen_parts(fit, among=numbers))
+    return Judged(numbers, alike, thrusters, foreseeable_parts(fit, among=numbers))
 
 
 def _against(well: Intake, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
@@ -184,7 +184,7 @@ def _told(
     effects, either = apart(naming.named, effects)
     doubted = (*vague, *(name for names in either for name in names))
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
-    table, runs, _ = held_out_free_runs(unseen_parts(base), final)
+    table, runs, _ = held_out_free_runs(foreseeable_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
     case = Case(final, naming.named, effects, courses[1], table)
     stops = (*to_learned, *as_another_vehicle(moved, effects), *unexplained(intake), *objections(case))

@@ -35,8 +35,9 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.diagnosis.evidence.intake import take_in
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
     from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns
-    from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, starts_of
+    from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, starts_of
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     intake = take_in(gather_evidence(bags, load_platform(nominal)))
@@ -44,7 +45,7 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
         return {}
     base = base_fit(intake.evidence)
     starts = starts_of(base.tracks, base.filled)
-    unseen = Unseen(base, _whole(base.tracks), seconds_of_free_runs(base), base.filled, (), starts, ())
+    unseen = Unseen(base, _whole(base.tracks), foreseeable_parts(base).seconds, base.filled, (), starts, ())
     runs = FreeRuns(unseen, unseen.rows)
     by_file = runs.errors(unseen.base.rows)
     tracks = tuple(_tracks(unseen.tracks, load_platform(found)))

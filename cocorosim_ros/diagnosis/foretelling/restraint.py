@@ -21,8 +21,8 @@ from cocorosim_ros.diagnosis.fitting.recalibration import climbed
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import EXACT
+from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
-from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 
 _TURNED = "heading"  # channel of free runs
 _OF_TURNS = "yaw"  # with which the names of numbers that turn a vehicle begin: yaw_drag, linear_drag.yaw
@@ -61,7 +61,7 @@ def restrained(base: Fit, free: HeldOutFreeRuns) -> Restrained:
     for held in _choices(base.unknowns, [channel for channel, _ in worse]):
         kept = [place for place, unknown in enumerate(base.unknowns) if unknown not in held]
         fit = climbed(evaluated(replace(base, unknowns=tuple(base.unknowns[k] for k in kept), q=base.q[kept])))
-        if not collapsed_channels(held_out_free_runs(unseen_parts(fit), fit).table):
+        if not collapsed_channels(held_out_free_runs(foreseeable_parts(fit), fit).table):
             return Restrained(fit, tuple(dict.fromkeys(each.owner.parameter for each in held)), worse)
     return Restrained(base)
 
