@@ -73,6 +73,11 @@ def _net_buoyancy(platform: Platform) -> float:
     return 0.0 if displaced == 0.0 else (displaced - platform.mass) * platform.gravity
 
 
+def turning_gain(platform: Platform) -> float:
+    """Share of their thrust with which thrusters turn the vehicle [1]: that of pushing it unless it has its own."""
+    return _or_else(platform.yaw_torque_gain, _or_else(platform.thrust_gain, 1.0))
+
+
 _NUMBERS: dict[str, Callable[[Platform], float]] = {
     "mass": lambda platform: platform.mass,
     "yaw_inertia": lambda platform: platform.yaw_inertia,
@@ -80,7 +85,7 @@ _NUMBERS: dict[str, Callable[[Platform], float]] = {
     "yaw_drag": lambda platform: platform.yaw_drag,
     "net_buoyancy": _net_buoyancy,
     "thrust_gain": lambda platform: _or_else(platform.thrust_gain, 1.0),
-    "yaw_torque_gain": lambda platform: _or_else(platform.yaw_torque_gain, _or_else(platform.thrust_gain, 1.0)),
+    "yaw_torque_gain": turning_gain,
     "buoyancy_gain": lambda platform: _or_else(platform.buoyancy_gain, 1.0),
 }
 

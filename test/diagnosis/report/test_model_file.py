@@ -191,6 +191,19 @@ def test_what_one_robot_has_stands_below_its_name(example: Example, tmp_path: Pa
     assert set(model.of_robot("lily_02").effects) == {"added_mass", "thruster_asymmetry"}
 
 
+@pytest.mark.parametrize("robots", [("lily_01", "lily_02"), ("lily_02",)])
+def test_thrust_that_is_fitted_alone_leaves_the_turning_as_it_was(
+    robots: tuple[str, ...], example: Example, tmp_path: Path
+) -> None:
+    """A file without `yaw_torque_gain` takes the gain of pushing for it; a held number must not move with another."""
+    gain = Recalibrated("thrust_gain", 1.0, Estimate(0.88, 0.8, 0.97, "1"), robots)
+    found = replace(example("recalibrate"), recalibrated=(gain,), all_recalibrated=(gain,))
+    source = origin(replace(load_platform("lily"), yaw_torque_gain=1.2), ("lily_01", "lily_02"))
+    for platform, turning in ((origin(robots=source.robots).platform, 1.0), (source.platform, 1.2)):
+        of_robot = written(tmp_path, found, replace(source, platform=platform)).of_robot("lily_02")
+        assert (of_robot.thrust_gain, of_robot.yaw_torque_gain) == (0.88, turning)
+
+
 def test_an_effect_with_numbers_of_each_robot_is_at_the_top_their_mean(example: Example, tmp_path: Path) -> None:
     """Robots keep their own number; a law keeps its place."""
     effects = (
