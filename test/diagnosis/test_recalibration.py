@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
+from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.fitting import recalibration
 from cocorosim_ros.diagnosis.fitting.climbing import settled
+from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_columns
+from cocorosim_ros.scenario.parts.kept_numbers import FITTED_WITHOUT_RANGE
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
 from cocorosim_ros.scenario.reading.ranges import Range
@@ -146,6 +149,29 @@ def test_steps_of_the_filter_follow_the_found_numbers(swim: Swim) -> None:
     assert 1.0 / RECALIBRATION.alike_steps < steps[1] / of_lily < RECALIBRATION.alike_steps
     (drag,) = [each.value(float(q)) for each, q in zip(after.unknowns, after.q, strict=True) if each.column == "drag"]
     assert drag == pytest.approx(lily.drag, rel=0.1)
+
+
+def test_numbers_that_the_file_keeps_are_not_fitted(swim: Swim) -> None:
+    """They are the vehicle's own all the same: an effect whose number is kept is never looked for."""
+    lily = load_platform("lily")
+    linear = {"linear_drag": {"surge": Quantity(0.01, "N s/m", dimension_of("N s/m"))}}
+    ranges = {"effects.linear_drag.surge": Range(0.001, 0.03, "N s/m")}
+    own = replace(lily, effect_quantities=linear, ranges=ranges)
+    keeping = replace(own, kept_as_given=("drag", "effects.linear_drag.surge"))
+    free, kept = (recalibration.first_fit(swim(lily, 60.0, seed=3, base=each)) for each in (own, keeping))
+    left = {each.column for each in free.unknowns} - {each.column for each in kept.unknowns}
+    assert left == {"drag", "linear_drag.surge"}
+    assert declared_columns(kept.tracks) == declared_columns(free.tracks) == {"linear_drag.surge"}
+
+
+def test_a_platform_that_keeps_all_its_numbers_is_diagnosed(swim: Swim) -> None:
+    """With nothing left to fit but noise, a sound swim fits and a drag of twice the size is missing something."""
+    lily = replace(load_platform("lily"), kept_as_given=FITTED_WITHOUT_RANGE)
+    evidence = swim(lily, 100.0, seed=3)
+    assert recalibration.base_fit(evidence).unknowns == ()
+    assert diagnose(evidence, lambda words, share: None).verdict == "consistent"
+    dragging = swim(replace(lily, drag=2.0 * lily.drag), 100.0, seed=3, base=lily)
+    assert diagnose(dragging, lambda words, share: None).verdict == "mismatch"
 
 
 def test_a_found_model_keeps_the_steps_by_which_it_was_found(swim: Swim) -> None:

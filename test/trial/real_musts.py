@@ -159,10 +159,15 @@ def again_row(figures: Tree) -> Row:
     told = {name: each for name, each in said.items() if each is not None}
     good = [name for name, each in told.items() if each["verdict"] == "consistent"]
     asked = Asked("the same recordings with the model found in them: `consistent`", "all", "all", least=1.0)
-    return _share(asked, len(good), len(told), (f"{name}: {_again(told[name])}" for name in told if name not in good))
+    why = (
+        f"{name}: {_again(diagnosis(figures['groups'][name], ONE), told[name])}" for name in told if name not in good
+    )
+    return _share(asked, len(good), len(told), why)
 
 
-def _again(said: Tree) -> str:
+def _again(once: Tree | None, said: Tree) -> str:
+    if once is not None and once["verdict"] == said["verdict"] == "insufficient":
+        return "insufficient both times; the model that was found is the platform's file or hardly more."
     named = "".join(f", {title(each)}" for each in said["effects"])
     return f"{said['verdict']}{named}. {_warning(said)}"
 

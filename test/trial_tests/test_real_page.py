@@ -112,6 +112,9 @@ def test_the_found_model_and_its_own_recordings() -> None:
     assert row.held is False
     assert row.why == ("c: mismatch, `torque_bias`. The diagnosis warned of nothing.",)
     assert again_row(figures(a=good)).held is True
+    blind = again_row(figures(a=good, b=group(diagnosis("insufficient"), again=diagnosis("insufficient"))))
+    assert blind.held is False  # not `consistent`, but nothing is found either
+    assert blind.why == ("b: insufficient both times; the model that was found is the platform's file or hardly more.",)
 
 
 def test_rows_of_single_sets() -> None:

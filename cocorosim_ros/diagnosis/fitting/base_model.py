@@ -96,14 +96,14 @@ def base_rows(tracks: Sequence[Track]) -> Floats:
 
 
 def base_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
-    """Unknowns of recalibration: the numbers of each robot's platform that are fitted."""
+    """Unknowns of recalibration: the numbers of each robot's platform that are fitted, but for those kept as given."""
     found = []
     for robot, numbers in tracks_by_robot(tracks).items():
         vehicle = tracks[numbers[0]].vehicle
         ranges = vehicle.ranges
         alone = is_steered_alone(vehicle)
         for column, (name, unit) in RECALIBRATED.items():
-            if alone and column in OF_ALL_THRUSTERS:
+            if column in vehicle.kept or (alone and column in OF_ALL_THRUSTERS):
                 continue
             base = float(vehicle.nominal[PARAMETER_COLUMNS[column]])
             # Moments are known relative to the inertia alone, as forces are to the mass: inertia stays unless the file

@@ -3,7 +3,7 @@
 A file that says `effects: {linear_drag: {yaw: {value: 0.3, unit: N m s, range: [0, 1], ...}}}` tells that the vehicle
 has this drag and that its size is not known. So it belongs to the base of every model of the vehicle, and is never
 named as missing. The range is a limit: no fit leaves it. The same holds of a thruster's own gain, and of
-what a rudder leaves open.
+what a rudder leaves open. What the file keeps as given is the vehicle's own as well, and is not fitted.
 """
 
 from __future__ import annotations
@@ -25,17 +25,22 @@ SECTION = "effects."
 
 
 def declared_unknowns(tracks: Sequence[Track]) -> list[Unknown]:
-    """Make one unknown of each robot for every number of an effect or actuator that its platform gives with a range."""
+    """Make one unknown of each robot for every number of an effect or actuator that its platform gives with a range.
+
+    Numbers that the file keeps as given make none.
+    """
     return [
         _unknown(robot, numbers, declared, float(tracks[numbers[0]].vehicle.row[COLUMN[declared.column]]))
         for robot, numbers in tracks_by_robot(tracks).items()
         for declared in _declared(tracks[numbers[0]].vehicle)
+        if declared.key not in tracks[numbers[0]].vehicle.kept
     ]
 
 
 def declared_columns(tracks: Sequence[Track]) -> frozenset[str]:
     """Columns of the effects' numbers that the platforms of some tracks give with a range."""
-    return frozenset(each.column for each in declared_unknowns(tracks) if "." in each.column)
+    every = (declared for track in tracks for declared in _declared(track.vehicle))
+    return frozenset(each.column for each in every if "." in each.column)
 
 
 def is_steered_alone(vehicle: VehicleModel) -> bool:
@@ -45,8 +50,12 @@ def is_steered_alone(vehicle: VehicleModel) -> bool:
 
 
 class _Ranged(NamedTuple):
-    """A number with a range: its column, how a diagnosis calls it, the range, and the 95 % interval if there is one."""
+    """A number with a range, and the 95 % interval if there is one.
 
+    key: of the platform's file. name: how a diagnosis calls it.
+    """
+
+    key: str
     column: str
     name: str
     limits: Range
@@ -58,9 +67,9 @@ def _declared(vehicle: VehicleModel) -> Iterator[_Ranged]:
     for key, limits in vehicle.ranges.items():
         column = key.removeprefix(SECTION)
         if key.startswith(SECTION) and column in COLUMN:
-            yield _Ranged(column, column, limits, vehicle.intervals.get(key))
+            yield _Ranged(key, column, column, limits, vehicle.intervals.get(key))
         elif key in vehicle.own:
-            yield _Ranged(vehicle.own[key].column, key, limits, vehicle.intervals.get(key))
+            yield _Ranged(key, vehicle.own[key].column, key, limits, vehicle.intervals.get(key))
 
 
 def _unknown(robot: str, numbers: tuple[int, ...], declared: _Ranged, base: float) -> Unknown:

@@ -76,10 +76,11 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
             robots.setdefault(name, {})["effects"] = _known_effects(own.effect_quantities, written)
         if own.frame_corrections != platform.frame_corrections:
             robots.setdefault(name, {})["frame_corrections"] = dict(own.frame_corrections)
-    tree["effects"] = _known_effects(platform.effect_quantities, tree.get("effects", {}))
+    tree["effects"] = _known_effects(platform.effect_quantities, _of_file(platform).get("effects", {}))
     if platform.frame_corrections:
         tree["frame_corrections"] = dict(platform.frame_corrections)
-    tree |= _chosen(diagnosis, origin)
+    if not _is_untold(diagnosis):
+        tree |= _chosen(diagnosis, origin)
     numbers = _written(diagnosis)
     _put_parameters([each for each in numbers if "." not in each.parameter], origin, tree, robots)
     _put_declared([each for each in numbers if "." in each.parameter], origin, tree, robots)
@@ -96,17 +97,29 @@ def _written(diagnosis: Diagnosis) -> Sequence[Recalibrated]:
     Sound: one has clearly moved, and the fit has not collapsed. Others foretell by chance: of half of a ferry's trial
     they made headings three times worse.
     """
+    return () if _is_untold(diagnosis) else diagnosis.all_recalibrated or diagnosis.recalibrated
+
+
+def _is_untold(diagnosis: Diagnosis) -> bool:
+    """Tell whether recordings say nothing that a model could be given, so that the file is the platform as given."""
     is_sound = bool(diagnosis.recalibrated) and not collapsed_channels(diagnosis.fit)
-    if diagnosis.verdict == "insufficient" and diagnosis.against is None and not (diagnosis.effects or is_sound):
-        return ()
-    return diagnosis.all_recalibrated or diagnosis.recalibrated
+    blind = diagnosis.verdict == "insufficient" and diagnosis.against is None
+    return blind and not (diagnosis.effects or is_sound)
 
 
 def _chosen(diagnosis: Diagnosis, origin: Origin) -> Tree:
-    """Keys for what the diagnosis has chosen: the form of the drag, and the step by which numbers were found."""
+    """Keys for what the diagnosis has chosen: form of the drag, step by which numbers were found, those not fitted."""
     if diagnosis.step is None:
         return {}
-    return _drag_form(diagnosis, origin.platform) | {"fitted_step": _derived(diagnosis.step, "s", origin)}
+    chosen = _drag_form(diagnosis, origin.platform) | {"fitted_step": _derived(diagnosis.step, "s", origin)}
+    kept = dict.fromkeys((*(origin.platform.kept_as_given or ()), *map(_key_of, diagnosis.held)))
+    return chosen | {"kept_as_given": list(kept)} if kept else chosen
+
+
+def _key_of(parameter: str) -> str:
+    """The key of the platform's file of a number, by the name that a diagnosis gives it."""
+    is_of_effect = "." in parameter and not parameter.startswith(f"{ACTUATORS}.")
+    return f"effects.{parameter}" if is_of_effect else PLATFORM_KEYS.get(parameter, parameter)
 
 
 def _drag_form(diagnosis: Diagnosis, platform: Platform) -> Tree:
@@ -173,13 +186,13 @@ def _put_of_actuators(found: Sequence[Recalibrated], origin: Origin, tree: Tree,
     """Write numbers of single actuators into the list of all of them, which replaces the one of a file that ships."""
     if not found:
         return
-    whole = with_base(load_yaml(Path(origin.platform.origin)), "platforms").mapping()
+    whole = _of_file(origin.platform)
     for each in found:
         _, actuator, name = each.parameter.split(".", 2)
         number = _ranged(_number(each.estimate, origin.source), origin.platform.ranges.get(each.parameter))
         everywhere = [tree, *(part for part in robots.values() if ACTUATORS in part)]
         for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
-            known = target.get(ACTUATORS, tree.get(ACTUATORS, plain(whole[ACTUATORS])))
+            known = target.get(ACTUATORS, tree.get(ACTUATORS, whole[ACTUATORS]))
             target[ACTUATORS] = [part | {name: number} if part["name"] == actuator else part for part in known]
 
 
@@ -223,6 +236,12 @@ def _with_effect(known: Tree, found: FoundEffect, origin: Origin) -> Tree:
         for effect, parameters in parameters_beside(found).items()
     }
     return known | found_beside | {name: known.get(name, {}) | numbers}
+
+
+def _of_file(platform: Platform) -> Tree:
+    """The whole file of a platform, with what it takes from those it is based on: sources and ranges too."""
+    whole = with_base(load_yaml(Path(platform.origin)), "platforms")
+    return {key: plain(part) for key, part in whole.mapping().items()}
 
 
 def _known_effects(effects: Effects, written: Tree) -> Tree:

@@ -57,6 +57,7 @@ class VehicleModel:
     known: Mapping[str, float]  # by column, numbers of sensors and stamps from the platform's file
     ranges: Ranges
     intervals: Ranges  # 95 % intervals of numbers that were measured
+    kept: frozenset[str]  # keys of the numbers that no fit changes
     hull: float  # length of the hull [m]
     arm: float  # mean distance of the thrusters before the centre [m]
     height: float  # of the hull [m]
@@ -173,6 +174,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         _known_of_sensors(platform),
         {**gain_ranges(platform), **platform.ranges},
         platform.intervals,
+        frozenset(platform.kept_as_given or ()),
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
         platform.hull.height,

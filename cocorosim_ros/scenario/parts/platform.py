@@ -14,6 +14,7 @@ from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.scenario.parts.actuator_checks import check_actuators
 from cocorosim_ros.scenario.parts.effect_quantities import Effects, effects_tree, read_effects
 from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.kept_numbers import check_kept, read_kept
 from cocorosim_ros.scenario.parts.mixing import Mixing, check_mixing
 from cocorosim_ros.scenario.parts.operating_system import OperatingSystem
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees, check_six_degrees
@@ -60,7 +61,8 @@ class Platform(Shown):
     file does not say, and then a simulation takes the total speed. `six_degrees`: what motion with roll and pitch takes
     instead of drag and yaw inertia; a diagnosis refuses it. `mixing`: how sticks become commands of actuators, where
     commands may be sticks. `fitted_step`: step [s] of the filter by which the
-    numbers were found, where a diagnosis has found them. `ranges`: between what the numbers lie that are
+    numbers were found, where a diagnosis has found them. `kept_as_given`: keys of the numbers that a diagnosis does not
+    fit. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units
     of a recorded stream are mixed up, by topic, in the words of a diagnosis. `robots`: those of this kind that
@@ -91,6 +93,9 @@ class Platform(Shown):
     six_degrees: SixDegrees | None = field(default=None, metadata=nested(SixDegrees))
     mixing: Mixing | None = field(default=None, metadata=nested(Mixing))
     fitted_step: float | None = field(default=None, metadata=quantity("time", "positive"))
+    kept_as_given: tuple[str, ...] | None = field(
+        default=None, metadata=stored(read_kept, list, form="list of the keys of numbers that a diagnosis does not fit")
+    )
     ranges: Ranges = field(
         default_factory=dict,
         hash=False,
@@ -254,6 +259,8 @@ def _read_one(entry: Entry) -> Platform:
         check_six_degrees(section["six_degrees"], platform.six_degrees, _of_four_degrees_alone(platform))
     ranges = {**platform.ranges, **collect_ranges(entry)}
     intervals = {**platform.intervals, **collect_ranges(entry, INTERVAL)}
+    if platform.kept_as_given:
+        check_kept(section["kept_as_given"], ranges)
     return replace(platform, ranges=ranges, intervals=intervals, origin=entry.file)
 
 

@@ -269,6 +269,39 @@ def test_numbers_that_have_not_moved_are_not_written_where_nothing_could_be_told
         assert found.drag == value
 
 
+@pytest.mark.parametrize("effects", ["", "effects: {}\n"])
+def test_recordings_that_cannot_tell_give_the_platform_whole(effects: str, example: Example, tmp_path: Path) -> None:
+    """No form of drag, no step, and what the file leaves open stays open, also in a file on which it is based."""
+    (tmp_path / "open.yaml").write_text(
+        "based_on: lily\neffects:\n  linear_drag:\n"
+        "    surge: {value: 0.01, unit: N s/m, range: [0.001, 0.03], source: guess, confidence: estimate}\n",
+        "utf-8",
+    )
+    (tmp_path / "here.yaml").write_text(f"based_on: open.yaml\n{effects}", "utf-8")
+    platform = load_platform(tmp_path / "here.yaml")
+    found = replace(example("insufficient"), recalibrated=(), effects=(), drag_form="own_speed", step=0.1)
+    model = written(tmp_path, found, origin(platform))
+    assert replace(model, description=platform.description) == platform
+
+
+def test_numbers_of_effects_that_were_not_fitted_keep_their_ranges(example: Example, tmp_path: Path) -> None:
+    """Those that ship have numbers with ranges, which the next diagnosis may fit."""
+    ferry = load_platform("milliampere_ferry")
+    found = replace(example("recalibrate"), all_recalibrated=(), recalibrated=())
+    assert written(tmp_path, found, origin(ferry)).ranges == ferry.ranges
+
+
+def test_numbers_that_were_kept_are_kept_by_the_next_diagnosis(example: Example, tmp_path: Path) -> None:
+    """Under the keys of the file, beside those that the file kept already."""
+    ferry = replace(load_platform("milliampere_ferry"), kept_as_given=("drag",))
+    found = replace(example("mismatch"), step=0.1, held=("yaw_drag", "linear_drag.yaw", "drag"), all_recalibrated=())
+    model = written(tmp_path, replace(found, recalibrated=(), effects=()), origin(ferry))
+    assert model.kept_as_given == ("drag", "yaw_drag", "effects.linear_drag.yaw")
+    of_lily = replace(found, held=("inertia",), recalibrated=(), effects=())
+    tree = parse_yaml(model_yaml(of_lily, origin()), "written").mapping()
+    assert [part.text() for part in tree["kept_as_given"].items()] == ["yaw_inertia"]
+
+
 def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
     """A law outside the catalogue."""
     numbers = {"coefficient": -3e-4, **numbers}
