@@ -105,9 +105,9 @@ def diagnosed(plan: list[tuple[Halves, Way | None]], out: Path, terms: Terms) ->
 
 
 def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
-    """The outcome of one diagnosis, and what it names beside what was put in."""
+    """The outcome of one diagnosis, what it names beside what was put in, and how probable and right each effect is."""
     if said is None:
-        return {"outcome": NONE, "beside": [], "named": []}
+        return {"outcome": NONE, "beside": [], "named": [], "believed": []}
     named = [*effects(said), *(_as_effect(each) for each in said["recalibrated"])]
     own = [each for each in named if way and (_is_it(each, way) or _is_twin(each, way))]
     beside = [each["id"] for each in named if each not in own]
@@ -116,7 +116,10 @@ def judged(said: dict[str, Any] | None, way: Way | None) -> dict[str, Any]:
         outcome = WRONG if named else RIGHT
     elif outcome == SILENT and _is_out_of_sight(said, way):
         outcome = BLIND
-    return {"outcome": outcome, "beside": beside, "named": [each["id"] for each in named]}
+    believed = [
+        (each["probability"], each in own and _fits(each, way)) for each in effects(said) if "probability" in each
+    ]
+    return {"outcome": outcome, "beside": beside, "named": [each["id"] for each in named], "believed": believed}
 
 
 def _as_effect(number: dict[str, Any]) -> dict[str, Any]:
@@ -218,6 +221,20 @@ def prove(data: Path, out: Path, pages: Path, terms: Terms, source: dict[str, An
     return 0
 
 
+def _of_probabilities(believed: list[tuple[float, bool]]) -> list[str]:
+    """Lines on how right named differences are, and how probable they were called; none without any."""
+    if not believed:
+        return []
+    right = sum(is_right for _, is_right in believed)
+    told = sum(probability for probability, _ in believed) / len(believed)
+    score = sum((probability - is_right) ** 2 for probability, is_right in believed) / len(believed)
+    share, count = 100.0 * right / len(believed), len(believed)
+    return [
+        f"{count} differences are named as effects; {right}, {share:.0f} %, are what was altered, with its number.",
+        f"Their probability is told as {100.0 * told:.0f} % on average (Brier score {score:.3f}).", "",
+    ]  # fmt: skip
+
+
 def _page(rows: list[dict[str, Any]], lines: list[str], source: dict[str, Any]) -> list[str]:
     put_in = [row for row in rows if row["way"] != "control"]
     controls = [row for row in rows if row["way"] == "control"]
@@ -230,6 +247,7 @@ def _page(rows: list[dict[str, Any]], lines: list[str], source: dict[str, Any]) 
         f"{len(put_in)} altered: {', '.join(f'{count} {outcome}' for outcome, count in counts.items())}; "
         f"{beside} name something beside what was altered. {len(controls)} controls, half against half with nothing "
         f"altered: {sum(row['outcome'] == WRONG for row in controls)} name something.", "",
+        *_of_probabilities([tuple(each) for row in rows for each in row["believed"]]),
         "Right: the effect is named and its number is what was put in, within 30 % or its interval. Where a vehicle",
         "has poses alone, poses that are late and commands that act late are one thing to the recordings: the name of",
         "the other is right where it says that it cannot be told from the one. Cannot be seen: nothing is named, and",

@@ -5,7 +5,8 @@ from __future__ import annotations
 import random
 from typing import Any
 
-from trial.against import judged
+import pytest
+from trial.against import _of_probabilities, judged
 from trial.draws import WHOLE, Draw, way_of
 
 NONE: dict[str, Any] = {"effects": [], "recalibrated": [], "not_shown_by_this_recording": []}
@@ -49,6 +50,22 @@ def test_late_commands_stand_for_late_poses_only_where_that_is_said() -> None:
     assert judged(found, late)["outcome"] == "something else"
 
 
+def test_how_probable_names_are_called_is_held_against_how_often_they_are_right() -> None:
+    """A lag of the right size beside a drag that nobody altered: one of two is right, told with 0.9 and 0.6."""
+    effects = [
+        {"id": "sensor_latency", "topic": "pose", "probability": 0.9,
+         "parameters": {"latency": {"value": 0.1, "ci95": [0.09, 0.11], "unit": "s"}}},
+        {"id": "linear_drag", "probability": 0.6, "parameters": {"surge": {"value": 1.0, "ci95": [0.5, 1.5]}}},
+    ]  # fmt: skip
+    row = judged(NONE | {"effects": effects}, way_of("delay:pose", 0.1))
+    assert row["believed"] == [(0.9, True), (0.6, False)]
+    line = " ".join(_of_probabilities(row["believed"]))
+    assert "2 differences" in line and "1, 50 %" in line and "75 % on average" in line
+    brier = (0.1**2 + 0.6**2) / 2
+    assert float(line.split("Brier score ")[1].rstrip("). ")) == pytest.approx(brier, abs=1e-3)
+    assert _of_probabilities([]) == []
+
+
 def test_a_doubt_about_the_right_thruster_is_no_silence() -> None:
     """It is said that the thrust of one may differ and that the recordings cannot tell; of the other nothing."""
     doubt = NONE | {"against_in_doubt": ["thruster_gain:left", "thruster_gain:down"]}
@@ -72,7 +89,9 @@ def test_the_gain_of_a_single_thruster_is_a_number_of_the_platform() -> None:
     """A ship with one propeller has no other thrust that could have moved."""
     weak = Draw("gain:0", -0.2, -0.2, both=False, thruster=WHOLE, square=True).drawn(random.Random(1))
     moved: dict[str, Any] = {"parameter": WHOLE, "value": 1.57, "ci95": [1.5, 1.65]}
-    assert judged(NONE | {"recalibrated": [moved]}, weak) == {"outcome": "right", "beside": [], "named": [WHOLE]}
+    assert judged(NONE | {"recalibrated": [moved]}, weak) == {
+        "outcome": "right", "beside": [], "named": [WHOLE], "believed": [],
+    }  # fmt: skip
     moved |= {"value": 0.9, "ci95": [0.8, 1.0]}
     assert judged(NONE | {"recalibrated": [moved]}, weak)["outcome"] == "something else"
     other = Draw("scale", 0.1, 0.1, both=False).drawn(random.Random(1))
