@@ -157,7 +157,7 @@ def _steadily_searched(base: Fit, progress: Progress) -> tuple[Restrained, Searc
     """Search on top of a base; where what is found foretells worse than the platform as given, with numbers held."""
     found = _searched(base, progress)
     steady = restrained(base, found.free)
-    if steady.held:
+    if steady.base is not base:
         again = _searched(steady.base, progress)
         if mends(again.free.table, found.free.table):
             return steady, again

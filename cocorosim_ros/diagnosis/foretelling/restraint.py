@@ -14,6 +14,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
 from cocorosim_ros.diagnosis.criteria.foretelling import RESTRAINT
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
@@ -53,7 +56,9 @@ def restrained(base: Fit, free: HeldOutFreeRuns) -> Restrained:
     """Hold numbers of a base whose found model has collapsed, as few kinds of them as stop the collapse.
 
     free: free runs with all that was found on this base. The base comes back as it is where its model has not
-    collapsed, where too few runs tell it, or where holding numbers does not help.
+    collapsed, where too few runs tell it, or where holding numbers does not help. Where a model with held numbers is
+    likelier than one with more, the climb of that one has ended at a local optimum: it goes on from there, with all
+    numbers fitted, and nothing is held if that stops the collapse.
     """
     if len(free.runs) < RESTRAINT.fewest:
         return Restrained(base)
@@ -61,9 +66,23 @@ def restrained(base: Fit, free: HeldOutFreeRuns) -> Restrained:
     for held in _choices(base.unknowns, [channel for channel, _ in worse]):
         kept = [place for place, unknown in enumerate(base.unknowns) if unknown not in held]
         fit = climbed(evaluated(replace(base, unknowns=tuple(base.unknowns[k] for k in kept), q=base.q[kept])))
-        if not collapsed_channels(held_out_free_runs(foreseeable_parts(fit), fit).table):
+        if fit.objective > base.objective + CONVERGENCE.worth and _foretells(freed := _freed(base, fit, kept)):
+            return Restrained(freed)
+        if _foretells(fit):
             return Restrained(fit, tuple(dict.fromkeys(each.owner.parameter for each in held)), worse)
     return Restrained(base)
+
+
+def _freed(base: Fit, held: Fit, kept: Sequence[int]) -> Fit:
+    """Climb with all numbers of a base from a fit with held ones; kept: places of those that it has."""
+    q = np.zeros(len(base.unknowns))
+    q[list(kept)] = held.q
+    return climbed(evaluated(replace(base, q=q, noise=held.noise, q_noise=held.q_noise)))
+
+
+def _foretells(fit: Fit) -> bool:
+    """Tell whether a fit without any effects has not collapsed."""
+    return not collapsed_channels(held_out_free_runs(foreseeable_parts(fit), fit).table)
 
 
 def mends(table: Mapping[str, HeldOut], before: Mapping[str, HeldOut]) -> bool:

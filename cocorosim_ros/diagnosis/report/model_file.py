@@ -192,7 +192,7 @@ def _put_of_actuators(found: Sequence[Recalibrated], origin: Origin, tree: Tree,
         number = _ranged(_number(each.estimate, origin.source), origin.platform.ranges.get(each.parameter))
         everywhere = [tree, *(part for part in robots.values() if ACTUATORS in part)]
         for target in everywhere if _of_all(each.robots, origin) else _own(each.robots, robots):
-            known = target.get(ACTUATORS, tree.get(ACTUATORS, whole[ACTUATORS]))
+            known: list[Tree] = target.get(ACTUATORS) or tree.get(ACTUATORS) or whole[ACTUATORS]
             target[ACTUATORS] = [part | {name: number} if part["name"] == actuator else part for part in known]
 
 

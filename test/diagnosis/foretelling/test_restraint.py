@@ -11,6 +11,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.fitting.fit import evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
@@ -70,6 +71,25 @@ def test_numbers_that_stand_for_a_wrong_log_are_held(sound: Swum, wrong: Any) ->
     table = held_out_free_runs(unseen_parts(steady.base), steady.base).table
     assert table["heading"].recalibrated == pytest.approx(table["heading"].nominal, rel=0.1)
     assert any("heading" in sentence and "yaw_torque_gain" in sentence for sentence in steady.sentences)
+
+
+def test_a_climb_that_ended_too_low_goes_on_with_all_numbers(sound: Swum) -> None:
+    """A fit that stopped at three times the torque is less likely than one that holds the turning numbers.
+
+    From that one the climb goes on, and ends where the sound fit is: nothing has to be held.
+    """
+    good = sound.measure.base
+    gain = [unknown.owner.parameter for unknown in good.unknowns].index("yaw_torque_gain")
+    q = good.q.copy()
+    q[gain] += np.log(3.0)
+    stopped = evaluated(replace(good, q=q))
+    free = held_out_free_runs(unseen_parts(stopped), stopped)
+    # What is not held out is fitted anew, which mends such a fit: so the collapse is put in.
+    collapsed = free._replace(table=free.table | table(heading=(0.1, 1.0)))
+    steady = restrained(stopped, collapsed)
+    assert steady.held == () and steady.sentences == ()
+    assert steady.base.objective == pytest.approx(good.objective, abs=1.0)
+    assert steady.base.q[gain] == pytest.approx(good.q[gain], abs=0.01)
 
 
 def table(**channels: tuple[float, float]) -> dict[str, HeldOut]:
