@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.against.numbers import thruster_entries
+from cocorosim_ros.diagnosis.against.numbers import curve_entries, thruster_entries
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.against import LEARNING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
@@ -84,8 +84,9 @@ def _richer(fit: Fit, thrusters: Sequence[str]) -> Fit | None:
 
 
 def _candidates(fit: Fit, thrusters: Sequence[str]) -> list[Candidate]:
-    """Make candidates of all entries without shapes, each for all robots that it may concern."""
-    plain = [entry for entry in (*ENTRIES, *thruster_entries(fit.tracks, thrusters)) if not entry.shapes]
+    """Make candidates of entries without shapes and of thrusters' own gains and curves, each for all its robots."""
+    own = (*thruster_entries(fit.tracks, thrusters), *curve_entries(fit.tracks, thrusters))
+    plain = [entry for entry in (*ENTRIES, *own) if not entry.shapes]
     widest: dict[int, Candidate] = {}
     for candidate in expand(plain, fit.tracks, fit.rows):
         widest.setdefault(id(candidate.entry), candidate)

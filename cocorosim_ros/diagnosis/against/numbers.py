@@ -8,6 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.criteria.against import CHANGES, LEARNING
+from cocorosim_ros.diagnosis.criteria.fitting import BENT_CURVES
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, COMMAND_DELAY, MOST_THRUSTERS
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -45,12 +46,32 @@ def number_entries(tracks: Sequence[Track], rows: Floats, thrusters: Sequence[st
 
 def thruster_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[Entry]:
     """Make an entry of the gain of every single thruster whose commands differ from those of the others."""
-    numbered = zip(range(1, MOST_THRUSTERS + 1), thrusters, _commanded_alone(tracks), strict=False)
     return [
         _factor(f"{ONE_THRUSTER}:{name}", f"own_gain.{number}", "yaw", TURN, name)
-        for number, name, alone in numbered
-        if alone
+        for number, name in _told_alone(tracks, thrusters)
     ]
+
+
+def curve_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[Entry]:
+    """Make an entry of the curve of every single thruster whose commands differ from those of the others."""
+    large, most = BENT_CURVES.large, 1.0 / BENT_CURVES.large
+    return [
+        Entry(
+            f"thruster_curve:{name}",
+            f"curve of the thrust of {name}",
+            "s = s_0 (1 + bend (|s_0| - 1))",
+            "yaw",
+            (Amplitude(f"own_bend.{number}", name, "1", large, least=-most, most=most),),
+            group=TURN,
+        )
+        for number, name in _told_alone(tracks, thrusters)
+    ]
+
+
+def _told_alone(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[tuple[int, str]]:
+    """Numbers, from 1, and names of the thrusters whose commands differ from those of the others."""
+    numbered = zip(range(1, MOST_THRUSTERS + 1), thrusters, _commanded_alone(tracks), strict=False)
+    return [(number, name) for number, name, alone in numbered if alone]
 
 
 def _factor(identifier: str, column: str, channel: str, group: str, name: str = "") -> Entry:

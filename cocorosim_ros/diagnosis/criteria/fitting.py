@@ -141,6 +141,17 @@ class ColouredReadingsCriteria:
 
 
 @dataclass(frozen=True)
+class BentCurveCriteria:
+    """Curves of thrusters that differ from the platform's (`tracks.bent_curves`, `against.numbers`)."""
+
+    commands: int = 81
+    """[commands] of the table of a bent curve: a square law between two of them errs by 0.016 % of full thrust.
+    Reckoned from its second derivative, 2, times an eighth of the square of their distance."""
+    large: float = 0.5
+    """[1] bend in a bad case: half of the way from a straight line to a square law. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
 class DragFormCriteria:
     """The comparison of forms of the drag that a platform's file does not say (`fitting.drag_forms`)."""
 
@@ -309,6 +320,7 @@ class HeldOutCriteria:
     """[blocks] of each recording: enough for a signed-rank test at 5 %. Chosen, not measured."""
 
 
+BENT_CURVES = BentCurveCriteria()
 DRAG_FORMS = DragFormCriteria()
 GROWING_FORCE = GrowingForceCriteria()
 COLOURED = ColouredReadingsCriteria()

@@ -32,7 +32,7 @@ from cocorosim_ros.world.vehicle_model.platform_effects import turning_gain
 
 Tree = dict[str, Any]
 ACTUATORS = "actuators"
-TURNING = "yaw_torque_gain"
+TURNING_GAIN = "yaw_torque_gain"
 PLATFORM_KEYS = {"inertia": "yaw_inertia"}
 """Keys of the platform file that are called otherwise than the parameters of a diagnosis."""
 
@@ -152,16 +152,16 @@ def _put_parameters(found: Sequence[Recalibrated], origin: Origin, tree: Tree, r
             mean = _mean([each.estimate for each in values])
             number = _number(mean, f"{origin.source}, mean of {len(values)} robots")
             tree[key] = _ranged(number, origin.platform.ranges.get(key))
-    if not any(each.parameter == TURNING for each in found):
+    if not any(each.parameter == TURNING_GAIN for each in found):
         _keep_turning_gain(origin.platform, tree, robots)
 
 
 def _keep_turning_gain(platform: Platform, tree: Tree, robots: dict[str, Tree]) -> None:
     """Write the gain of turning thrusters as it was, for which a file without it takes that of pushing ones."""
     for name, part in (("", tree), *robots.items()):
-        if "thrust_gain" in part and TURNING not in part:
+        if "thrust_gain" in part and TURNING_GAIN not in part:
             kept = turning_gain(platform.robots.get(name, platform))
-            part[TURNING] = {"value": kept, "unit": "1", "source": "taken as known", "confidence": "derived"}
+            part[TURNING_GAIN] = {"value": kept, "unit": "1", "source": "taken as known", "confidence": "derived"}
 
 
 def _put_declared(found: Sequence[Recalibrated], origin: Origin, tree: Tree, robots: dict[str, Tree]) -> None:

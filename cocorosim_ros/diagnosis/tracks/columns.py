@@ -36,15 +36,17 @@ LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
 SKEW = tuple(f"clock_skew.{stream}" for stream in KINDS_OF_STREAM)
 READING_LAWS = {f"{place}.{each.name}": each.neutral for place, numbers in SENSOR_LAWS.items() for each in numbers}
 
-MOST_THRUSTERS = 8  # that have a gain of their own; more are looked at together alone
+MOST_THRUSTERS = 8  # that have a gain and a curve of their own; more are looked at together alone
 # Gains of the thrusters' maximum forces, of all and of single ones by number, and the delay of the commands [s].
 ALL_THRUSTERS, COMMAND_DELAY = "own_gain.all", "command_delay.delay"
 OWN_GAINS = (ALL_THRUSTERS, *(f"own_gain.{number}" for number in range(1, MOST_THRUSTERS + 1)))
+# Bends of the curves of single thrusters, see tracks.bent_curves.
+OWN_BENDS = tuple(f"own_bend.{number}" for number in range(1, MOST_THRUSTERS + 1))
 
 COLUMN: dict[str, int] = numbered(
     [
         *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS, *OWN_GAINS,
-        COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
+        *OWN_BENDS, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
     ]
 )  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
@@ -59,9 +61,10 @@ BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in 
 OF_TIME = frozenset((*LATENCY, *SKEW, COMMAND_DELAY))  # columns of errors of stamps, those of commands too
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
+BENDS = stretch_of(COLUMN, OWN_BENDS)
 ACTUATING = np.flatnonzero(
     ((bits("command") | bits("thrust") | bits("response")) & BIT != 0)
-    | np.isin(NAMES, (*GAINS, *OWN_GAINS, COMMAND_DELAY))
+    | np.isin(NAMES, (*GAINS, *OWN_GAINS, *OWN_BENDS, COMMAND_DELAY))
 )
 NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law or error acts
 NEUTRAL[PHYSICS] = neutral_row()

@@ -10,8 +10,10 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD, full_speed
 from cocorosim_ros.diagnosis.filter.layout import WATER_WEIGHT
+from cocorosim_ros.diagnosis.tracks.bent_curves import bent_curves
 from cocorosim_ros.diagnosis.tracks.columns import (
     ALWAYS_ACTIVE,
+    BENDS,
     COLUMN,
     MOST_THRUSTERS,
     NEUTRAL,
@@ -133,7 +135,7 @@ class VehicleModel:
             self.actuator_wrench,
             self._limit(row),
             self.is_pump,
-            self.actuator_curve,
+            self._curve(row),
             self.jets,
             STILL,
             around.lower,
@@ -141,6 +143,14 @@ class VehicleModel:
             np.zeros((around.around.shape[1], NEIGHBOUR_SIZE)),
             around.own,
         )
+
+    def _curve(self, row: Floats) -> Floats:
+        """Curves (actuators, columns) with the thrusters' own bends of a row (columns,)."""
+        if not row[BENDS].any():
+            return self.actuator_curve
+        bends, single = np.zeros(len(self.is_pump)), np.flatnonzero(self.is_thruster)[:MOST_THRUSTERS]
+        bends[single] = row[BENDS][: len(single)]
+        return bent_curves(self.actuator_curve, bends)
 
     def _limit(self, row: Floats) -> Floats:
         """Force (actuators, 2) at command +1 and -1 [N], with the thrusters' own gains of a row (columns,)."""
