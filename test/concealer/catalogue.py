@@ -118,6 +118,13 @@ def thruster_deadband(rng: np.random.Generator, amount: float, scene: Scene) -> 
     return Secret("thruster_deadband", {"width": amount}, form)
 
 
+def thrust_curve(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Thrust that is a square law in part, or bent the other way; the exponent is that of the power nearest to it."""
+    scene.own[at.THRUST_BEND] = signed(rng, amount)
+    form = "|c| (1 + b (|c| - 1)); least-squares exponent of |c|^n at the commands of the run"
+    return Secret("thrust_curve", {"exponent": 1.0 + float(scene.own[at.THRUST_BEND])}, form)
+
+
 def thruster_asymmetry(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """(right - left) / mean."""
     scene.own[at.ASYMMETRY] = signed(rng, amount)
@@ -248,6 +255,6 @@ BODY: dict[str, Hide] = {
         neighbour_wake, thruster_lag, thruster_deadband, thruster_asymmetry, torque_bias, reverse_loss, advance_loss,
         battery_sag, thruster_misalignment, buoyancy_trim, pump_lag, hull_compressibility, stratification,
         payload_shift, density_gradient, surface_loss, surface_waves, wind, hull_emergence, crashback_loss,
-        offset_centre,
+        offset_centre, thrust_curve,
     )
 }  # fmt: skip

@@ -13,11 +13,17 @@ from concealer.layout import FloatArray
 
 @compiled
 def shaped(p: FloatArray, command: FloatArray) -> float:
-    """Thrust fraction of a steady command: dead zone with a ramp (Bessa et al. 2005) or with a jump behind it."""
+    """Thrust fraction of a steady command: dead zone with a ramp (Bessa et al. 2005) or with a jump behind it.
+
+    What is beyond it may follow a square law in part.
+    """
     size = abs(command)
     if size <= max(p[at.DEAD_CONTINUOUS], p[at.DEAD_JUMP]):
         return 0.0
-    return math.copysign(size - p[at.DEAD_CONTINUOUS], command)
+    beyond = size - p[at.DEAD_CONTINUOUS]
+    if p[at.THRUST_BEND] != 0.0:
+        beyond *= 1.0 + p[at.THRUST_BEND] * (beyond - 1.0)
+    return math.copysign(beyond, command)
 
 
 @compiled

@@ -41,8 +41,10 @@ FloatArray = NDArray[np.float64]
     CRASHBACK, CRASHBACK_PEAK,
     # and a centre of mass off the origin
     CENTRE_AHEAD, CENTRE_LEFT, CENTRE_SHIFT,
-) = range(108)  # fmt: skip
-SIZE = 108
+    # and thrust that is a square law in part
+    THRUST_BEND,
+) = range(109)  # fmt: skip
+SIZE = 109
 
 # --- places in the state of one robot
 (X, Y, Z, YAW, U, V, W, R, LEFT_SLOW, LEFT_FAST, RIGHT_SLOW, RIGHT_FAST, PUMP_STATE, PUMP_SLEW, CHARGE, PLAY) = range(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from scipy.optimize import least_squares
 
 from concealer import layout as at
 from concealer.drives import emerged, left_in_battery, lost_against
@@ -81,6 +82,17 @@ def crashback_loss(p: FloatArray, rows: FloatArray, commands: FloatArray) -> Par
     return {"slope": _slope(a, loss, force**2 * (a > 0.0), p[at.CRASHBACK])}
 
 
+def thrust_curve(p: FloatArray, _rows: FloatArray, commands: FloatArray) -> Parameters:
+    """Exponent of the power nearest to the parabola at the commands of the run; as hidden if none lies in between."""
+    size = np.abs(commands[:, :2]).ravel()
+    size = size[(size > 0.0) & (size < 1.0)]
+    hidden = 1.0 + float(p[at.THRUST_BEND])
+    if not len(size):
+        return {"exponent": hidden}
+    wanted = size * (1.0 + p[at.THRUST_BEND] * (size - 1.0))
+    return {"exponent": float(least_squares(lambda n: size ** n[0] - wanted, [hidden]).x[0])}
+
+
 def battery_sag(p: FloatArray, rows: FloatArray, _commands: FloatArray) -> Parameters:
     """What is lost at the end."""
     return {"fraction_lost": float(1.0 - left_in_battery(p, rows[-1, at.CHARGE]))}
@@ -113,6 +125,7 @@ AFTER: dict[str, After] = {
     "tether": tether_line,
     "advance_loss": advance_loss,
     "crashback_loss": crashback_loss,
+    "thrust_curve": thrust_curve,
     "battery_sag": battery_sag,
     "hull_compressibility": hull_compressibility,
     "density_gradient": density_gradient,

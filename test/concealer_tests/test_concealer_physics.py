@@ -109,6 +109,8 @@ def test_water_in_the_pump_moves_the_centre_of_mass(run: Run) -> None:
         ({"misalignment": 0.1}, (1, 1, 0), {}, 5, 0.01 * math.sin(0.1) / MASS),
         ({"dead_jump": 0.1}, (0.2, 0.2, 0), {}, 4, 0.2 * 0.01 / MASS),
         ({"dead_continuous": 0.1}, (0.2, 0.2, 0), {}, 4, 0.1 * 0.01 / MASS),
+        ({"thrust_bend": 0.5}, (-0.2, -0.2, 0), {}, 4, -0.12 * 0.01 / MASS),
+        ({"thrust_bend": 1.0, "dead_continuous": 0.1}, (0.6, 0.6, 0), {}, 4, 0.25 * 0.01 / MASS),
         ({"trim": 1e-3}, (0, 0, 0), {}, 6, 1e-3 / MASS),
         ({"shrink": 1e-3, "shrink_scale": 1e9}, (0, 0, 0), {}, 6, -1e-2 / MASS),
         ({"layer_force": 1e-3, "layer_depth": 5.0, "layer_width": 0.05}, (0, 0, 0), {}, 6, 1e-3 / MASS),
@@ -163,6 +165,20 @@ def test_the_slope_of_a_crash_stop_is_that_of_the_speeds_against_the_thrust() ->
     rows[:25, at.U], rows[25:, at.U] = 0.05, -0.08
     commands[2] = -1.0
     assert AFTER["crashback_loss"](p, rows, commands) == {"slope": pytest.approx(3.0 / 1.25)}
+
+
+def test_the_exponent_of_a_part_of_a_square_law_is_that_of_the_nearest_power() -> None:
+    """Of the whole square law it is 2; commands at rest and at the limit say nothing: then it is as hidden."""
+    from concealer import layout as at
+    from concealer.truth_after import AFTER
+
+    p, rows, commands = at.nominal_robot(), np.zeros((50, at.ROW)), np.zeros((10, 3))
+    p[at.THRUST_BEND] = 1.0
+    assert AFTER["thrust_curve"](p, rows, commands + 1.5) == {"exponent": 2.0}
+    commands[:4, :2] = -0.3
+    assert AFTER["thrust_curve"](p, rows, commands) == {"exponent": pytest.approx(2.0)}
+    p[at.THRUST_BEND] = 0.5
+    assert AFTER["thrust_curve"](p, rows, commands) == {"exponent": pytest.approx(math.log(0.195) / math.log(0.3))}
 
 
 @pytest.mark.parametrize(("law", "name"), [("advance_loss", "ADVANCE"), ("crashback_loss", "CRASHBACK")])

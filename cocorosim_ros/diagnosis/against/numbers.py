@@ -8,7 +8,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.criteria.against import CHANGES, LEARNING
-from cocorosim_ros.diagnosis.criteria.fitting import BENT_CURVES
+from cocorosim_ros.diagnosis.criteria.fitting import OWN_CURVES
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, COMMAND_DELAY, MOST_THRUSTERS
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -54,14 +54,14 @@ def thruster_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[
 
 def curve_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[Entry]:
     """Make an entry of the curve of every single thruster whose commands differ from those of the others."""
-    large, most = BENT_CURVES.large, 1.0 / BENT_CURVES.large
+    (least, most), large = OWN_CURVES.bounds, OWN_CURVES.large
     return [
         Entry(
             f"thruster_curve:{name}",
             f"curve of the thrust of {name}",
-            "s = s_0 (1 + bend (|s_0| - 1))",
+            "s = sign(s_0) |s_0|^exponent",
             "yaw",
-            (Amplitude(f"own_bend.{number}", name, "1", large, least=-most, most=most),),
+            (Amplitude(f"own_exponent.{number}", name, "1", large, neutral=1.0, least=least, most=most),),
             group=TURN,
         )
         for number, name in _told_alone(tracks, thrusters)

@@ -141,14 +141,18 @@ class ColouredReadingsCriteria:
 
 
 @dataclass(frozen=True)
-class BentCurveCriteria:
-    """Curves of thrusters that differ from the platform's (`tracks.bent_curves`, `against.numbers`)."""
+class OwnCurveCriteria:
+    """Curves of thrusters that differ from the platform's (`tracks.own_curves`, `against.numbers`)."""
 
     commands: int = 81
-    """[commands] of the table of a bent curve: a square law between two of them errs by 0.016 % of full thrust.
+    """[commands] of the table of a curve: a square law between two of them errs by 0.06 % of full thrust at most.
     Reckoned from its second derivative, 2, times an eighth of the square of their distance."""
     large: float = 0.5
-    """[1] bend in a bad case: half of the way from a straight line to a square law. Chosen, not measured."""
+    """[1] exponent less one in a bad case: half of the way from a straight line to a square law. Chosen, not
+    measured."""
+    bounds: tuple[float, float] = (-1.0, 4.0)
+    """[of `large`] exponents from 0.5 to 3: a square law where the file has its root, or the other way round, and
+    beyond. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -320,7 +324,7 @@ class HeldOutCriteria:
     """[blocks] of each recording: enough for a signed-rank test at 5 %. Chosen, not measured."""
 
 
-BENT_CURVES = BentCurveCriteria()
+OWN_CURVES = OwnCurveCriteria()
 DRAG_FORMS = DragFormCriteria()
 GROWING_FORCE = GrowingForceCriteria()
 COLOURED = ColouredReadingsCriteria()

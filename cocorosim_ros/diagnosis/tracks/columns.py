@@ -40,13 +40,13 @@ MOST_THRUSTERS = 8  # that have a gain and a curve of their own; more are looked
 # Gains of the thrusters' maximum forces, of all and of single ones by number, and the delay of the commands [s].
 ALL_THRUSTERS, COMMAND_DELAY = "own_gain.all", "command_delay.delay"
 OWN_GAINS = (ALL_THRUSTERS, *(f"own_gain.{number}" for number in range(1, MOST_THRUSTERS + 1)))
-# Bends of the curves of single thrusters, see tracks.bent_curves.
-OWN_BENDS = tuple(f"own_bend.{number}" for number in range(1, MOST_THRUSTERS + 1))
+# Exponents of the curves of single thrusters, see tracks.own_curves.
+OWN_EXPONENTS = tuple(f"own_exponent.{number}" for number in range(1, MOST_THRUSTERS + 1))
 
 COLUMN: dict[str, int] = numbered(
     [
         *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS, *OWN_GAINS,
-        *OWN_BENDS, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
+        *OWN_EXPONENTS, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
     ]
 )  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
@@ -61,15 +61,16 @@ BIT: Integers = np.array([EFFECT_BIT.get(name.partition(".")[0], 0) for name in 
 OF_TIME = frozenset((*LATENCY, *SKEW, COMMAND_DELAY))  # columns of errors of stamps, those of commands too
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
-BENDS = stretch_of(COLUMN, OWN_BENDS)
+EXPONENTS = stretch_of(COLUMN, OWN_EXPONENTS)
 ACTUATING = np.flatnonzero(
     ((bits("command") | bits("thrust") | bits("response")) & BIT != 0)
-    | np.isin(NAMES, (*GAINS, *OWN_GAINS, *OWN_BENDS, COMMAND_DELAY))
+    | np.isin(NAMES, (*GAINS, *OWN_GAINS, *OWN_EXPONENTS, COMMAND_DELAY))
 )
 NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law or error acts
 NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
 NEUTRAL[THRUSTERS] = 1.0
+NEUTRAL[EXPONENTS] = 1.0
 NEUTRAL[[COLUMN[column] for column in WATER_GROWTH]] = NO_GROWTH
 NEUTRAL[MEMORY_COLUMNS] = WHITE
 for _name, _value in READING_LAWS.items():

@@ -10,11 +10,10 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD, full_speed
 from cocorosim_ros.diagnosis.filter.layout import WATER_WEIGHT
-from cocorosim_ros.diagnosis.tracks.bent_curves import bent_curves
 from cocorosim_ros.diagnosis.tracks.columns import (
     ALWAYS_ACTIVE,
-    BENDS,
     COLUMN,
+    EXPONENTS,
     MOST_THRUSTERS,
     NEUTRAL,
     OWN_GAINS,
@@ -22,6 +21,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     THRUSTERS,
     active_effects,
 )
+from cocorosim_ros.diagnosis.tracks.own_curves import own_curves
 from cocorosim_ros.diagnosis.tracks.own_numbers import Declared, gain_key, own_numbers
 from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
 from cocorosim_ros.foundation.arrays import Flags, Floats
@@ -145,12 +145,12 @@ class VehicleModel:
         )
 
     def _curve(self, row: Floats) -> Floats:
-        """Curves (actuators, columns) with the thrusters' own bends of a row (columns,)."""
-        if not row[BENDS].any():
+        """Curves (actuators, columns) with the thrusters' own exponents of a row (columns,)."""
+        if (row[EXPONENTS] == 1.0).all():
             return self.actuator_curve
-        bends, single = np.zeros(len(self.is_pump)), np.flatnonzero(self.is_thruster)[:MOST_THRUSTERS]
-        bends[single] = row[BENDS][: len(single)]
-        return bent_curves(self.actuator_curve, bends)
+        exponents, single = np.ones(len(self.is_pump)), np.flatnonzero(self.is_thruster)[:MOST_THRUSTERS]
+        exponents[single] = row[EXPONENTS][: len(single)]
+        return own_curves(self.actuator_curve, exponents)
 
     def _limit(self, row: Floats) -> Floats:
         """Force (actuators, 2) at command +1 and -1 [N], with the thrusters' own gains of a row (columns,)."""

@@ -42,6 +42,7 @@ from cocorosim_ros.world.effects.surface_loss import SURFACE_LOSS
 from cocorosim_ros.world.effects.surface_waves import SURFACE_WAVES
 from cocorosim_ros.world.effects.tether import TETHER
 from cocorosim_ros.world.effects.tether_drag import TETHER_DRAG
+from cocorosim_ros.world.effects.thrust_curve import THRUST_CURVE
 from cocorosim_ros.world.effects.thruster_asymmetry import THRUSTER_ASYMMETRY
 from cocorosim_ros.world.effects.thruster_deadband import THRUSTER_DEADBAND
 from cocorosim_ros.world.effects.thruster_lag import THRUSTER_LAG
@@ -71,6 +72,7 @@ CATALOGUE_EFFECTS: dict[str, Effect] = {
     "neighbour_wake": NEIGHBOUR_WAKE,
     "thruster_lag": THRUSTER_LAG,
     "thruster_deadband": THRUSTER_DEADBAND,
+    "thrust_curve": THRUST_CURVE,
     "thruster_asymmetry": THRUSTER_ASYMMETRY,
     "torque_bias": TORQUE_BIAS,
     "reverse_loss": REVERSE_LOSS,

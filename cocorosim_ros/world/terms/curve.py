@@ -35,6 +35,12 @@ def thrust_share(curve: Floats, fraction: float) -> float:
 
 
 @kernel
+def of_power(share: float, exponent: float) -> float:
+    """A power of a share of the limit, with its sign: the same at rest and at full command, less in between above 1."""
+    return math.copysign(abs(share) ** exponent, share)
+
+
+@kernel
 def _between(points: Floats, count: int, fraction: float) -> float:
     """The share between the two points of a table next to a command; at its ends that of the end."""
     after = 0

@@ -70,6 +70,26 @@ def test_lags_concern_their_own_kind(actuated: Make, lily: SimpleNamespace) -> N
     np.testing.assert_allclose(pump, [lily.thrust, lily.thrust, lily.pump * behind], rtol=1e-12)
 
 
+@pytest.mark.parametrize("exponent", [0.5, 1.0, 2.0, 2.5])
+def test_another_curve_gives_the_same_at_rest_and_at_full_command(
+    actuated: Make, lily: SimpleNamespace, exponent: float
+) -> None:
+    """In between a power of the command, forwards as backwards; the pump keeps its line."""
+    shares = np.array([-1.0, -0.5, 0.0, 0.2, 1.0])
+    law = np.sign(shares) * np.abs(shares) ** exponent
+    forces = actuated({"thrust_curve.exponent": exponent}, [(share, -share, share) for share in shares])
+    np.testing.assert_allclose(forces[:, 0], lily.thrust * law, rtol=1e-12, atol=1e-18)
+    np.testing.assert_allclose(forces[:, 1], -lily.thrust * law, rtol=1e-12, atol=1e-18)
+    np.testing.assert_allclose(forces[:, 2], lily.pump * shares, rtol=1e-12, atol=1e-18)
+
+
+def test_the_curve_comes_before_what_a_weaker_thruster_loses(actuated: Make, lily: SimpleNamespace) -> None:
+    """The power is that of the command alone; what a difference between the thrusters takes is no part of it."""
+    numbers = {"thrust_curve.exponent": 2.0, "thruster_asymmetry.difference": 0.2}
+    forces = actuated(numbers, [(0.5, 0.5, 0.0)])[0]
+    np.testing.assert_allclose(forces[:2], lily.thrust * 0.25 * np.array([0.9, 1.1]), rtol=1e-12)
+
+
 def test_a_pump_with_backlash(actuated: Make, lily: SimpleNamespace) -> None:
     """Up to +0.5 and back: a play of 0.2 takes 0.1 off on the way there and adds it on the way back."""
     commands = [0.05, 0.3, 0.5, 0.45, 0.35, 0.2, 0.0, -0.5, -0.4]
