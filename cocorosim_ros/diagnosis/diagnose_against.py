@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.against.learning import learned_effects
 from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
 from cocorosim_ros.diagnosis.against.running import Running, runnable, runs_away
 from cocorosim_ros.diagnosis.against.stamps import other_clocks
+from cocorosim_ros.diagnosis.against.torn import as_learned, is_torn, surer
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
@@ -52,6 +53,7 @@ from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.other_vehicle import as_another_vehicle
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
+from cocorosim_ros.diagnosis.showing.undone import undone
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 
@@ -89,8 +91,13 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
     alike = Alike(with_streams_of(learned, joint))
     progress("comparing the recordings of --against with each other", 0.5)
     control = _control(learned, alike, thrusters)
-    judged = _judged(joint, tuple(range(len(learned.tracks), len(joint.tracks))), alike, thrusters)
-    naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.35 * share))
+    numbers = tuple(range(len(learned.tracks), len(joint.tracks)))
+    judged = _judged(joint, numbers, alike, thrusters)
+    naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.2 * share))
+    if is_torn(learned, joint):
+        kept = as_learned(learned, joint)
+        anew = _judged(kept, numbers, alike, thrusters)
+        naming = surer(naming, name_differences(kept, anew, lambda words, share: progress(words, 0.75 + 0.2 * share)))
     progress("writing down", 0.95)
     naming = replace(naming, screened=alike.all_weighed(naming.screened))
     against = replace(_against(well, learned, control, naming), taken_back=taken_back)
@@ -187,7 +194,8 @@ def _told(
     table, runs, _ = held_out_free_runs(foreseeable_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
     case = Case(final, naming.named, effects, courses[1], table)
-    stops = (*to_learned, *as_another_vehicle(moved, effects), *unexplained(intake), *objections(case))
+    of_vehicles = (*to_learned, *as_another_vehicle(moved, effects), *undone(case, base))
+    stops = (*of_vehicles, *unexplained(intake), *objections(case))
     effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
     traces, unsettled = (names_of(naming, each) for each in (naming.traces, naming.unsettled))
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}

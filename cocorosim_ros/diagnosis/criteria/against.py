@@ -83,6 +83,9 @@ class ComparisonCriteria:
     """[standard deviations of an innovation per unit of a number] from which a model does not follow recordings but
     runs away from them. Measured in six recordings of a hovercraft: at most 74 where the model follows, and 1e85 where
     a learned law runs away. Between them: chosen, not measured."""
+    torn: float = 5.0
+    """[standard deviations] of a learned number, by which one that is shared has to leave it for a joint fit to be
+    torn. Chosen, not measured: halves of sound recordings differ by one or two."""
     missed: float = 0.05
     """[probability] of a difference of the size that is told as the least to be named, and is not named all the same.
     Known of Currie, Analytical Chemistry 40 (1968) 586: the detection limit of chemists."""

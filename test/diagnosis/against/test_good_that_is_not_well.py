@@ -61,6 +61,16 @@ def test_sound_recordings_say_nothing_of_themselves(weakened: Diagnosis) -> None
     assert diagnosis_tree(weakened)["against_remarks"] == []
 
 
+def test_a_difference_that_is_the_platforms_own_number_is_that_of_the_others(driven: Callable[..., Any]) -> None:
+    """Compared with a weak left propeller a sound one differs too: it is said that the others may not be well."""
+    found = compared(driven(6), driven(5, WEAK))
+    (effect,) = found.effects
+    assert effect.id == "thruster_asymmetry"
+    assert effect.parameters["left"].value == pytest.approx(1.0 / 0.7, rel=0.1)
+    assert effect.tier == "suspected"
+    assert any("Diagnose them by themselves" in sentence for sentence in effect.because)
+
+
 def test_what_differs_from_repeated_readings_is_not_sure(driven: Callable[..., Any], weakened: Diagnosis) -> None:
     """Names and numbers stay as with sound recordings; a warning and a remark say what is wrong with --against."""
     good = driven(5)
