@@ -96,7 +96,9 @@ def foretold(terms: Floats, wanted: Floats) -> Floats:
     matrix, score = sum(each for each, _ in products), sum(each for _, each in products)
     found = np.zeros((NAMELESS_FORCE.most_terms + 1, len(wanted)))
     for part, (own, own_score) in zip(parts, products, strict=True):
-        for count, (chosen, share) in enumerate(_pursued(matrix - own, score - own_score), start=1):
+        others = matrix - own
+        taught = np.diag(others) > NAMELESS_FORCE.rounding * np.diag(matrix)  # by other parts, by more than rounding
+        for count, (chosen, share) in enumerate(_pursued(others, np.where(taught, score - own_score, 0.0)), start=1):
             found[count:, part] = terms[np.ix_(part, chosen)] @ share
     best = int(np.argmin(np.mean((found - wanted) ** 2, axis=1)))
     return np.asarray(found[best])
@@ -109,8 +111,10 @@ def _pursued(matrix: Floats, score: Floats) -> list[tuple[Integers, Floats]]:
     left = score.copy()
     found: list[tuple[Integers, Floats]] = []
     for _ in range(min(NAMELESS_FORCE.most_terms, len(score))):
-        gain = np.abs(left) / size
-        gain[chosen] = -1.0
+        gain = np.where(score != 0.0, np.abs(left) / size, 0.0)
+        gain[chosen] = 0.0
+        if not gain.any():
+            break
         chosen.append(int(np.argmax(gain)))
         own = matrix[np.ix_(chosen, chosen)] + 1e-9 * np.diag(size[chosen] ** 2)
         share = np.asarray(np.linalg.solve(own, score[chosen]), dtype=np.float64)

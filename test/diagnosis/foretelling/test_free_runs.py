@@ -116,6 +116,17 @@ def test_a_few_terms_are_learnt_and_noise_is_not() -> None:
     assert np.std(foretold(terms, noise)) < 0.02
 
 
+def test_a_term_that_stands_in_one_part_alone_teaches_nothing() -> None:
+    """Without that part nothing but rounding is left of it, which is no reason to take it, and no division by zero."""
+    rng = np.random.default_rng(3)
+    wanted = rng.standard_normal(400)
+    terms = 1e-9 * rng.standard_normal((400, 20))
+    terms[:20, 1:] += 1e6 * rng.standard_normal(20)[:, None]
+    terms[:, 0] = wanted
+    assert foretold(terms, wanted) == pytest.approx(wanted, abs=1e-6)
+    assert foretold(np.zeros((400, 5)), wanted) == pytest.approx(np.zeros(400))
+
+
 def test_forces_are_turned_and_turned_back() -> None:
     """One newton to the north is one ahead for who looks north."""
     force = np.array([[0.0, 1.0, 2.0, 3.0]])
