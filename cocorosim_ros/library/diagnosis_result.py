@@ -178,14 +178,14 @@ def _texts(diagnosis: Diagnosis, evidence: Evidence) -> dict[str, str]:
     recordings = tuple(recording.origin for recording in evidence.recordings)
     recorded = [robot.name for recording in evidence.recordings for robot in recording.robots]
     # Robots that could not be fitted at all say nothing about what the others have in common.
-    fitted = [robot for found in as_platform(diagnosis).all_recalibrated for robot in found.robots]
+    fitted = [robot for found in as_platform(diagnosis, evidence.platform).all_recalibrated for robot in found.robots]
     robots = dict.fromkeys(fitted or recorded)
     duration = max(recording.duration for recording in evidence.recordings)
     origin = Origin(evidence.platform, recordings, tuple(robots), duration)
     return {
         **_next_manoeuvre(diagnosis, evidence.platform),
         JSON: diagnosis_json(diagnosis),
-        MODEL: model_yaml(as_platform(diagnosis), origin),
+        MODEL: model_yaml(as_platform(diagnosis, evidence.platform), origin),
         REPORT: render_report(diagnosis, origin),
     }
 

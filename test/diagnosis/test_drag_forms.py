@@ -73,7 +73,7 @@ def test_the_form_that_a_comparison_learned_is_told(tmp_path: Path) -> None:
     assert found.drag_form == "own_speed"
     robots = tuple(log.name for log in bad.recordings[0].robots)
     path = tmp_path / "model.yaml"
-    path.write_text(model_yaml(as_platform(found), Origin(boat, ("made",), robots, 60.0)), encoding="utf-8")
+    path.write_text(model_yaml(as_platform(found, boat), Origin(boat, ("made",), robots, 60.0)), encoding="utf-8")
     assert load_platform(path).drag_form == "own_speed"
 
 

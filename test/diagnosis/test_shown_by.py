@@ -177,3 +177,4 @@ def test_an_error_beyond_the_instrument_is_no_hypothesis(swim: Any) -> None:
     assert most_error("compass", np.array([0.0, 100.0])) == 0.5
     assert most_error("pose_x", np.array([0.0, 8.0])) == pytest.approx(0.4)  # a tenth of a spread of 4 m
     assert most_error("pose_x", np.array([0.0, 8.0]), ERRORS["camera_scale"].most_error) == pytest.approx(1.4)
+    assert most_error("pose_x", np.array([0.0, 8.0]), ERRORS["pose_lever"].most_error, 1.2) == 1.2  # a hull of 1.2 m

@@ -84,7 +84,7 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
         tested = _tested(screen, judged, _entries(joint, judged), named)
         choice = Choice(
             judged.unseen, fit, onsets_of(named), must_gain=True, judged=judged.numbers,
-            instruments_apart=COMPARISON.instruments_apart,
+            instruments_apart=COMPARISON.instruments_apart, instruments_share=COMPARISON.instruments_share,
         )  # fmt: skip
         found = _simplest(Stage(fit, named), screen, tested, choice)
         louder = _louder(found.effect, tested) if found is not None else []

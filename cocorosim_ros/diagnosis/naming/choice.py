@@ -52,7 +52,8 @@ class Choice:
     candidate that moves is named without a gain, however likely a small loss is by chance. refused: candidates with
     evidence enough, which free runs were against. traces: errors of readings that may be what these leave there.
     judged: numbers of the tracks whose held-out blocks count; None: all. instruments_apart: nats by which an error of
-    one stream's readings has to be ahead of that of another's, which is a rival otherwise. begun: fits of candidates
+    one stream's readings has to be ahead of that of another's, which is a rival otherwise. instruments_share: share of
+    its own nats by which it has to be ahead too. begun: fits of candidates
     that were begun.
     """
 
@@ -62,6 +63,7 @@ class Choice:
     must_gain: bool = False
     judged: Collection[int] | None = None
     instruments_apart: float = NAMING.ambiguity
+    instruments_share: float = 0.0
     refused: list[Refused] = field(default_factory=list)
     traces: list[Candidate] = field(default_factory=list)
     begun: list[Begun] = field(default_factory=list)
@@ -109,10 +111,12 @@ class Choice:
             return False
         return self._runs.gain(self._of(other), self._of(best)).is_clear
 
-    def reach(self, best: Candidate, other: Candidate) -> float:
+    def reach(self, best: Refined, other: Candidate) -> float:
         """Nats within which another candidate is a rival of the best one."""
-        topics = {best.entry.topic, other.entry.topic} - {None}
-        return self.instruments_apart if len(topics) > 1 else NAMING.ambiguity
+        topics = {best.candidate.entry.topic, other.entry.topic} - {None}
+        if len(topics) < 2:
+            return NAMING.ambiguity
+        return max(self.instruments_apart, self.instruments_share * (best.nats + best.usual))
 
     def promising(self, leader: Begun, others: Sequence[Begun]) -> list[Begun]:
         """List those of some candidates whose free runs, as far as they are fitted, are clearly better than a leader's.

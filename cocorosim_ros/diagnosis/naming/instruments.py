@@ -30,14 +30,14 @@ def is_beyond_instrument(candidate: Candidate, fit: Fit) -> bool:
     return any(error > bound for error, bound in errors)
 
 
-def most_error(kind: str, values: Floats, own: MostError | None = None) -> float:
+def most_error(kind: str, values: Floats, own: MostError | None = None, hull: float = 0.0) -> float:
     """The most [unit of the kind] that an instrument may err by where its readings are `values` (n,).
 
-    own: of one error, where it is another than that of the kind.
+    own: of one error, where it is another than that of the kind. hull: length of the vehicle's [m].
     """
     most = own or KINDS[kind].most_error
     spread = 0.0 if KINDS[kind].angle else float(np.std(values))  # a heading has no zero to be in proportion to
-    return max(most.amount, most.share * spread)
+    return max(most.amount, most.share * spread, most.hulls * hull)
 
 
 def _errors_of_law(candidate: Candidate, fit: Fit) -> Iterator[tuple[float, float]]:
@@ -78,7 +78,8 @@ def _error_and_bound(unknown: Unknown, kind: str, off: float, track: Track) -> t
     values = track.timeline.value[track.timeline.kind == KIND_NAMES.index(kind)]
     if len(values) == 0:
         return 0.0, 0.0
-    unit, most = KINDS[kind].unit, most_error(kind, values, ERRORS[unknown.owner.effect].most_error)
+    own = ERRORS[unknown.owner.effect].most_error
+    unit, most = KINDS[kind].unit, most_error(kind, values, own, track.vehicle.hull)
     if unknown.owner.unit in ("1", "rad") and unknown.owner.unit != unit:  # a gain, or a vector that is turned
         return off * float(np.std(values)), most
     times = track.timeline.grid.duration if unknown.owner.unit == f"{unit}/s" else 1.0

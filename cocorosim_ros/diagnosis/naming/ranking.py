@@ -41,7 +41,7 @@ def near_rivals(best: Refined, refined: Sequence[Refined], choice: Choice | None
         for other, nats in zip(refined, behind, strict=True)
         if other is not best
         and other.candidate.entry.law is None
-        and nats <= (choice.reach(best.candidate, other.candidate) if choice is not None else NAMING.ambiguity)
+        and nats <= (choice.reach(best, other.candidate) if choice is not None else NAMING.ambiguity)
         and not is_beyond_instrument(other.candidate, other.fit)
         and not is_at_its_limit(other.candidate, other.fit)
         and not (choice is not None and choice.excludes(best, other))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 
@@ -13,15 +14,18 @@ ASYMMETRY = "thruster_asymmetry"
 GAINS = ("thrust_gain", "yaw_torque_gain")
 
 
-def as_platform(diagnosis: Diagnosis) -> Diagnosis:
+def as_platform(diagnosis: Diagnosis, platform: Platform) -> Diagnosis:
     """Make the diagnosis that a platform file is written from: the one itself where nothing else was compared with.
 
-    The numbers are those that were learned, with the changes in them. A delay of the commands, and one of many
+    The numbers are those that were learned, with the changes in them; effects of the platform's file stay in a number
+    that has changed, with the change added. platform: the one that was given. A delay of the commands, and one of many
     thrusters that is weak, are left out, as no platform file has them; so are effects that were learned without a name.
     """
     if diagnosis.against is None:
         return diagnosis
-    effects = tuple(_plain(effect) for effect in diagnosis.effects if _is_known(effect))
+    learned = diagnosis.against.before
+    plain = (_plain(effect) for effect in diagnosis.effects if _is_known(effect))
+    effects = tuple(_with_known(effect, learned, platform) for effect in plain)
     return replace(diagnosis, all_recalibrated=_numbers(diagnosis.against, diagnosis), effects=effects)
 
 
@@ -34,6 +38,26 @@ def _plain(effect: FoundEffect) -> FoundEffect:
     if effect.id != ASYMMETRY:
         return effect
     return replace(effect, parameters={"difference": effect.parameters["difference"]})
+
+
+def _with_known(effect: FoundEffect, learned: Sequence[Recalibrated], platform: Platform) -> FoundEffect:
+    """Add what the vehicle had of an effect before to what has changed in it, number by number.
+
+    learned: numbers of the learned vehicle; what is not among them is as the platform's file has it.
+    """
+    before = dict(platform.of_robot(effect.robots[0] if effect.robots else "").effects.get(effect.id, {}))
+    for number in learned:
+        if number.parameter.startswith(f"{effect.id}.") and number.robots == effect.robots:
+            before[number.parameter.removeprefix(f"{effect.id}.")] = number.estimate.value
+    neutral = {part.name: part.neutral for part in EFFECTS[effect.id].parameters} if effect.id in EFFECTS else {}
+
+    def whole(name: str, change: Estimate) -> Estimate:
+        if name not in before or name not in neutral:
+            return change
+        more = before[name] - neutral[name]
+        return replace(change, value=change.value + more, low=change.low + more, high=change.high + more)
+
+    return replace(effect, parameters={name: whole(name, each) for name, each in effect.parameters.items()})
 
 
 def _numbers(against: Comparison, diagnosis: Diagnosis) -> tuple[Recalibrated, ...]:

@@ -7,6 +7,7 @@ from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.foretelling.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
+from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
@@ -26,7 +27,8 @@ def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
     """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
 
     In all is not asked of errors of the catalogue that act on readings alone. Of a law of readings it is asked without
-    any doubt in its favour: there are many, and they follow effects of motion.
+    any doubt in its favour: there are many, and they follow effects of motion. A course that stands in for the readings
+    of a channel is bent by errors of other readings, and tells nothing where such an error is named.
     """
     in_all = False
     if free.gain is not None and not is_exact(free.table):
@@ -34,7 +36,13 @@ def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
         of_reading = any(each.entry.law is not None and not moves(each) for each in named)
         worse = free.gain.mean < -FREE_RUN_GAINS.material
         in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
-    return in_all or any(_is_worse(channel, row) for channel, row in free.table.items())
+    bent = any(not moves(effect.candidate) for effect in naming.named)
+    asked = {channel: row for channel, row in free.table.items() if not (bent and _is_by_course(channel, row))}
+    return in_all or any(_is_worse(channel, row) for channel, row in asked.items())
+
+
+def _is_by_course(channel: str, row: HeldOut) -> bool:
+    return channel in CHANNELS and row.against == "course"
 
 
 def _is_worse(channel: str, row: HeldOut) -> bool:

@@ -32,11 +32,13 @@ class Field:
 class MostError(NamedTuple):
     """The most by which such an instrument can be wrong by a law, whatever the law; chosen, not measured.
 
-    The greater of the two holds: `amount` [unit of the reading], and `share` [1] of how far its readings spread.
+    The greatest holds: `amount` [unit of the reading], `share` [1] of how far its readings spread, and `hulls` [lengths
+    of the vehicle's hull].
     """
 
     amount: float
     share: float = 0.0
+    hulls: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -76,3 +76,7 @@ def test_another_instrument_is_a_rival_from_further_behind(
     best, other = refined("speed_log_scale", 100.0), refined("other", 100.0 - behind)
     best.candidate.entry.topic, other.candidate.entry.topic = "velocity", topic
     assert len(near_rivals(best, [best, other], choice)) == is_rival
+    strong, other = refined("speed_log_scale", 1e5), refined("other", 1e5 - 150.0 * behind)
+    strong.candidate.entry.topic, other.candidate.entry.topic = "velocity", topic
+    shared = Choice(nothing, nothing, instruments_apart=8.0, instruments_share=0.012)
+    assert len(near_rivals(strong, [strong, other], shared)) == is_rival  # 1.05 and 1.35 % behind

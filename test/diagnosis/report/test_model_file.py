@@ -12,7 +12,8 @@ import pytest
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, HeldOut, Recalibrated
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, HeldOut, Recalibrated
+from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.scenario.parts.platform import DragForm, Platform, load_platform
 from cocorosim_ros.scenario.reading.quantity import Quantity
@@ -300,6 +301,35 @@ def test_numbers_that_were_kept_are_kept_by_the_next_diagnosis(example: Example,
     of_lily = replace(found, held=("inertia",), recalibrated=(), effects=())
     tree = parse_yaml(model_yaml(of_lily, origin()), "written").mapping()
     assert [part.text() for part in tree["kept_as_given"].items()] == ["yaw_inertia"]
+
+
+def test_a_change_is_added_to_what_the_vehicle_had(example: Example, tmp_path: Path) -> None:
+    """To the learned number of an effect that the file leaves open, and to the file's own of one that it does not."""
+    (tmp_path / "slender.yaml").write_text(
+        """based_on: lily
+effects:
+  added_mass: {sway_minus_surge: {value: 0.1, unit: kg, range: [0, 1], source: guess, confidence: estimate}}
+  linear_drag: {surge: {value: 0.03, unit: N s/m, source: a scale, confidence: measured}}
+""",
+        "utf-8",
+    )
+    slender = load_platform(tmp_path / "slender.yaml")
+    learned = Recalibrated("added_mass.sway_minus_surge", 0.1, Estimate(0.3, 0.28, 0.32, "kg"), ("lily_01",))
+    changes = tuple(
+        FoundEffect(name, name, "", ("lily_01",), "confirmed", {part: Estimate(value, value, value, unit)}, 50.0)
+        for name, part, value, unit in (
+            ("added_mass", "sway_minus_surge", 0.12, "kg"), ("linear_drag", "surge", -0.02, "N s/m"),
+            ("torque_bias", "torque", 1e-5, "N m"),
+        )
+    )  # fmt: skip
+    found = replace(
+        example("mismatch"), effects=changes, recalibrated=(), all_recalibrated=(),
+        against=Comparison(("good",), (), (), before=(learned,)),
+    )  # fmt: skip
+    model = written(tmp_path, as_platform(found, slender), origin(slender))
+    assert model.effects["added_mass"]["sway_minus_surge"] == pytest.approx(0.42)
+    assert model.effects["linear_drag"]["surge"] == pytest.approx(0.01)
+    assert model.effects["torque_bias"]["torque"] == 1e-5
 
 
 def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:

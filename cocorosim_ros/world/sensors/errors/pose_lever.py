@@ -8,6 +8,7 @@ from __future__ import annotations
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.angles import sine_cosine
 from cocorosim_ros.foundation.compiling.kernel import kernel
+from cocorosim_ros.world.sensors.sensor import MostError
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
 from cocorosim_ros.world.state.state import YAW, YAW_RATE
 from cocorosim_ros.world.terms.blocks import HR, HYAW
@@ -64,6 +65,7 @@ POSE_LEVER = SensorError(
         )
     ),
     sensor="pose",
+    most_error=MostError(0.0, hulls=1.0),  # a mast or an antenna at an end of it, whatever the vehicle's way
     changes=(
         Change("pose_x", ("ahead", "left"), shown_x, takes=("heading",), aside=x_by_turn),
         Change("pose_y", ("ahead", "left"), shown_y, takes=("heading",), aside=y_by_turn),
