@@ -62,7 +62,8 @@ def _named(diagnosis: Diagnosis, found: FoundEffect, by: ProbabilityCriteria) ->
     fitted = [each.id for each in diagnosis.effects if each.correction is None]
     answers = _of_effect(found, by, first=found.correction is not None or fitted[0] == found.id)
     differing = diagnosis.against is not None and bool(diagnosis.against.control)
-    return _stopped(answers, by) if found.because or differing else answers
+    most = by.stopped if diagnosis.against is None else by.stopped_difference
+    return _stopped(answers, most) if found.because or differing else answers
 
 
 def _of_effect(found: FoundEffect, by: ProbabilityCriteria, *, first: bool) -> Answers:
@@ -85,15 +86,15 @@ def _chance(found: FoundEffect, by: ProbabilityCriteria, *, first: bool) -> floa
     return least + math.exp(-by.temper * max(beyond, 0.0))
 
 
-def _stopped(answers: Answers, by: ProbabilityCriteria) -> Answers:
-    """Take from what is named what exceeds `by.stopped`, in equal parts for what is not.
+def _stopped(answers: Answers, most: float) -> Answers:
+    """Take from what is named what exceeds `most`, in equal parts for what is not.
 
     A law outside the catalogue is named SOMETHING_ELSE; what is taken from it goes to NO_EFFECT.
     """
     has_name = not answers.keys() <= {NO_EFFECT, SOMETHING_ELSE}
     others = [NO_EFFECT, SOMETHING_ELSE] if has_name else [NO_EFFECT]
     named = sum(share for name, share in answers.items() if name not in others)
-    kept = min(1.0, by.stopped / named)
+    kept = min(1.0, most / named)
     freed = (1.0 - kept) * named / len(others)
     return {name: share + freed if name in others else kept * share for name, share in answers.items()}
 

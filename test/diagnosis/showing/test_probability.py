@@ -193,12 +193,17 @@ def test_a_hard_stop_leaves_at_most_even_odds(name: str) -> None:
     assert told <= PROBABILITY.stopped + 1e-12
 
 
-def test_a_control_that_differs_leaves_at_most_even_odds() -> None:
+def test_what_differs_is_as_probable_as_such_names_were_right() -> None:
     """Recordings that differ among themselves say little about others."""
     alike, differing = (Comparison(("good",), (), control) for control in ((), ("battery_sag",)))
     assert probabilities_of(diagnosis(effect(), against=alike)).of_effects[0] > 0.9
     doubted = probabilities_of(diagnosis(effect(), against=differing)).of_effects[0]
-    assert doubted <= PROBABILITY.stopped + 1e-12
+    assert doubted == pytest.approx(PROBABILITY.stopped_difference)
+    stopped = effect(because=("It stands at a bound.",), tier="suspected")
+    (difference,), (found,) = (
+        probabilities_of(diagnosis(stopped, against=other)).of_effects for other in (alike, None)
+    )
+    assert difference == pytest.approx(PROBABILITY.stopped_difference) and found <= PROBABILITY.stopped + 1e-12
 
 
 @pytest.mark.parametrize("name", ["tether", "unknown:yaw~x"])
