@@ -87,6 +87,7 @@ def test_no_courtroom_in_the_proof() -> None:
         "real.md",
         "against.md",
         "against_before.md",
+        "against_eighty.md",
         "against_eight.md",
         "against_five.md",
     )
