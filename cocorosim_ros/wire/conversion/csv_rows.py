@@ -9,11 +9,18 @@ from pathlib import Path
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
 from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
+
+_COMMAS = (
+    "if they are decimals with commas, which commas between cells cannot be told from, write the file again with points "
+    "or with another separator, else correct the line"
+)
+_SEPARATORS = "correct the line, or 'separator' in the map's layout"
 
 
 class CsvRows:
@@ -32,8 +39,10 @@ class CsvRows:
         if not found:
             raise CocorosimError(f"{origin} holds no row of numbers; give a file that has some.")
         self._width = len(self._header) or max(len(cells) for cells in self._cells)
+        self._refuse_longer_rows()
         short = sum(len(cells) < self._width for cells in self._cells)
-        self.damage = f"{origin}: {short} rows end early; their last cells count as missing." if short else ""
+        early = f"{counted(short, 'row')} {either(short, 'ends early; its', 'end early; their')} last cells"
+        self.damage = f"{origin}: {early} count as missing." if short else ""
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -76,6 +85,19 @@ class CsvRows:
     def row_name(self, row: int) -> str:
         """The line of a row."""
         return f"line {self._line[row]}"
+
+    def _refuse_longer_rows(self) -> None:
+        """Raise CocorosimError for a row with more cells than there are columns, which are not where they belong.
+
+        Empty cells beyond the last column are nothing: many programs end every line with a separator.
+        """
+        for line, cells in zip(self._line, self._cells, strict=True):
+            if len(cells) > self._width and any(cell.strip() for cell in cells[self._width :]):
+                comma = self._layout.separator == ","
+                raise CocorosimError(
+                    f"{self.origin} line {line} has {len(cells)} cells and its header {self._width}, so that none can "
+                    f"be told from its neighbours; {_COMMAS if comma else _SEPARATORS}."
+                )
 
     def _index(self, column: Entry) -> int:
         """Where a column stands, from 0."""

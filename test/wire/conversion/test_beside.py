@@ -135,6 +135,6 @@ def test_damage_is_told_once(convert_csv: Convert) -> None:
     """Of a file that is read as a table and stands beside one."""
     rest = f'{TIME}, beside: {{turn: {{files: "{{run}}/place.csv", within: 0.1 s}}}}'
     result = convert_csv(table(rest, TURNED), {"a/place.csv": "t,x,yaw\n1,2,3\n2,5\n"})
-    assert [told for told in result.findings if "end early" in told] == [
-        "a/place.csv: 1 rows end early; their last cells count as missing."
+    assert [told for told in result.findings if "ends early" in told] == [
+        "a/place.csv: 1 row ends early; its last cells count as missing."
     ]

@@ -93,7 +93,29 @@ def test_gaps_stay_and_missing_rows_are_counted(convert_csv: Convert) -> None:
     told = " ".join(result.findings)
     assert "4 rows with missing or infinite numbers were left out" in told
     assert "1 rows without a time were left out" in told
-    assert "1 rows end early" in told
+    assert "1 row ends early; its last cells count as missing" in told
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "cells", "way_out"),
+    [
+        ("t,x,y\n0,1,2\n0,5,1,5,2,5\n", 3, 6, "write the file again with points or with another separator"),
+        ("t,x,y\n0,1,2,3\n", 2, 4, "else correct the line"),
+        ("t;x;y\n0;1;2\n1;2;3;4\n", 3, 4, "correct the line, or 'separator' in the map's layout"),
+    ],
+)
+def test_rows_longer_than_the_header(convert_csv: Convert, text: str, line: int, cells: int, way_out: str) -> None:
+    """Decimals with commas between commas would be numbers of other columns, taken in silence."""
+    rest = TIME if ";" not in text else f"{TIME}, layout: {{separator: ';'}}"
+    with pytest.raises(CocorosimError, match=rf"a.csv line {line} has {cells} cells and its header 3, .*{way_out}"):
+        convert_csv(table(rest), {"a.csv": text})
+
+
+@pytest.mark.parametrize("text", ["t,x,y\n0,1,2,\n1,2,3, \n", "t,x,y,\n0,1,2,\n1,2,3,\n", "t,x,y,\n0,1,2,,\n1,2,3\n"])
+def test_empty_cells_behind_the_last(convert_csv: Convert, text: str) -> None:
+    """A separator at the end of lines, with or without the header, is no further cell."""
+    rows = convert_csv(table(TIME), {"a.csv": text}).topics["/boat/pose"]
+    assert [(row.content.pose.position.x, row.content.pose.position.y) for row in rows] == [(1, 2), (2, 3)]
 
 
 def test_time_backwards_is_refused_or_sorted(convert_csv: Convert) -> None:
