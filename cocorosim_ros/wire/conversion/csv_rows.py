@@ -17,8 +17,8 @@ from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
 from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
 
 _COMMAS = (
-    "if they are decimals with commas, which commas between cells cannot be told from, write the file again with points "
-    "or with another separator, else correct the line"
+    "if they are decimals with commas, which commas between cells cannot be told from, write the file again with "
+    "points or with another separator, else correct the line"
 )
 _SEPARATORS = "correct the line, or 'separator' in the map's layout"
 
