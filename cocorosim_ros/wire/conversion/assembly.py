@@ -12,9 +12,11 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion import attitude
 from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
+from cocorosim_ros.wire.conversion.doubts import doubtful_angles
 from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
 from cocorosim_ros.wire.conversion.streams import (
     StreamRows,
+    angles_among,
     heading_of_travel,
     is_made_of_depth,
     named_rows,
@@ -65,6 +67,7 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
                 findings.append(f"{place}: no usable row, so there is no such topic.")
                 continue
             kept = {name: column[chosen] for name, column in columns.items()}
+            findings += doubtful_angles(place, angles_among(mapped), kept)
             content = _content(mapped, kept, place, findings)
             of_depth = is_made_of_depth(mapped.topic, mapped.values)
             yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort, of_depth)
