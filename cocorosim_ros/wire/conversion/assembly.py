@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -39,6 +40,7 @@ class Stream:
     travels: bool = False  # the heading is still to be taken from the track
     sort: bool = False  # rows whose time runs backwards are sorted
     from_depth: bool = False  # pressures that were made of depths
+    source: str = ""  # file or topic, and table of the map, that it is from
 
 
 def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) -> Iterator[Stream]:
@@ -69,8 +71,16 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
             kept = {name: column[chosen] for name, column in columns.items()}
             findings += doubtful_angles(place, angles_among(mapped), kept)
             content = _content(mapped, kept, place, findings)
-            of_depth = is_made_of_depth(mapped.topic, mapped.values)
-            yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort, of_depth)
+            yield Stream(
+                robot,
+                mapped.topic,
+                stamps[chosen],
+                content,
+                travels(mapped.values),
+                table.sort,
+                is_made_of_depth(mapped.topic, mapped.values),
+                f"{rows.origin} ({table.place.key})",
+            )
 
 
 def streams_of(parts: list[Stream], findings: list[str]) -> list[Stream]:
@@ -155,10 +165,26 @@ def _pieces(parts: list[Stream]) -> list[Stream]:
 
 
 def _behind_each_other(parts: list[Stream]) -> Stream:
+    _refuse_overlap(parts)
     first = parts[0]
     values = np.vstack([part.rows.values for part in parts])
     stamps = np.concatenate([part.stamp_ns for part in parts])
     return replace(first, stamp_ns=stamps, rows=replace(first.rows, values=values), sort=all(p.sort for p in parts))
+
+
+def _refuse_overlap(parts: list[Stream]) -> None:
+    """Raise CocorosimError for parts that tell of the same time: they are no pieces of one log.
+
+    Sorted, their readings would take turns, and a robot would be in two places.
+    """
+    by_start = sorted(parts, key=lambda part: int(part.stamp_ns.min()))
+    for one, other in itertools.pairwise(by_start):
+        common = int(min(one.stamp_ns.max(), other.stamp_ns.max()) - other.stamp_ns.min()) / 1e9
+        if common > 0.0:
+            raise CocorosimError(
+                f"{_name(one)} is given by {one.source} and by {other.source} for the same {common:.6g} s; give it by "
+                "one of them only, or tell them apart as robots or runs, by {robot} or {run} in 'files'."
+            )
 
 
 def _in_order(stream: Stream, findings: list[str]) -> Stream:

@@ -45,10 +45,8 @@ def doubtful_angles(place: str, values: Mapping[str, Value], columns: Mapping[st
         offset = value.offset if isinstance(value.offset, float) else 0.0
         cells = np.round((columns[name] - offset) / value.scale, 6) + 0.0  # no negative zero
         if like_degrees(cells):
-            least, most = np.nanmin(cells), np.nanmax(cells)
-            found.append(
-                f"{place}: '{name}' goes from {least:.4g} to {most:.4g} rad, as degrees do; check its 'unit' in the map."
-            )
+            ends = f"from {np.nanmin(cells):.4g} to {np.nanmax(cells):.4g} rad"
+            found.append(f"{place}: '{name}' goes {ends}, as degrees do; check its 'unit' in the map.")
     return found
 
 
@@ -60,6 +58,5 @@ def doubtful_times(stamps: Mapping[str, Sequence[Stamps]]) -> list[str]:
     if not slow:
         return []
     seconds = max(apart[name] for name in slow) / 1e9
-    return [
-        f"Readings of {listed(slow, 'and')} are {seconds:.4g} s apart; check whether the unit of 'time' in the map is right."
-    ]
+    apart_by = f"Readings of {listed(slow, 'and')} are {seconds:.4g} s apart"
+    return [f"{apart_by}; check the unit of 'time' in the map."]

@@ -128,6 +128,30 @@ def test_time_backwards_is_refused_or_sorted(convert_csv: Convert) -> None:
     assert "the rows were sorted" in result.findings[0]
 
 
+@pytest.mark.parametrize("backwards", ["refuse", "sort"])
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        (('"a.csv"', '"b.csv"'), r"a.csv \(tables\[0\]\) and by b.csv \(tables\[1\]\)"),
+        (('"*.csv"',), r"a.csv \(tables\[0\]\) and by b.csv \(tables\[0\]\)"),
+        (('"a.csv"', '"a.csv"'), r"a.csv \(tables\[0\]\) and by a.csv \(tables\[1\]\)"),
+    ],
+)
+def test_two_sources_of_one_topic(convert_csv: Convert, files: tuple[str, ...], told: str, backwards: str) -> None:
+    """Two tables or files tell of the same time: sorted, the boat would leap from one place to another and back."""
+    tables = "".join(table(f"{TIME}, backwards: {backwards}", files=each) for each in files)
+    logs = {"a.csv": "t,x,y\n0,0,0\n2,2,2\n3,3,3\n", "b.csv": "t,x,y\n1,9,9\n2.5,8,8\n5,0,0\n"}
+    with pytest.raises(CocorosimError, match=f"boat/pose is given by {told} for the same [23] s; give it by one"):
+        convert_csv(tables, logs)
+
+
+def test_pieces_that_meet(convert_csv: Convert) -> None:
+    """The last moment of one file may be the first of the next."""
+    logs = {"a.csv": "t,x,y\n0,0,0\n2,2,2\n", "b.csv": "t,x,y\n2,2,2\n5,0,0\n"}
+    rows = convert_csv(table(TIME), logs).topics["/boat/pose"]
+    assert [row.at for row in rows] == [0, 2 * S, 2 * S, 5 * S]
+
+
 def test_robots_from_a_column(convert_csv: Convert) -> None:
     """1 and 1.0 are the same robot; each robot has its own rows in their order."""
     robot = "{prefix: fish_, column: id, digits: 2}"

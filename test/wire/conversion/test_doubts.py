@@ -35,7 +35,7 @@ CIRCLE = 9.0 * TIME  # degrees: two turns of a compass in 80 s
     ],
 )
 def test_degrees_and_headings_of_vehicles_that_spin(angles: Floats, told: bool) -> None:
-    """Wrapped at 360, or beyond the first turn from the beginning; unwrapped radians begin within it and take no leaps."""
+    """Wrapped at 360, or beyond the first turn throughout; unwrapped radians begin within it and do not leap."""
     assert like_degrees(angles) is told
 
 
@@ -72,6 +72,4 @@ def test_right_units_are_not_doubted(convert_csv: Convert) -> None:
 def test_milliseconds_in_a_map_that_says_seconds(convert_csv: Convert) -> None:
     """Ten readings a second would be 100 s apart."""
     found = convert_csv(MAP.format(time="s", yaw="{column: h, unit: deg}"), {"a.csv": log(100)}).findings
-    assert found == (
-        "Readings of /boat/pose and /boat/compass are 100 s apart; check whether the unit of 'time' in the map is right.",
-    )
+    assert found == ("Readings of /boat/pose and /boat/compass are 100 s apart; check the unit of 'time' in the map.",)
