@@ -60,6 +60,8 @@ def test_a_wrong_map(convert_csv: Convert, old: str, new: str, sentence: str) ->
         ("t,x,y\n", "a.csv holds no row of numbers"),
         ("", "a.csv holds no row of numbers"),
         ("t,x,y\n-5,1,2\n", r"a.csv line 2 has the time -5 s.*add 'start'"),
+        ("t,x,y\n0,1,2\n1e300,1,2\n", r"a.csv line 3 has the time 1e\+300 s, and a recording lies between"),
+        ("t,x,y\n1e999999999,1,2\n", r"a.csv line 2, column 't' has '1e999999999', which is no number"),
         ("t,x,y\nnoon,1,2\n", r"a.csv line 2, column 't' has 'noon'"),
         ("t,x,x,y\n0,1,2,3\n", "the name of several columns of a.csv; give a number"),
         ("t,x,y\n0,nan,2\n", "finds nothing to convert in the source: .*1 rows with missing"),
