@@ -13,6 +13,7 @@ from cocorosim_ros.commands.completion import config_or_file
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
+from cocorosim_ros.foundation.counted import counted
 from cocorosim_ros.foundation.errors import CocorosimError
 
 if TYPE_CHECKING:
@@ -85,7 +86,8 @@ def _guess(console: Console, source: Path, out: Path, *, force: bool) -> dict[st
 
 
 def _show(console: Console, made: ConvertedRecording, *, full: bool) -> None:
-    say(console, f"{made.folder}: {len(made.topics)} topics, {made.messages} messages, digest {made.digest}")
+    counts = f"{counted(len(made.topics), 'topic')}, {counted(made.messages, 'message')}"
+    say(console, f"{made.folder}: {counts}, digest {made.digest}")
     if full:
         for extent in made.topics:
             say(console, f"  /{extent.robot}/{extent.topic}: {_words(extent)}")

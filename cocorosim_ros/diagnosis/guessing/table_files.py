@@ -19,6 +19,7 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import UNITS
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout
+from cocorosim_ros.wire.conversion.csv_rows import refuse_utf16
 from cocorosim_ros.wire.conversion.formats import FORMATS
 from cocorosim_ros.wire.conversion.formats.format import BY_NAME, FileFormat, check_file
 
@@ -115,6 +116,7 @@ def _layout(path: Path) -> CsvLayout:
         text = path.read_bytes()[: 1 << 16]
     except OSError as error:
         raise CocorosimError(f"{path} cannot be read: {error.strerror}; check its name and permissions.") from error
+    refuse_utf16(text, path.name)
     encoding = "utf-8" if _is_utf8(text) else "latin-1"
     lines = [line for line in text.decode(encoding, "replace").splitlines()[: GUESSING.head_lines] if line.strip()]
     comment = "#" if lines and lines[0].startswith("#") and len(lines) > 1 and not lines[1].startswith("#") else ""

@@ -65,16 +65,12 @@ def kind_of(path: Path) -> FileKind | None:
 
 def kind_in(head: bytes) -> FileKind | None:
     """The kind of a file that begins with these bytes, at least `HEAD` of them if it has so many."""
-    return next(
-        (
-            kind
-            for kind in KINDS
-            if head.startswith(kind.magic, kind.at)
-            and head.startswith(kind.eighth, 8)
-            and head.startswith(kind.first, 30)
-        ),
-        None,
-    )
+    return next((kind for kind in KINDS if _begins(head, kind)), None)
+
+
+def _begins(head: bytes, kind: FileKind) -> bool:
+    parts = ((kind.magic, kind.at), (kind.eighth, 8), (kind.first, 30))
+    return all(head.startswith(part, at) for part, at in parts if part)
 
 
 def told(kind: FileKind, file: Path) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,6 +13,7 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.bags.file_kinds import HEAD
 from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
 from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
@@ -132,6 +134,14 @@ class CsvRows:
         )
 
 
+def refuse_utf16(head: bytes, origin: str) -> None:
+    """Raise CocorosimError for a file that begins as text of UTF-16 does, as some programs of Windows write it."""
+    marked = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    every_other = len(head) > 1 and not (any(head[1::2]) and any(head[::2]))
+    if marked or every_other:
+        raise CocorosimError(f"{origin} is UTF-16 text; save it as UTF-8.")
+
+
 def _cells(line: str, separator: str) -> list[str]:
     return line.split() if separator == " " else next(csv.reader([line.rstrip("\r\n")], delimiter=separator))
 
@@ -139,6 +149,8 @@ def _cells(line: str, separator: str) -> list[str]:
 def _lines(path: Path, origin: str, layout: CsvLayout) -> Iterator[tuple[int, list[str]]]:
     """Line number and cells of every line that is neither empty nor a comment."""
     try:
+        with path.open("rb") as binary:
+            refuse_utf16(binary.read(HEAD), origin)
         encoding = "utf-8-sig" if layout.encoding == "utf-8" else layout.encoding
         with path.open(encoding=encoding, newline="") as file:
             numbered = enumerate(file, start=1)

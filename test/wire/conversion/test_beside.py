@@ -38,7 +38,7 @@ def test_a_file_beside(convert_csv: Convert) -> None:
     assert first[:, 0].tolist() == [10, 20]
     np.testing.assert_allclose(2 * np.arcsin(first[:, 5]), [0.25, 0.5], atol=1e-15)
     np.testing.assert_allclose(second[:, [0, 5]], [[40, np.sin(0.5)]], atol=1e-15)
-    assert "1 rows with missing" in result.findings[0]
+    assert "1 row with missing" in result.findings[0]
     assert set(json.loads(result.done[0].conversion.metadata["converted_from"])) == {"a/place.csv", "a/yaw.csv"}
 
 
