@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -43,29 +44,33 @@ def command(
 
     With the BAG of a calibration run (see the scenario calibration_run): fit the platform to it.
     """
+    from cocorosim_ros.library.diagnose import inputs_of
+
     if bag is None and (out is not None or robot is not None):
         raise CocorosimError("--out and --robot belong to a recording; give the BAG of a calibration run too.")
-    console = console_beside(json_file, force=force)
+    read = [] if bag is None else inputs_of([bag], platform_name, None)
+    console = console_beside(json_file, force=force, inputs=read)
     if bag is None:
         tree = _show_section_four(console)
     else:
-        tree = _fit(console, bag, platform_name, robot, _Target(out, force))
+        tree = _fit(console, bag, platform_name, robot, _Target(out, force, read))
     give_json(console, json_file, tree)
 
 
 @dataclass(frozen=True)
 class _Target:
-    """Where the fitted platform goes: None for nowhere; and whether a file that is there is replaced."""
+    """Where the fitted platform goes: None for nowhere; whether a file there is replaced; what is read."""
 
     out: Path | None
     force: bool
+    inputs: Sequence[Path]
 
 
 def _fit(console: Console, bag: Path, platform_name: str, robot: str | None, target: _Target) -> dict[str, Any]:
     from cocorosim_ros.scenario.parts.platform import load_platform
     from cocorosim_ros.wire.bags.bag_reader import check_there
 
-    check_file(target.out, force=target.force)
+    check_file(target.out, force=target.force, inputs=target.inputs)
     platform = load_platform(platform_name)
     check_there(bag)
     # Loaded here: a path that is wrong is said before the weight comes.

@@ -30,9 +30,9 @@ def command(ctx: click.Context, /, bag: Path, json_file: Path | None, force: boo
     that contradict each other or lag, a lost /tf_static; covariances that are none; units, signs and axes that the
     numbers of Odometry, Imu, FluidPressure and poses contradict.
     """
-    from cocorosim_ros.wire.bags.bag_reader import check_there
+    from cocorosim_ros.wire.bags.bag_reader import check_there, recording_at
 
-    console = console_beside(json_file, force=force)
+    console = console_beside(json_file, force=force, inputs=[recording_at(bag)])
     check_there(bag)
     # Loaded here: a path that is wrong is said before the weight comes.
     from cocorosim_ros.library.check import check

@@ -13,6 +13,7 @@ from cocorosim_ros.commands.completion import config_or_file
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
+from cocorosim_ros.foundation.counted import counted
 from cocorosim_ros.foundation.errors import CocorosimError
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def command(words: tuple[str, ...], guess: bool, out: Path, json_file: Path | No
     if len(words) != 2 - guess:
         wanted = "SOURCE alone" if guess else "MAP.yaml and SOURCE, or --guess and SOURCE alone"
         raise CocorosimError(f"{len(words)} names were given; give {wanted}.")
-    console = console_beside(json_file, force=force)
+    console = console_beside(json_file, force=force, inputs=_read(words, json_file))
     if guess:
         give_json(console, json_file, _guess(console, Path(words[0]), out, force=force))
         return
@@ -57,6 +58,16 @@ def command(words: tuple[str, ...], guess: bool, out: Path, json_file: Path | No
     for made in done.recordings:
         _show(console, made, full=len(done.recordings) <= _MOST_SHOWN_IN_FULL)
     give_json(console, json_file, {"map": done.name, "recordings": [_tree(made) for made in done.recordings]})
+
+
+def _read(words: tuple[str, ...], json_file: Path | None) -> list[Path]:
+    """What the command reads, which the file for programs must not replace: a map that is named by its file, SOURCE."""
+    if json_file is None:
+        return []
+    from cocorosim_ros.wire.conversion.kept_sources import kept_from
+
+    *maps, source = map(Path, words)
+    return [*maps, *kept_from(json_file, source)]
 
 
 def _guess(console: Console, source: Path, out: Path, *, force: bool) -> dict[str, Any]:
@@ -75,7 +86,8 @@ def _guess(console: Console, source: Path, out: Path, *, force: bool) -> dict[st
 
 
 def _show(console: Console, made: ConvertedRecording, *, full: bool) -> None:
-    say(console, f"{made.folder}: {len(made.topics)} topics, {made.messages} messages, digest {made.digest}")
+    counts = f"{counted(len(made.topics), 'topic')}, {counted(made.messages, 'message')}"
+    say(console, f"{made.folder}: {counts}, digest {made.digest}")
     if full:
         for extent in made.topics:
             say(console, f"  /{extent.robot}/{extent.topic}: {_words(extent)}")

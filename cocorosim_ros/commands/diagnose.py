@@ -129,12 +129,13 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     check_fleet_options(options)
     if options["fleet"] is not None:
         ctx.exit(diagnose_all(_chosen(FleetChoices, options)))
-    from cocorosim_ros.library.diagnose import diagnose
+    from cocorosim_ros.library.diagnose import diagnose, inputs_of
 
     choices = _chosen(DiagnosisChoices, options)
-    console = console_beside(choices.json_file, force=choices.force)
+    read = inputs_of((*choices.bags, *choices.against), choices.platform_name, choices.known)
+    console = console_beside(choices.json_file, force=choices.force, inputs=read)
     for file in (choices.junit, choices.markdown):
-        check_file(file, force=choices.force)
+        check_file(file, force=choices.force, inputs=read)
     with shown_progress(console) as show:
         result = diagnose(
             choices.bags,

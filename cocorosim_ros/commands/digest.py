@@ -13,7 +13,7 @@ from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.reading_bar import ReadingBar
 from cocorosim_ros.commands.terminal import say
-from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag, recording_at
 
 if TYPE_CHECKING:
     from cocorosim_ros.wire.bags.digest import Digest
@@ -43,7 +43,7 @@ def command(ctx: click.Context, /, bags: tuple[Path, ...], topics: bool, json_fi
     Exit status: 0 if they are equal (or one bag was given), 1 if they differ, or if one of them does not hold what it
     held when it was closed; 2 if one cannot be read.
     """
-    console = console_beside(json_file, force=force)
+    console = console_beside(json_file, force=force, inputs=map(recording_at, bags))
     with ReadingBar(console) as bar:
         opened = [read_bag(path, bar.watch) for path in bags]
         from cocorosim_ros.wire.bags.comparison import bag_digest

@@ -74,11 +74,13 @@ def _check_many(options: dict[str, Any]) -> None:
 def diagnose_all(choices: FleetChoices) -> int:
     """Diagnose what is not there yet of a fleet; the exit status."""
     from cocorosim_ros.library.design import Watch
+    from cocorosim_ros.library.diagnose import inputs_of
     from cocorosim_ros.library.fleet import diagnose_fleet
 
     # As fleet.html, they are written anew each time: the same command goes on, and --force would begin again.
-    console = console_beside(choices.json_file, force=True)
-    check_file(choices.markdown, force=True)
+    read = inputs_of((), choices.platform_name, choices.known)
+    console = console_beside(choices.json_file, force=True, inputs=read)
+    check_file(choices.markdown, force=True, inputs=read)
     with ResumedBar(console, choices.fleet.name, "recordings") as bar:
         result = diagnose_fleet(
             choices.fleet,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -22,13 +23,14 @@ json_option = click.option(
 )
 
 
-def console_beside(json_file: Path | None, *, force: bool = True) -> Console:
+def console_beside(json_file: Path | None, *, force: bool = True, inputs: Iterable[Path] = ()) -> Console:
     """Where people's words go: to standard error if the JSON takes standard output.
 
-    Raises CocorosimError if the JSON cannot be written into its file, or would replace one (without `force`).
+    inputs: files and folders that are read. Raises CocorosimError if the JSON cannot be written into its file, or would
+    replace one (without `force`) or an input.
     """
     to_stdout = json_file == STANDARD_OUTPUT
-    check_file(None if to_stdout else json_file, force=force)
+    check_file(None if to_stdout else json_file, force=force, inputs=inputs)
     return Console(stderr=to_stdout)
 
 

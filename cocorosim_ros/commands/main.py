@@ -11,6 +11,7 @@ import click
 from cocorosim_ros import __version__
 from cocorosim_ros.commands.interruption import INTERRUPTED
 from cocorosim_ros.commands.missing_package import missing_package
+from cocorosim_ros.commands.path_sentence import path_sentence
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 
 UNUSABLE_INPUT = 2
@@ -84,19 +85,23 @@ def main() -> None:
     try:
         status = cocorosim.main(prog_name="cocorosim", standalone_mode=False)
         sys.exit(status if isinstance(status, int) else 0)
-    except CocorosimError as error:
-        click.echo(f"cocorosim: {error}", err=True)
-        sys.exit(UNUSABLE_INPUT)
-    except ModuleNotFoundError as error:
-        sentence = missing_package(error.name or "")
-        if sentence is None:
-            raise
-        click.echo(f"cocorosim: {sentence}", err=True)
-        sys.exit(UNUSABLE_INPUT)
-    except click.ClickException as error:
-        click.echo(f"cocorosim: {error.format_message()}", err=True)
-        sys.exit(UNUSABLE_INPUT)
     except click.Abort:
         sys.exit(INTERRUPTED)
     except BrokenPipeError:
         sys.exit(0)
+    except (CocorosimError, click.ClickException, ModuleNotFoundError, OSError) as error:
+        sentence = _sentence(error)
+        if sentence is None:
+            raise
+        click.echo(f"cocorosim: {sentence}", err=True)
+        sys.exit(UNUSABLE_INPUT)
+
+
+def _sentence(error: Exception) -> str | None:
+    """What is said of an error; None for one that is a fault of ours and keeps its traceback."""
+    if isinstance(error, click.ClickException):
+        return error.format_message()
+    if isinstance(error, ModuleNotFoundError):
+        missing = missing_package(error.name or "")
+        return None if missing is None else str(missing)
+    return path_sentence(error) if isinstance(error, OSError) else str(error)

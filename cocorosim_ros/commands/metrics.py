@@ -12,7 +12,7 @@ from cocorosim_ros.commands.json_output import console_beside, give_json, json_o
 from cocorosim_ros.commands.reading_bar import ReadingBar
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.wire.bags.bag_reader import read_bag
+from cocorosim_ros.wire.bags.bag_reader import read_bag, recording_at
 
 
 @with_examples("cocorosim metrics runs/one --all", "cocorosim metrics runs/one --interval '1 s' --picture one.png")
@@ -32,8 +32,8 @@ def command(
     nav_msgs/msg/Odometry, poses of any name, or moving frames in /tf. Where all robots have the same stamps, each stamp
     is a moment; otherwise poses are interpolated to common moments, gaps are left out, and both are said.
     """
-    console = console_beside(json_file, force=force)
-    check_file(picture, force=force)
+    console = console_beside(json_file, force=force, inputs=[recording_at(bag)])
+    check_file(picture, force=force, inputs=[recording_at(bag)])
     seconds = _seconds(interval)
     with ReadingBar(console) as bar:
         opened = read_bag(bag, bar.watch)

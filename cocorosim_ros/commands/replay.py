@@ -19,7 +19,7 @@ from cocorosim_ros.commands.interruption import INTERRUPTED, Interruption
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag, recording_at
 from cocorosim_ros.wire.live.opening import foxglove_port, foxglove_server
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def command(ctx: click.Context, /, **options: object) -> None:
     /shoal_statistics is left to a metrics node where one publishes them.
     """
     choices = ReplayChoices(**options)  # type: ignore[arg-type]
-    console = console_beside(choices.json_file, force=choices.force)
+    console = console_beside(choices.json_file, force=choices.force, inputs=[recording_at(choices.bag)])
     bag = read_bag(choices.bag)
     from cocorosim_ros.wire.bags.playback import choose_span, choose_topics
 

@@ -19,7 +19,7 @@ from cocorosim_ros.commands.reading_bar import ReadingBar
 from cocorosim_ros.commands.terminal import say
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.output_file import check_file
-from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
+from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag, recording_at
 
 if TYPE_CHECKING:
     from cocorosim_ros.library.recording import Recording
@@ -62,8 +62,9 @@ def command(**options: object) -> None:
     hears whom, trails, shoals by colour, currents, and the metrics on the same time line.
     """
     choices = _ViewChoices(**options)  # type: ignore[arg-type]
-    console = console_beside(choices.json_file, force=choices.force)
-    check_file(choices.out, force=choices.force)
+    read = [recording_at(path) for path in (choices.bag, choices.against) if path is not None]
+    console = console_beside(choices.json_file, force=choices.force, inputs=read)
+    check_file(choices.out, force=choices.force, inputs=read)
     with ReadingBar(console) as bar:
         opened = [read_bag(path, bar.watch) for path in (choices.bag, choices.against) if path is not None]
         with compiling_told(console, "the statistics"):

@@ -36,7 +36,7 @@ def begin_file(
             "name",
         )
     file = Path(f"{name}{KINDS[kind]}" if out is None else place_text(out, "out"))
-    check_file(file, force=force)
+    check_file(file, force=force, inputs=_read(recording))
     text = shipped_file(f"templates/{kind}{KINDS[kind]}").read_text("utf-8")
     if recording is not None:
         from cocorosim_ros.library.platform_for import with_the_parts_of
@@ -47,6 +47,13 @@ def begin_file(
     text = text.replace("NAME", name).replace("CLASS", class_name(name))
     write_text(file, text)
     return file
+
+
+def _read(recording: Place | None) -> list[Path]:
+    """What must not be replaced: the recording, where one is read."""
+    from cocorosim_ros.wire.bags.bag_reader import recording_at
+
+    return [] if recording is None else [recording_at(place_text(recording, "for"))]
 
 
 def class_name(name: str) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Integers
 from cocorosim_ros.foundation.card import Card, Shown, digits
 from cocorosim_ros.foundation.data_frame import data_frame
+from cocorosim_ros.foundation.input_place import refuse_inputs
 from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
 from cocorosim_ros.scenario.reading.config_files import find_config
 
@@ -134,9 +135,11 @@ def convert(
     from cocorosim_ros.wire.conversion.map_file import load_map
 
     mapped, place, target = load_map(file), Path(place_text(source, "source")), Path(place_text(out, "out"))
+    from cocorosim_ros.wire.conversion.kept_sources import kept_from
     from cocorosim_ros.wire.conversion.sources import check_there
 
     check_there(mapped, place)
+    refuse_inputs(target, [file, *kept_from(target, place)])
     from cocorosim_ros.wire.conversion.conversion import convert as convert_source
 
     made = convert_source(mapped, place, target, force=force, progress=progress)

@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
+from cocorosim_ros.foundation.input_place import refuse_inputs
 from cocorosim_ros.scenario.parts.known_effects import knowing
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
-from cocorosim_ros.wire.bags.bag_reader import check_there
+from cocorosim_ros.scenario.reading.config_files import find_config
+from cocorosim_ros.wire.bags.bag_reader import check_there, recording_at
 
 if TYPE_CHECKING:
     from cocorosim_ros.library.diagnosis_result import DiagnosisResult
@@ -53,6 +55,8 @@ def diagnose(
         check_folder(Path(place_text(out, "out")), force=force)
     model = model_of(platform, known)
     judged, well = _paths(bags, "bags"), [] if against is None else _paths(against, "against")
+    if out is not None:
+        refuse_inputs(Path(place_text(out, "out")), inputs_of((*judged, *well), platform, known))
     # Loaded here: a path that is wrong is said before the weight comes.
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.library.diagnosis_result import DiagnosisResult
@@ -74,6 +78,12 @@ def diagnose(
         progress("writing", 1.0)
         result.save(out, force=force)
     return result
+
+
+def inputs_of(bags: Sequence[Path], platform: Place | Platform, known: Place | Platform | None) -> list[Path]:
+    """The files and folders that a diagnosis reads, which its results must not replace."""
+    files = [each for each in (platform, known) if each is not None and not isinstance(each, Platform)]
+    return [*map(recording_at, bags), *(find_config("platforms", place_text(file, "platform")) for file in files)]
 
 
 def model_of(platform: Place | Platform, known: Place | Platform | None) -> Platform:

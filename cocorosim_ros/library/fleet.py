@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from cocorosim_ros.diagnosis.fleet.recordings import find_recordings
+from cocorosim_ros.foundation.input_place import refuse_inputs
 from cocorosim_ros.foundation.processors import processors
 from cocorosim_ros.library.design import Watch
-from cocorosim_ros.library.diagnose import model_of
+from cocorosim_ros.library.diagnose import inputs_of, model_of
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.reading.arguments import Place, one_of, place_text, whole_number
 
@@ -56,6 +57,7 @@ def diagnose_fleet(
         workers = whole_number(workers, "workers")
     model = model_of(platform, known)
     place, folder = Path(place_text(fleet, "fleet")), Path(place_text(out, "out"))
+    refuse_inputs(folder, inputs_of((), platform, known))
     recordings = find_recordings(place.absolute())  # a worker elsewhere has another working folder
     # Loaded here: a path that is wrong is said before the weight comes.
     from cocorosim_ros.diagnosis.fleet.findings import fleet_findings

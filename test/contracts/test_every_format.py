@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -145,10 +146,26 @@ def test_a_library_that_is_missing(
     assert f"`pip install {OPTIONAL[name]}`" in refusal(name, logs[name], tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("first", "kind"),
+    [("[Content_Types].xml", "excel"), ("docProps/app.xml", "excel"), ("mimetype", "spreadsheet"), ("x.npy", "npz")],
+)
+def test_zip_archives_are_told_by_their_first_file(first: str, kind: str, tmp_path: Path) -> None:
+    """As Excel, libraries that write its files, LibreOffice and NumPy begin theirs."""
+    content = "application/vnd.oasis.opendocument.spreadsheet" if first == "mimetype" else "<xml/>"
+    with zipfile.ZipFile(tmp_path / "log", "w") as archive:
+        archive.writestr(first, content)
+    found = kind_of(tmp_path / "log")
+    assert found is not None and found.key == kind
+    if kind != "npz":
+        assert "; save it as CSV" in refusal("csv", (tmp_path / "log").read_bytes(), tmp_path)
+
+
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.key)
 def test_every_kind_of_file_is_known(kind: object, tmp_path: Path) -> None:
     """A file that begins so is called by its name, with a way out, where CSV is asked for and where a bag is."""
     content = (bytes(8) if kind.eighth else bytes(kind.at)) + kind.eighth + (b"" if kind.eighth else kind.magic)
+    content = content.ljust(30, b"\1") + kind.first if kind.first else content
     file = tmp_path / "log.csv"
     file.write_bytes(content + b"\1" * 600)
     assert kind_of(file).key == kind.key

@@ -14,6 +14,8 @@ import numpy as np
 import pytest
 
 import cocorosim_ros as cocorosim
+from cocorosim_ros.diagnosis.checking.topic_log import TopicLog
+from cocorosim_ros.diagnosis.checking.units import check_units
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr import type_store
 
@@ -328,6 +330,27 @@ def test_each_thing_that_is_broken_is_named(name: str, checked: Callable[[Log], 
     found = checked(log)
     assert kind in found.kinds, found.words
     assert words in found.words
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.01])
+def test_a_pose_made_of_degrees(noise: float) -> None:
+    """A vehicle that swings by 60 degrees to and fro: its track turns as it does, or 57 times less."""
+    draw = np.random.default_rng(3)
+    time = np.arange(0.0, 90.0, 0.1)
+    yaw = 1.0 * np.sin(0.3 * time)
+    place = np.cumsum(0.1 * np.array([np.cos(yaw), np.sin(yaw)]), axis=1) + draw.normal(0.0, noise, (2, time.size))
+    upright = np.zeros(time.size)
+    columns = [f"pose.position.{axis}" for axis in "xyz"] + [f"pose.orientation.{axis}" for axis in "xyzw"]
+    found = []
+    for recorded in (yaw, np.degrees(yaw)):
+        turn = [upright, upright, np.sin(recorded / 2), np.cos(recorded / 2)]
+        values = np.column_stack([*place, upright, *turn])
+        at = np.array(time * 1e9, dtype=np.int64)
+        topic = TopicLog("/boat/pose", "geometry_msgs/msg/PoseStamped", at, at, at, tuple(columns), values)
+        found.append([each.sentence for each in check_units(topic)])
+    assert found[0] == []
+    assert len(found[1]) == 1
+    assert "as its track does: it was made of degrees taken for radians" in found[1][0]
 
 
 def test_a_recording_that_is_none(tmp_path: Path) -> None:

@@ -47,7 +47,7 @@ def test_recordings_of_several_runs(log: tuple[Path, Path], tmp_path: Path) -> N
     (extent,) = first.topics
     assert (extent.robot, extent.topic, extent.messages, first.messages) == ("boat", "pose", 3, 3)
     assert (extent.duration, extent.rate, extent.longest_gap) == (4.0, 0.5, 3.0)
-    assert "1 rows with missing or infinite numbers were left out" in first.findings[0]
+    assert "1 row with missing or infinite numbers was left out" in first.findings[0]
     assert done.findings == tuple(f"{name}: {first.findings[0].replace('one', name)}" for name in ("one", "two"))
     track = first.read().tracks["boat"]
     assert track.position[:, 0].tolist() == [0.0, 1.0, 3.0]

@@ -91,6 +91,14 @@ def test_paper_scenario_uses_the_paper_numerics() -> None:
     assert {robot.platform.name for robot in paper.robots} == {"lily_paper"}
 
 
+def test_a_folder_is_no_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is called a folder, where a list of all names would not help."""
+    monkeypatch.chdir(tmp_path)
+    Path("logs").mkdir()
+    with pytest.raises(cocorosim_ros.CocorosimError, match="'logs' is a folder, no map; name the YAML file in it"):
+        find_config("maps", "logs")
+
+
 def test_installed_files_are_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Without a checkout, names are looked up below AMENT_PREFIX_PATH, missing prefixes or not."""
     folder = tmp_path / "share" / "cocorosim_ros" / "config" / "platforms"

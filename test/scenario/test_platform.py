@@ -73,6 +73,14 @@ def test_lily_has_the_numbers_of_the_contract() -> None:
     assert lily.effects == {}
 
 
+def test_a_map_is_no_platform() -> None:
+    """A map of `convert` that is given for the platform of a diagnosis."""
+    with pytest.raises(
+        CocorosimError, match=r"odometry_bag\.yaml is a map of `cocorosim convert`.*, no platform; give"
+    ):
+        load_platform(Path(__file__).parents[2] / "config" / "maps" / "odometry_bag.yaml")
+
+
 def test_lily_wrenches() -> None:
     """The left thruster pushes ahead and turns to the right, the pump lifts 0.0981 N."""
     lily = load_platform("lily")

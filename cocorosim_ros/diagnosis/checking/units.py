@@ -23,9 +23,11 @@ from cocorosim_ros.diagnosis.criteria.checking import ACCELERATIONS, CHECKING
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.units.units import units_in_files
 from cocorosim_ros.scenario.reading.entry import listed
+from cocorosim_ros.wire.conversion.doubts import like_degrees
 from cocorosim_ros.world.sensors.pose import yaw_of_quaternions
 
 _HEADINGS = re.compile(r"(heading|compass|yaw)", re.IGNORECASE)
+_POSES = ("pose", "pose.pose")
 _RATES = ("angular_velocity.z", "twist.twist.angular.z")
 
 
@@ -35,6 +37,7 @@ def check_units(topic: TopicLog) -> Iterator[Oddity]:
         *(_quaternion(topic, path) for path in topic.quaternions),
         _acceleration(topic),
         *(_turning(topic, path) for path in _RATES),
+        *(_turning_of_track(topic, path) for path in _POSES),
         _velocity(topic),
         _pressure(topic),
         _heading(topic),
@@ -115,6 +118,22 @@ def _turning(topic: TopicLog, path: str) -> str:
     return _compared(path, "the turning of its own attitude", averaged(time, rate), seen, degrees=True)
 
 
+def _turning_of_track(topic: TopicLog, path: str) -> str:
+    """A sentence if a pose turns 57 times as its direction of travel does, which no current or drift makes."""
+    place, turn = topic.vector(f"{path}.position", "xy"), topic.vector(f"{path}.orientation", "xyzw")
+    if place is None or turn is None or len(place) < CHECKING.fewest:
+        return ""
+    time = topic.time()
+    course = np.unwrap(np.arctan2(*rates_of(time, place).T[::-1]))
+    time, heading = time[: len(course)], np.unwrap(yaw_of_quaternions(turn))[: len(course)]
+    seen, told = rate_of(time, course), rate_of(time, heading)
+    slope, related = slope_and_correlation(seen, told)
+    moving = float(np.std(seen)) >= CHECKING.moving and related > CHECKING.related
+    if not moving or not 1.0 / CHECKING.ratio < slope / math.degrees(1.0) < CHECKING.ratio:
+        return ""
+    return f"{path}.orientation turns {slope:.0f} times as its track does: it was made of degrees taken for radians."
+
+
 def _attitude_beside(path: str) -> str:
     return "orientation" if path.startswith("angular") else "pose.pose.orientation"
 
@@ -172,4 +191,5 @@ def _heading(topic: TopicLog) -> str:
     largest = float(np.nanmax(np.abs(topic.numbers(column)), initial=0.0))
     if largest <= 2.0 * math.pi + CHECKING.unit_quaternion:
         return ""
-    return f"{column} reaches {largest:.1f}: it is in degrees, or was never wrapped; ROS has radians."
+    found = "it is in degrees" if like_degrees(topic.number(column)) else "it is in degrees, or was never wrapped"
+    return f"{column} reaches {largest:.1f}: {found}; ROS has radians."

@@ -242,6 +242,12 @@ class SufficiencyCriteria:
     """[s] the same for vehicles that coast for less than two seconds. Chosen, not measured."""
     fewest: int = 20
     """[readings] of one stream at least; fewer show no motion beside their noise. Chosen, not measured."""
+    sparse: float = 10.0
+    """[coasting times] between readings, median, of the quickest stream: a motion that was begun after one has died out
+    long before the next. Chosen, not measured: gliders that report every 10 s coast for minutes."""
+    sparse_seconds: float = 10.0
+    """[s] the same for vehicles that coast for less than a second, such as boats with a satellite receiver. Chosen, not
+    measured."""
     still: float = 5.0
     """[standard deviations of a mean over `over`] that noise alone never makes. Chosen, not measured."""
     over: float = 1.0

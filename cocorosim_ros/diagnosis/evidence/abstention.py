@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -66,14 +66,9 @@ def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform, g
     if not len(robot.command_time):
         return f"{place} has no commands; record its thruster_command too, because motion is explained by them."
     streams = {topic: stream for topic, stream in robot.streams.items() if len(stream.time) >= SUFFICIENCY.fewest}
-    if not streams:
-        *others, last = STREAMS
-        usable = f"{', '.join(others)} or {last}"
-        found = ", ".join(f"{len(stream.time)} of {topic}" for topic, stream in robot.streams.items()) or "none"
-        return (
-            f"{place} has too few readings in {recording.duration:.1f} s ({found}) of {usable}; "
-            f"{SUFFICIENCY.fewest} of one of them are the least that shows how it moves."
-        )
+    lacking = _too_sparse(streams, platform) if streams else _too_few(robot, recording.duration)
+    if lacking:
+        return f"{place} {lacking}"
     common = common_time(robot)
     if common < SUFFICIENCY.shortest:
         return (
@@ -92,6 +87,31 @@ def why_unusable(robot: RobotLog, recording: RecordingLog, platform: Platform, g
         shown = ", ".join(sorted(streams))
         return f"{place} never moves: there is nothing but noise in {shown}; check that these are its readings."
     return ""
+
+
+def _too_few(robot: RobotLog, duration: float) -> str:
+    """The rest of a sentence about streams none of which has enough readings in so many seconds."""
+    *others, last = STREAMS
+    usable = f"{', '.join(others)} or {last}"
+    found = ", ".join(f"{len(stream.time)} of {topic}" for topic, stream in robot.streams.items()) or "none"
+    return (
+        f"has too few readings in {duration:.1f} s ({found}) of {usable}; {SUFFICIENCY.fewest} of one of them are the "
+        "least that shows how it moves."
+    )
+
+
+def _too_sparse(streams: Mapping[str, Stream], platform: Platform) -> str:
+    """The rest of a sentence if all streams have readings too far apart to follow a vehicle of that platform."""
+    apart = {topic: float(np.median(np.diff(stream.time))) for topic, stream in streams.items()}
+    quickest = min(apart, key=lambda topic: apart[topic])
+    coasting = coasting_time(platform)
+    if apart[quickest] <= max(SUFFICIENCY.sparse * coasting, SUFFICIENCY.sparse_seconds):
+        return ""
+    return (
+        f"has readings {apart[quickest]:.3g} s apart in the median ({quickest}), and a {platform.name} coasts for "
+        f"{coasting:.1f} s, so that nothing shows how it moves between them; record more often, or correct the unit of "
+        "'time' in the map by which it was converted."
+    )
 
 
 def _logs(name: str, recordings: Sequence[RecordingLog]) -> list[RobotLog]:

@@ -16,9 +16,11 @@ from cocorosim_ros.diagnosis.guessing.recognising import recognised
 from cocorosim_ros.diagnosis.guessing.table_files import ENDINGS, table_of_file
 from cocorosim_ros.diagnosis.guessing.units_by_size import with_units
 from cocorosim_ros.foundation.errors import CocorosimError
+from cocorosim_ros.scenario.reading.entry import listed
 from cocorosim_ros.scenario.reading.yaml_file import yaml_text
-from cocorosim_ros.wire.bags.file_kinds import kind_of
+from cocorosim_ros.wire.bags.file_kinds import kind_of, told
 from cocorosim_ros.wire.bags.poses_of_others import frame_name
+from cocorosim_ros.wire.conversion.formats.bag import BAG
 
 _READY = {"dataflash": "ardusub_dataflash", "tlog": "ardusub_tlog"}  # their messages are the same for every vehicle
 _ONE = "vehicle"
@@ -77,6 +79,10 @@ def _tables(source: Path) -> tuple[str, list[LogTable], list[str]]:
         )
     if kind is not None and kind.key == "ulog":
         return "ulog", list(tables_of_ulog(source)), []
+    if source.is_file() and (kind is None or kind.key not in BAG.kinds):
+        endings = listed(sorted(ENDINGS))
+        what = f"it {told(kind, source)}" if kind else f"its kind is not known; a table has an ending of {endings}"
+        raise CocorosimError(f"{source} is no log that a map can be guessed for: {what}.")
     files = sorted(each for each in source.iterdir() if each.suffix.lower() in ENDINGS) if source.is_dir() else []
     if files and not any(each.suffix in (".mcap", ".db3") for each in source.iterdir()):
         return _tables_of_folder(files)

@@ -19,8 +19,9 @@ from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import UNITS
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout
+from cocorosim_ros.wire.conversion.csv_rows import refuse_utf16
 from cocorosim_ros.wire.conversion.formats import FORMATS
-from cocorosim_ros.wire.conversion.formats.format import FileFormat
+from cocorosim_ros.wire.conversion.formats.format import BY_NAME, FileFormat, check_file
 
 ENDINGS = {".csv": "csv", ".txt": "csv", ".tsv": "csv", ".dat": "csv", ".log": "csv", ".parquet": "parquet",
            ".npz": "npz", ".mat": "mat"}  # fmt: skip
@@ -46,9 +47,10 @@ def table_of_file(path: Path, pattern: str) -> tuple[LogTable, str]:
     Raises CocorosimError for a file that has no columns with names, or no time.
     """
     chosen = FORMATS[ENDINGS[path.suffix.lower()]]
-    layout = _layout(path) if ENDINGS[path.suffix.lower()] == "csv" else CsvLayout()
     if not isinstance(chosen, FileFormat):
         raise TypeError(f"{path.suffix} is no table")
+    check_file(path, path.name, chosen.summary, chosen.kinds, BY_NAME)
+    layout = _layout(path) if ENDINGS[path.suffix.lower()] == "csv" else CsvLayout()
     columns = dict(_columns(chosen.rows(path, path.name, layout)))
     name, unit, doubt = _time(path, columns)
     factor = float(UNITS["time"][unit])
@@ -114,6 +116,7 @@ def _layout(path: Path) -> CsvLayout:
         text = path.read_bytes()[: 1 << 16]
     except OSError as error:
         raise CocorosimError(f"{path} cannot be read: {error.strerror}; check its name and permissions.") from error
+    refuse_utf16(text, path.name)
     encoding = "utf-8" if _is_utf8(text) else "latin-1"
     lines = [line for line in text.decode(encoding, "replace").splitlines()[: GUESSING.head_lines] if line.strip()]
     comment = "#" if lines and lines[0].startswith("#") and len(lines) > 1 and not lines[1].startswith("#") else ""

@@ -11,20 +11,29 @@ from cocorosim_ros.foundation.errors import ArgumentError
 
 FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
 OVERLAY_FOLDER = "overlay"
-_UNFINISHED = ".overlay.partial"
+_PARTIAL = ".partial"
+"""How what is not written in full yet ends, which a diagnosis that was killed leaves behind."""
+_UNFINISHED = f".overlay{_PARTIAL}"
 
 
 def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
     """Check that the files of a diagnosis can be written into a folder.
 
-    argument: which one named the folder. Raises CocorosimError if that is a file or holds a diagnosis already (without
-    `force`).
+    argument: which one named the folder. Raises CocorosimError if that is a file, holds a diagnosis already (without
+    `force`), or holds other people's files and no diagnosis.
     """
     if folder.exists() and not folder.is_dir():
         raise ArgumentError(f"{folder} is a file; give a folder with '{argument}'.", argument)
     there = [name for name in (*FILES, OVERLAY_FOLDER) if (folder / name).exists()]
     if there and not force:
         told = f"{folder / there[0]} exists already; give another folder with '{argument}', or 'force'."
+        raise ArgumentError(told, argument, "force")
+    foreign = sorted(each.name for each in folder.iterdir() if each.suffix != _PARTIAL) if folder.is_dir() else []
+    if foreign and not there:
+        told = (
+            f"{folder} holds '{foreign[0]}', which is no part of a diagnosis, so nothing is written there, even with "
+            f"'force'; give another folder with '{argument}'."
+        )
         raise ArgumentError(told, argument, "force")
 
 
@@ -41,7 +50,7 @@ def write_folder(
     then an older one is taken away too. Raises CocorosimError if anything fails; then everything is as it was.
     """
     made = _missing(folder)
-    partial = {folder / f".{name}.partial": folder / name for name in texts}
+    partial = {folder / f".{name}{_PARTIAL}": folder / name for name in texts}
     unfinished = folder / _UNFINISHED / OVERLAY_FOLDER
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -27,6 +27,7 @@ from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.config_files import find_config
 from cocorosim_ros.scenario.reading.entry import Entry, quoted
 from cocorosim_ros.scenario.reading.law_text import LawText
+from cocorosim_ros.scenario.reading.other_files import refuse_maps
 from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.ranges import INTERVAL, Ranges, collect_ranges, ranges_tree, read_ranges
 from cocorosim_ros.scenario.reading.records import (
@@ -228,6 +229,7 @@ def load_platform(name_or_path: str | Path) -> Platform:
 def read_platform_file(path: Path) -> Platform:
     """The platform that a file describes; every number in it must carry its source."""
     entry = load_yaml(path)
+    refuse_maps(entry, "platform")
     require_sources(entry)
     return replace(read_platform(with_base(entry, "platforms")), origin=entry.file)
 

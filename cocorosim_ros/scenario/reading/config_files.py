@@ -44,6 +44,8 @@ def find_config(kind: str, name_or_path: str) -> Path:
     path = _located(kind, name_or_path, Path())
     if path is None:
         name = name_or_path
+        if os.path.isdir(name):
+            raise CocorosimError(f"'{name}' is a folder, no {_singular(kind)}; name the YAML file in it.")
         raise CocorosimError(
             f"'{name}' is the name of no {_singular(kind)}{nearest(name, config_names(kind))}, or a path."
         )

@@ -88,6 +88,12 @@ def check_there(path: Path | str) -> Path:
     return place
 
 
+def recording_at(path: Path | str) -> Path:
+    """The file or folder that holds the recording at a path: of the folder of a run, its part."""
+    place = Path(path)
+    return place / RUN_PART if (place / RUN_PART).is_dir() and not any(place.glob("*.mcap")) else place
+
+
 def read_bag(path: Path | str, watch: Watch | None = None) -> Bag:
     """The recording at a path: a rosbag2 folder with MCAP files, one MCAP file, or the folder of a run (its `bag`).
 
@@ -99,8 +105,7 @@ def read_bag(path: Path | str, watch: Watch | None = None) -> Bag:
     if not place.is_dir():
         _refuse_sqlite(place, [place])
         return Bag(place, [McapFile(place, watch=watch)], [])
-    if (place / RUN_PART).is_dir() and not any(place.glob("*.mcap")):
-        place /= RUN_PART
+    place = recording_at(place)
     layout = None
     if (place / bag_metadata.FILE_NAME).exists():
         layout = bag_metadata.read_layout(place / bag_metadata.FILE_NAME)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from cocorosim_ros.foundation.counted import counted
 from cocorosim_ros.wire.bags.mcap_file import Contents
 
 METADATA_NAME = "cocorosim"  # of the record that says what a recording was made from
@@ -92,6 +93,6 @@ def _damage(path: Path, files: Sequence[Contents], problems: Sequence[str], coun
         until = f" until t = {end_ns / 1e9:.3f} s" if count else ""
         goes_on = any(contents.being_written for contents in files)
         state = "is still being recorded" if goes_on else "was not closed"
-        parts.append(f"{path} {state}: read up to its last whole chunk, {count} messages{until}")
+        parts.append(f"{path} {state}: read up to its last whole chunk, {counted(count, 'message')}{until}")
     parts.extend(f"in {path} {damage}" for contents in files for damage in contents.damage)
     return "; ".join(parts) + "." if parts else ""

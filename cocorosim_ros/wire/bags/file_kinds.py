@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+_ZIP = b"PK\x03\x04"
 HEAD = 1024  # bytes; HDF5 inside a MATLAB file begins at 512
+_ZIPPED = "arrays of NumPy are read by 'format: npz'; save a spreadsheet as CSV, unpack others"
 _BY_MAP = "write a map with 'format: {format}' and use `cocorosim convert MAP.yaml {file} --out BAG`"
 
 
@@ -19,6 +21,7 @@ class FileKind:
     way_out: str  # where {file} is the file's name
     at: int = 0  # where the magic bytes stand
     eighth: bytes = b""  # what stands behind a time of eight bytes
+    first: bytes = b""  # how the name of the first file in a zip archive begins
 
 
 KINDS: tuple[FileKind, ...] = (
@@ -38,7 +41,10 @@ KINDS: tuple[FileKind, ...] = (
     FileKind("hdf5", "an HDF5 file", b"\x89HDF\r\n\x1a\n", "convert it to CSV or Parquet", at=512),
     FileKind("netcdf", "a netCDF file", b"CDF\x01", "convert it to CSV or Parquet, for instance with xarray"),
     FileKind("npy", "a single NumPy array", b"\x93NUMPY", "save its columns by name with `numpy.savez`"),
-    FileKind("npz", "a zip archive", b"PK\x03\x04", "arrays of NumPy are read by 'format: npz'; unpack others"),
+    *(FileKind("excel", "an Excel file", _ZIP, "save it as CSV", first=name)
+      for name in (b"[Content_Types].xml", b"_rels/", b"docProps/", b"xl/")),
+    FileKind("spreadsheet", "a spreadsheet", _ZIP, "save it as CSV", first=b"mimetypeapplication/vnd.oasis"),
+    FileKind("npz", "a zip archive", _ZIP, _ZIPPED),
     FileKind("arrow", "an Arrow file", b"ARROW1", "write it as Parquet with pyarrow"),
     FileKind("pickle", "a Python pickle", b"\x80\x04", "save it as Parquet, npz or CSV: a pickle can run code"),
     FileKind("pickle", "a Python pickle", b"\x80\x05", "save it as Parquet, npz or CSV: a pickle can run code"),
@@ -59,9 +65,12 @@ def kind_of(path: Path) -> FileKind | None:
 
 def kind_in(head: bytes) -> FileKind | None:
     """The kind of a file that begins with these bytes, at least `HEAD` of them if it has so many."""
-    return next(
-        (kind for kind in KINDS if head.startswith(kind.magic, kind.at) and head.startswith(kind.eighth, 8)), None
-    )
+    return next((kind for kind in KINDS if _begins(head, kind)), None)
+
+
+def _begins(head: bytes, kind: FileKind) -> bool:
+    parts = ((kind.magic, kind.at), (kind.eighth, 8), (kind.first, 30))
+    return all(head.startswith(part, at) for part, at in parts if part)
 
 
 def told(kind: FileKind, file: Path) -> str:

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import SupportsInt
 
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion import attitude
 from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
+from cocorosim_ros.wire.conversion.doubts import doubtful_angles
 from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
 from cocorosim_ros.wire.conversion.streams import (
     StreamRows,
+    angles_among,
     heading_of_travel,
     is_made_of_depth,
     named_rows,
@@ -24,6 +29,7 @@ from cocorosim_ros.wire.conversion.streams import (
 from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK
 
 COMMAND = "thruster_command"
+_UNSET = "with an attitude of four zeros, which was not known,"
 
 
 @dataclass(frozen=True)
@@ -37,37 +43,67 @@ class Stream:
     travels: bool = False  # the heading is still to be taken from the track
     sort: bool = False  # rows whose time runs backwards are sorted
     from_depth: bool = False  # pressures that were made of depths
+    source: str = ""  # file or topic, and table of the map, that it is from
 
 
 def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) -> Iterator[Stream]:
     """The streams of every robot in the rows of one file or topic; `named` is what {robot} is in its name."""
     stamps, timed = rows.stamps(table.time)
     if not timed.all():
-        findings.append(f"{rows.origin}: {np.count_nonzero(~timed)} rows without a time were left out.")
+        findings.append(f"{rows.origin}: {_rows_left_out(np.count_nonzero(~timed), 'without a time')}.")
     robots = _robots(table.robot, rows, named)
     for mapped in table.streams:
         columns = {
             name: in_si(value, rows) for name, value in mapped.values.items() if not isinstance(value, TravelValue)
         }
-        given = np.isfinite(list(columns.values()))
-        # An actuator whose current is not in every row still reports its rotation there.
-        usable = timed & (given.any(axis=0) if mapped.topic == FEEDBACK else given.all(axis=0))
-        if attitude.QUATERNION[0] in columns:
-            usable &= ~attitude.unset(columns)
-            attitude.check_normalised(columns, usable, rows, mapped.place)
+        usable, unset = _usable(mapped, columns, timed, rows)
         for robot, mine in robots.items():
             place = f"{robot}/{mapped.topic} from {rows.origin}"
-            dropped = np.count_nonzero(mine & timed & ~usable)
-            if dropped:
-                findings.append(f"{place}: {dropped} rows with missing or infinite numbers were left out.")
+            for left_out, why in ((~usable & ~unset, "with missing or infinite numbers"), (unset, _UNSET)):
+                if dropped := np.count_nonzero(mine & timed & left_out):
+                    findings.append(f"{place}: {_rows_left_out(dropped, why)}.")
             chosen = mine & usable
             if not chosen.any():
                 findings.append(f"{place}: no usable row, so there is no such topic.")
                 continue
             kept = {name: column[chosen] for name, column in columns.items()}
+            findings += doubtful_angles(place, angles_among(mapped), kept)
             content = _content(mapped, kept, place, findings)
-            of_depth = is_made_of_depth(mapped.topic, mapped.values)
-            yield Stream(robot, mapped.topic, stamps[chosen], content, travels(mapped.values), table.sort, of_depth)
+            yield Stream(
+                robot,
+                mapped.topic,
+                stamps[chosen],
+                content,
+                travels(mapped.values),
+                table.sort,
+                is_made_of_depth(mapped.topic, mapped.values),
+                f"{rows.origin} ({table.place.key})",
+            )
+
+
+def _usable(mapped: StreamMap, columns: Mapping[str, Floats], timed: Flags, rows: Rows) -> tuple[Flags, Flags]:
+    """(n,) which rows have all numbers, and which have a quaternion that was never set.
+
+    Raises CocorosimError for quaternions that are none, and for a pose of which no attitude was ever known.
+    """
+    given = np.isfinite(list(columns.values()))
+    # An actuator whose current is not in every row still reports its rotation there.
+    usable = timed & (given.any(axis=0) if mapped.topic == FEEDBACK else given.all(axis=0))
+    if attitude.QUATERNION[0] not in columns:
+        return usable, np.zeros(rows.count, dtype=bool)
+    unset = attitude.unset(columns)
+    if mapped.topic == "pose" and timed.any() and unset[timed].all():
+        raise mapped.place.problem(
+            f"has an attitude that is four zeros in all rows of {rows.origin}, so that it was never known; give 'yaw' "
+            "instead, which '{travel: true}' takes from the track."
+        )
+    usable &= ~unset
+    attitude.check_normalised(columns, usable, rows, mapped.place)
+    return usable, unset
+
+
+def _rows_left_out(number: SupportsInt, why: str) -> str:
+    return f"{counted(number, 'row')} {why} {either(number, 'was', 'were')} left out"
 
 
 def streams_of(parts: list[Stream], findings: list[str]) -> list[Stream]:
@@ -100,7 +136,8 @@ def joined(parts: list[Stream], findings: list[str]) -> Stream:
     stream = ordered[0] if len(ordered) == 1 else _held_together(ordered, findings)
     repeated = np.count_nonzero(np.diff(stream.stamp_ns) == 0)
     if repeated:
-        findings.append(f"{_name(stream)}: {repeated} messages repeat the stamp before them and were kept.")
+        words = either(repeated, "repeats the stamp before it and was", "repeat the stamp before them and were")
+        findings.append(f"{_name(stream)}: {counted(repeated, 'message')} {words} kept.")
     return _with_heading(stream) if stream.travels else stream
 
 
@@ -138,8 +175,9 @@ def _content(mapped: StreamMap, columns: Mapping[str, Floats], place: str, findi
     values = np.column_stack(list(columns.values()))
     beyond = np.count_nonzero((np.abs(values) > 1.0).any(axis=1))
     if beyond:
+        cut = f"{counted(beyond, 'command')} beyond -1..1 {either(beyond, 'was', 'were')} cut to it"
         limits = [value.place.key for value in mapped.values.values() if isinstance(value, CommandValue)]
-        findings.append(f"{place}: {beyond} commands beyond -1..1 were cut to it; check the limits at '{limits[0]}'.")
+        findings.append(f"{place}: {cut}; check the limits at '{limits[0]}'.")
     return named_rows("command", tuple(columns), np.clip(values, -1.0, 1.0))
 
 
@@ -152,10 +190,26 @@ def _pieces(parts: list[Stream]) -> list[Stream]:
 
 
 def _behind_each_other(parts: list[Stream]) -> Stream:
+    _refuse_overlap(parts)
     first = parts[0]
     values = np.vstack([part.rows.values for part in parts])
     stamps = np.concatenate([part.stamp_ns for part in parts])
     return replace(first, stamp_ns=stamps, rows=replace(first.rows, values=values), sort=all(p.sort for p in parts))
+
+
+def _refuse_overlap(parts: list[Stream]) -> None:
+    """Raise CocorosimError for parts that tell of the same time: they are no pieces of one log.
+
+    Sorted, their readings would take turns, and a robot would be in two places.
+    """
+    by_start = sorted(parts, key=lambda part: int(part.stamp_ns.min()))
+    for one, other in itertools.pairwise(by_start):
+        common = int(min(one.stamp_ns.max(), other.stamp_ns.max()) - other.stamp_ns.min()) / 1e9
+        if common > 0.0:
+            raise CocorosimError(
+                f"{_name(one)} is given by {one.source} and by {other.source} for the same {common:.6g} s; give it by "
+                "one of them only, or tell them apart as robots or runs, by {robot} or {run} in 'files'."
+            )
 
 
 def _in_order(stream: Stream, findings: list[str]) -> Stream:
@@ -164,7 +218,8 @@ def _in_order(stream: Stream, findings: list[str]) -> Stream:
         return stream
     after = (stream.stamp_ns[back[0]] - stream.stamp_ns[0]) / 1e9
     by = (stream.stamp_ns[back[0]] - stream.stamp_ns[back[0] + 1]) / 1e9
-    found = f"{_name(stream)}: time runs backwards at {back.size} places, first by {by:.6g} s, {after:.6g} s after "
+    places = counted(back.size, "place")
+    found = f"{_name(stream)}: time runs backwards at {places}, first by {by:.6g} s, {after:.6g} s after "
     if not stream.sort:
         raise CocorosimError(f"{found}its first row; correct the log, or write 'backwards: sort' into its table.")
     findings.append(f"{found}its first row; the rows were sorted.")
@@ -188,7 +243,8 @@ def _held_together(parts: list[Stream], findings: list[str]) -> Stream:
         raise CocorosimError(f"{_name(first)}: {', '.join(names)} are never known together; check the times.")
     if not known.all():
         early = np.count_nonzero(~known)
-        findings.append(f"{_name(first)}: {early} moments before all actuators are known were left out.")
+        words = f"{counted(early, 'moment')} before all actuators are known {either(early, 'was', 'were')} left out"
+        findings.append(f"{_name(first)}: {words}.")
     values = np.hstack([part.rows.values[rows[known]] for part, rows in zip(parts, latest, strict=True)])
     return replace(first, stamp_ns=stamps[known], rows=named_rows("command", tuple(names), values))
 

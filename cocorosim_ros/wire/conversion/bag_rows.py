@@ -9,6 +9,7 @@ import numpy as np
 from rosbags.serde import SerdeError
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.cdr import field_paths
@@ -16,6 +17,15 @@ from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
 from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
 from cocorosim_ros.wire.conversion.rows import LATEST_NS, ColumnError, Stamps
+
+
+def _nothing_in(log: MessageLog) -> CocorosimError:
+    """The error for a log without any message."""
+    why = "".join(f" ({told.rstrip('.')})" for told in log.damage)
+    return CocorosimError(
+        f"{log.name} holds no whole message{why}: it is damaged, or nothing was recorded; copy it again or give "
+        "another recording."
+    )
 
 
 class BagRows:
@@ -26,6 +36,8 @@ class BagRows:
         recorded = next((entry for entry in log.topics if entry.topic == topic and entry.count), None)
         if recorded is None:
             known = [entry.topic for entry in log.topics if entry.count]
+            if not known:
+                raise _nothing_in(log)
             raise place.problem(f"names {topic}, which has no message in {log.name}{nearest(topic, known)}.")
         self.origin = f"{topic} of {log.name}"
         self._type = recorded.type_name
@@ -44,7 +56,8 @@ class BagRows:
             self._logged.append(log_time_ns)
             self._headed.append(log.header_stamp(recorded, data, decoded))
         self.count = len(self._messages)
-        self.damage = f"{self.origin}: {unreadable} messages cannot be read and were left out." if unreadable else ""
+        lost = f"{counted(unreadable, 'message')} cannot be read and {either(unreadable, 'was', 'were')} left out"
+        self.damage = f"{self.origin}: {lost}." if unreadable else ""
         if not self._messages:
             raise CocorosimError(f"No message of {self.origin} is a {self._type}; record it again or leave it out.")
 

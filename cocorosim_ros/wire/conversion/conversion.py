@@ -20,9 +20,10 @@ from cocorosim_ros.wire.cdr.packed import PackedMessage
 from cocorosim_ros.wire.conversion.assembly import Stream, streams_of, table_streams
 from cocorosim_ros.wire.conversion.beside import BesideRows, neighbour
 from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
+from cocorosim_ros.wire.conversion.doubts import doubtful_times
 from cocorosim_ros.wire.conversion.formats import FORMATS
 from cocorosim_ros.wire.conversion.formats.format import FileFormat, LogFormat, check_file
-from cocorosim_ros.wire.conversion.rows import Rows
+from cocorosim_ros.wire.conversion.rows import Rows, Stamps
 from cocorosim_ros.wire.conversion.sources import Run, SourceFile, check_there, find_runs, sha256_of
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
@@ -173,6 +174,10 @@ def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[
     if not streams:
         where = f"run {run} of the source" if run else "the source"
         raise CocorosimError(f"{mapped.file} finds nothing to convert in {where}: {' '.join(findings)}")
+    stamps: dict[str, list[Stamps]] = {}
+    for stream in streams:
+        stamps.setdefault(_topic(stream), []).append(stream.stamp_ns)
+    findings += doubtful_times(stamps)
     metadata = {
         "converted_from": json.dumps(source.hashes, sort_keys=True),
         "conversion_map": mapped.text,

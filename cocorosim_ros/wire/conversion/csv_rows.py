@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,11 +10,19 @@ from pathlib import Path
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.wire.bags.file_kinds import HEAD
 from cocorosim_ros.wire.conversion.clock import Clock
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout, TimeMap
 from cocorosim_ros.wire.conversion.rows import ColumnError, Stamps, check_times, time_columns
+
+_COMMAS = (
+    "if they are decimals with commas, which commas between cells cannot be told from, write the file again with "
+    "points or with another separator, else correct the line"
+)
+_SEPARATORS = "correct the line, or 'separator' in the map's layout"
 
 
 class CsvRows:
@@ -32,8 +41,10 @@ class CsvRows:
         if not found:
             raise CocorosimError(f"{origin} holds no row of numbers; give a file that has some.")
         self._width = len(self._header) or max(len(cells) for cells in self._cells)
+        self._refuse_longer_rows()
         short = sum(len(cells) < self._width for cells in self._cells)
-        self.damage = f"{origin}: {short} rows end early; their last cells count as missing." if short else ""
+        early = f"{counted(short, 'row')} {either(short, 'ends early; its', 'end early; their')} last cells"
+        self.damage = f"{origin}: {early} count as missing." if short else ""
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -77,6 +88,19 @@ class CsvRows:
         """The line of a row."""
         return f"line {self._line[row]}"
 
+    def _refuse_longer_rows(self) -> None:
+        """Raise CocorosimError for a row with more cells than there are columns, which are not where they belong.
+
+        Empty cells beyond the last column are nothing: many programs end every line with a separator.
+        """
+        for line, cells in zip(self._line, self._cells, strict=True):
+            if len(cells) > self._width and any(cell.strip() for cell in cells[self._width :]):
+                comma = self._layout.separator == ","
+                raise CocorosimError(
+                    f"{self.origin} line {line} has {len(cells)} cells and its header {self._width}, so that none can "
+                    f"be told from its neighbours; {_COMMAS if comma else _SEPARATORS}."
+                )
+
     def _index(self, column: Entry) -> int:
         """Where a column stands, from 0."""
         if isinstance(column.value, int):
@@ -110,6 +134,14 @@ class CsvRows:
         )
 
 
+def refuse_utf16(head: bytes, origin: str) -> None:
+    """Raise CocorosimError for a file that begins as text of UTF-16 does, as some programs of Windows write it."""
+    marked = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    every_other = len(head) > 1 and not (any(head[1::2]) and any(head[::2]))
+    if marked or every_other:
+        raise CocorosimError(f"{origin} is UTF-16 text; save it as UTF-8.")
+
+
 def _cells(line: str, separator: str) -> list[str]:
     return line.split() if separator == " " else next(csv.reader([line.rstrip("\r\n")], delimiter=separator))
 
@@ -117,6 +149,8 @@ def _cells(line: str, separator: str) -> list[str]:
 def _lines(path: Path, origin: str, layout: CsvLayout) -> Iterator[tuple[int, list[str]]]:
     """Line number and cells of every line that is neither empty nor a comment."""
     try:
+        with path.open("rb") as binary:
+            refuse_utf16(binary.read(HEAD), origin)
         encoding = "utf-8-sig" if layout.encoding == "utf-8" else layout.encoding
         with path.open(encoding=encoding, newline="") as file:
             numbered = enumerate(file, start=1)

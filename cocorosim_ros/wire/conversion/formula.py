@@ -211,6 +211,8 @@ class _Walk:
         zero = counts & (values[1] == 0) & ~np.isnan(values[0])
         if zero.any():
             name = _text(divisor, self._formula.place)
+            if not any(isinstance(part, ast.Name) for part in ast.walk(divisor)):
+                raise self._problem(node, zero, f"divides by '{name}', which is zero; correct the formula")
             raise self._problem(node, zero, f"divides by zero; write where({name} != 0, ..., 0) around it")
 
     def _finite(self, result: Floats, inputs: Iterable[Floats], node: ast.expr, counts: Flags) -> Floats:

@@ -10,6 +10,7 @@ from pathlib import Path
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import read_any_quantity, read_nanoseconds, read_quantity
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
+from cocorosim_ros.wire.bags.file_kinds import KINDS, told
 from cocorosim_ros.wire.conversion.conversion_map import (
     BesideMap,
     ConversionMap,
@@ -26,6 +27,9 @@ from cocorosim_ros.wire.conversion.stream_entries import TOPICS, read_stream
 from cocorosim_ros.wire.conversion.time_entries import nanoseconds_per, read_time
 from cocorosim_ros.wire.conversion.value_entries import ValueReader, column_name
 
+_OTHER_NAMES = {"xlsx": "excel", "xls": "excel", "ods": "spreadsheet", "h5": "hdf5", "hdf": "hdf5", "nc": "netcdf",
+                "pkl": "pickle", "gz": "gzip", "bz2": "bzip2", "7z": "seven_zip", "feather": "arrow"}  # fmt: skip
+"""What formats that are not read are called by others."""
 _ROBOT_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 
@@ -33,7 +37,7 @@ def load_map(path: Path) -> ConversionMap:
     """The map in a YAML file. Raises CocorosimError if it is unreadable, wrong, or converts nothing."""
     entry = load_yaml(path)
     section = entry.section(("name", "format", "tables"), ("description", "constants"))
-    chosen = section["format"].choice(tuple(FORMATS))
+    chosen = _format(section["format"])
     constants = _constants(section["constants"]) if "constants" in section else {}
     tables = section["tables"].items()
     if not tables:
@@ -41,6 +45,18 @@ def load_map(path: Path) -> ConversionMap:
     reader = _TableReader(FORMATS[chosen], constants)
     maps = tuple(reader.table(part) for part in tables)
     return ConversionMap(section["name"].text(), chosen, maps, path.read_text("utf-8"), entry.file)
+
+
+def _format(entry: Entry) -> str:
+    """The key of a format. Raises CocorosimError for another word, with the way out for files that are known."""
+    word = str(entry.value).lower().lstrip(".")
+    known = next((kind for kind in KINDS if kind.key == _OTHER_NAMES.get(word, word)), None)
+    if known is None or known.key in FORMATS:
+        return entry.choice(tuple(FORMATS))
+    way_out = told(known, Path("FILE"))
+    raise entry.problem(
+        f"has {entry.found()}, which is not read: such a file {way_out}; allowed: {', '.join(FORMATS)}."
+    )
 
 
 class _TableReader:

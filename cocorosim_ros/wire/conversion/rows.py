@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from decimal import Decimal
+from decimal import Context, Decimal
 from fractions import Fraction
 from functools import partial
 from typing import Protocol
@@ -27,6 +27,7 @@ from cocorosim_ros.wire.conversion.run_wise import Number
 Stamps = Integers
 
 LATEST_NS = 2**63 - 1
+_MOST_DIGITS = 400  # of a time; more would be reckoned with for minutes, digit by digit
 
 
 class ColumnError(CocorosimError):
@@ -125,9 +126,17 @@ def check_times(times: Iterable[int], when: TimeMap, rows: Rows) -> Stamps:
                 known += " after 1970 began in UTC"
                 way_out = f"correct 'form' ('{when.clock.form}') or 'ahead' of its 'time'"
             raise CocorosimError(
-                f"{rows.origin} {rows.row_name(row)} has the time {time / 1e9:g} s, and {known}; {way_out}."
+                f"{rows.origin} {rows.row_name(row)} has the time {_seconds_text(time)} s, and {known}; {way_out}."
             )
     return np.array(shifted, dtype=np.int64)
+
+
+def _seconds_text(nanoseconds: int) -> str:
+    """Seconds as text, also those that are too many for a float."""
+    try:
+        return f"{nanoseconds / 1e9:g}"
+    except OverflowError:
+        return f"{Context(prec=6).create_decimal(nanoseconds).scaleb(-9).normalize():g}"
 
 
 def exact_nanoseconds(text: str, per_unit: Fraction, mark: str = ".") -> int:
@@ -139,6 +148,8 @@ def exact_nanoseconds(text: str, per_unit: Fraction, mark: str = ".") -> int:
     if per_unit.denominator == 1 and text.isdecimal():
         return int(text) * per_unit.numerator
     number = Decimal(text)
-    if not number.is_finite():
+    if not number.is_finite() or number.adjusted() > _MOST_DIGITS:
         raise ArithmeticError(text)
+    if number.adjusted() < -_MOST_DIGITS:
+        return 0
     return round(Fraction(number) * per_unit)

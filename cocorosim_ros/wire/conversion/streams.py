@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion import axes
 from cocorosim_ros.wire.conversion.attitude import QUATERNION
-from cocorosim_ros.wire.conversion.conversion_map import TravelValue, Value
+from cocorosim_ros.wire.conversion.conversion_map import StreamMap, TravelValue, Value
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
 Columns = Mapping[str, Floats]
@@ -58,6 +58,12 @@ def check_stream(topic: str, given: Mapping[str, Value], place: Entry) -> None:
     problem = _CHECKS[topic](set(given))
     if problem:
         raise place.problem(problem)
+
+
+def angles_among(mapped: StreamMap) -> dict[str, Value]:
+    """Those of a stream's numbers that are angles."""
+    dimensions = NUMBERS.get(mapped.topic, {})
+    return {name: value for name, value in mapped.values.items() if dimensions.get(name) == "angle"}
 
 
 def stream_rows(topic: str, columns: Columns, *, north_east_down: bool) -> StreamRows:

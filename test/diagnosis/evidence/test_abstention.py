@@ -78,6 +78,26 @@ def test_commands_after_the_readings(log: RobotLog, lily_platform: Platform) -> 
     assert "at the same time for 5.0 s" in reason
 
 
+def thinned(log: RobotLog, factor: float, *topics: str) -> RobotLog:
+    """The log with times of some streams, or of all and the commands, so many times as far apart."""
+    streams = {
+        topic: replace(each, time=each.time * factor if not topics or topic in topics else each.time)
+        for topic, each in log.streams.items()
+    }
+    return replace(log, command_time=log.command_time * (1 if topics else factor), streams=streams)
+
+
+def test_seconds_that_are_milliseconds(log: RobotLog, lily_platform: Platform) -> None:
+    """Ten times the 3.3 s for which a Lily coasts lie between all readings; one stream that is quicker is enough."""
+    quickest = min(float(np.median(np.diff(each.time))) for each in log.streams.values())
+    (reason,) = reasons_to_abstain(evidence(lily_platform, thinned(log, 1.01 * 33.0 / quickest)))
+    assert "has readings 33.3 s apart in the median" in reason
+    assert "a lily coasts for 3.3 s" in reason and "the unit of 'time' in the map" in reason
+    assert reasons_to_abstain(evidence(lily_platform, thinned(log, 0.99 * 33.0 / quickest))) == ()
+    others = [topic for topic in log.streams if topic != "pressure"]
+    assert reasons_to_abstain(evidence(lily_platform, thinned(log, 1000.0, *others))) == ()
+
+
 def test_constant_commands(log: RobotLog, lily_platform: Platform) -> None:
     """They are named; a single actuator that is varied is enough."""
     constant = np.tile([0.5, 0.6, 0.0], (len(log.command_time), 1))

@@ -256,6 +256,32 @@ def test_a_ulog(tmp_path: Path, converted: Converted) -> None:
     assert len(recording.readings["vehicle"]["thruster_command"].columns) == 2
 
 
+def test_what_is_no_log(tmp_path: Path) -> None:
+    """No map has said anything; the file's name has, or nothing."""
+    for name, head, words in (
+        ("log.npz", b"t,x\n0,1\n", r"log\.npz is not an npz file, as its name says, and its kind is not known"),
+        ("log.npz", b"PK\3\4" + bytes(300), r"log\.npz is damaged or ends early"),
+        (
+            "log.csv",
+            b"PK\3\4".ljust(30) + b"xl/workbook.xml",
+            r"not a CSV file, as its name says: it is an Excel file; save",
+        ),
+        (
+            "log.xlsx",
+            b"PK\3\4".ljust(30) + b"xl/workbook.xml",
+            r"no log that a map.*: it is an Excel file; save it as CSV",
+        ),
+        (
+            "notes.md",
+            b"# A page",
+            r"no log that a map can be guessed for: its kind is not known; a table has an ending",
+        ),
+    ):
+        (tmp_path / name).write_bytes(head)
+        with pytest.raises(CocorosimError, match=words):
+            guess(tmp_path / name, tmp_path / "map.yaml")
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [

@@ -21,16 +21,26 @@ def test_files_are_written_into_a_folder_that_is_made(tmp_path: Path) -> None:
 
 
 def test_an_older_diagnosis_needs_force(tmp_path: Path) -> None:
-    """Without it the sentence names the file and 'force'; other people's files are no hindrance."""
-    (tmp_path / "notes.txt").write_text("mine")
+    """Without it the sentence names the file and 'force'; what has come beside it since is no hindrance."""
     check_folder(tmp_path, force=False)
     write_folder(tmp_path, {"model.yaml": "old"})
+    (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(CocorosimError, match=r"model\.yaml exists already.*'force'"):
         check_folder(tmp_path, force=False)
     check_folder(tmp_path, force=True)
     write_folder(tmp_path, TEXTS)
     assert (tmp_path / "model.yaml").read_text() == "name: a\n"
     assert (tmp_path / "notes.txt").read_text() == "mine"
+
+
+@pytest.mark.parametrize("force", [False, True])
+def test_a_folder_of_other_files(tmp_path: Path, force: bool) -> None:
+    """Nobody asked for a diagnosis among them; what a killed one has left is none."""
+    (tmp_path / ".model.yaml.partial").write_text("na")
+    check_folder(tmp_path, force=force)
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(CocorosimError, match=r"holds 'notes\.txt', which is no part of a diagnosis.*with 'out'"):
+        check_folder(tmp_path, force=force)
 
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:

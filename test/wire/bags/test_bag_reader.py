@@ -150,7 +150,8 @@ def test_file_cut_off_anywhere(tmp_path: Path, pose_rows: Rows, record: Record) 
         bag = read_bag(cut)
         assert [(entry[0], *entry[2:]) for entry in bag.messages()] == rows[:whole], place
         until = f" until t = {rows[whole - 1][1] / 1e9:.3f} s" if whole else ""
-        sentence = f"{cut} was not closed: read up to its last whole chunk, {whole} messages{until}."
+        messages = "1 message" if whole == 1 else f"{whole} messages"
+        sentence = f"{cut} was not closed: read up to its last whole chunk, {messages}{until}."
         assert bag.summary.damage == sentence
         cut.unlink()
 

@@ -286,7 +286,7 @@ def test_flush_saves_the_chunk_in_progress(tmp_path: Path, pose_rows: Rows) -> N
     assert read_back(tmp_path / "bag") == []
     bag.flush()
     assert read_back(tmp_path / "bag") == [row]
-    assert "is still being recorded: read up to its last whole chunk, 1 messages" in damage(tmp_path / "bag")
+    assert "is still being recorded: read up to its last whole chunk, 1 message" in damage(tmp_path / "bag")
     bag.close()
     assert damage(tmp_path / "bag") == ""
 

@@ -43,7 +43,17 @@ def test_rounded_and_unset(convert_csv: Convert) -> None:
     """Three decimals are near enough; four zeros mean that nothing was known, and the row is left out and counted."""
     result = convert_csv(table(POSE), log((0, 0, 0, 0), (0.5, 0.5, 0.5, 0.5), (0.577, 0.577, 0.577, 0)))
     assert [message.at // 10**9 for message in result.topics["/boat/pose"]] == [1, 2]
-    assert "1 rows with missing or infinite numbers were left out" in result.findings[0]
+    assert "1 row with an attitude of four zeros, which was not known, was left out" in result.findings[0]
+
+
+def test_an_attitude_that_was_never_known(convert_csv: Convert) -> None:
+    """A pose would be missing from the recording, in silence; of an IMU the rates may do without."""
+    with pytest.raises(CocorosimError, match=r"four zeros in all rows of a\.csv.*give 'yaw' instead"):
+        convert_csv(table(POSE), log((0, 0, 0, 0), (0, 0, 0, 0)))
+    other = f"imu: {{{QUATERNION}}}, compass: {{heading: {{fixed: 0 rad}}}}"
+    result = convert_csv(table(other), log((0, 0, 0, 0), (0, 0, 0, 0)))
+    assert list(result.topics) == ["/boat/compass"]
+    assert "2 rows with an attitude of four zeros, which was not known, were left out" in result.findings[0]
 
 
 def test_pitch_alone(convert_csv: Convert) -> None:
@@ -119,7 +129,7 @@ def test_a_topic_beside(tlog: Path, tmp_path: Path) -> None:
     assert np.sin(yaw) == pytest.approx(np.cos([0.25, 0.5]))  # from east to the left, not from north to the right
     assert np.cos(yaw) == pytest.approx(np.sin([0.25, 0.5]))
     assert stream.rows.values[:, 1].tolist() == [1.0, 2.0]
-    assert "1 rows with missing" in made.findings[0]
+    assert "1 row with missing" in made.findings[0]
 
 
 def test_no_such_topic_beside(tlog: Path, tmp_path: Path) -> None:

@@ -133,7 +133,7 @@ def test_transforms_of_one_frame(convert_bag: Callable[..., SimpleNamespace]) ->
     ]
     result = convert_bag(tables, rows)
     assert [(message.at, message.content.pose.position.x) for message in result.topics["/fish/pose"]] == [(11, 6.0)]
-    assert "1 rows without a time were left out" in result.findings[0]
+    assert "1 row without a time was left out" in result.findings[0]
 
 
 def test_a_type_that_only_the_bag_knows(convert_bag: Callable[..., SimpleNamespace]) -> None:

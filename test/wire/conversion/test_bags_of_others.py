@@ -155,6 +155,15 @@ def test_a_bag_that_was_not_closed(tmp_path: Path, convert_source: Convert) -> N
         convert_source(bag)
 
 
+@pytest.mark.parametrize("length", [8, 300])
+def test_an_mcap_without_a_whole_message(tmp_path: Path, convert_source: Convert, length: int) -> None:
+    """The file is called damaged, and no list of topics is asked for where there is none."""
+    (tmp_path / "log.mcap").write_bytes(b"\x89MCAP0\r\n".ljust(length, b"\1"))
+    with pytest.raises(CocorosimError, match=r"log\.mcap .*damaged.*; copy it again or give another") as caught:
+        convert_source(tmp_path / "log.mcap")
+    assert "allowed: nothing" not in str(caught.value)
+
+
 def test_another_database(tmp_path: Path, convert_source: Convert) -> None:
     """SQLite that is no recording."""
     connection = sqlite3.connect(tmp_path / "log.db3")

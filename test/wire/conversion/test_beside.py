@@ -38,7 +38,7 @@ def test_a_file_beside(convert_csv: Convert) -> None:
     assert first[:, 0].tolist() == [10, 20]
     np.testing.assert_allclose(2 * np.arcsin(first[:, 5]), [0.25, 0.5], atol=1e-15)
     np.testing.assert_allclose(second[:, [0, 5]], [[40, np.sin(0.5)]], atol=1e-15)
-    assert "1 rows with missing" in result.findings[0]
+    assert "1 row with missing" in result.findings[0]
     assert set(json.loads(result.done[0].conversion.metadata["converted_from"])) == {"a/place.csv", "a/yaw.csv"}
 
 
@@ -135,6 +135,6 @@ def test_damage_is_told_once(convert_csv: Convert) -> None:
     """Of a file that is read as a table and stands beside one."""
     rest = f'{TIME}, beside: {{turn: {{files: "{{run}}/place.csv", within: 0.1 s}}}}'
     result = convert_csv(table(rest, TURNED), {"a/place.csv": "t,x,yaw\n1,2,3\n2,5\n"})
-    assert [told for told in result.findings if "end early" in told] == [
-        "a/place.csv: 1 rows end early; their last cells count as missing."
+    assert [told for told in result.findings if "ends early" in told] == [
+        "a/place.csv: 1 row ends early; its last cells count as missing."
     ]

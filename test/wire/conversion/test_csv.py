@@ -92,18 +92,74 @@ def test_gaps_stay_and_missing_rows_are_counted(convert_csv: Convert) -> None:
     assert [message.at for message in result.topics["/boat/pose"]] == [0, 90_000_000_000]
     told = " ".join(result.findings)
     assert "4 rows with missing or infinite numbers were left out" in told
-    assert "1 rows without a time were left out" in told
-    assert "1 rows end early" in told
+    assert "1 row without a time was left out" in told
+    assert "1 row ends early; its last cells count as missing" in told
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "cells", "way_out"),
+    [
+        ("t,x,y\n0,1,2\n0,5,1,5,2,5\n", 3, 6, "write the file again with points or with another separator"),
+        ("t,x,y\n0,1,2,3\n", 2, 4, "else correct the line"),
+        ("t;x;y\n0;1;2\n1;2;3;4\n", 3, 4, "correct the line, or 'separator' in the map's layout"),
+    ],
+)
+def test_rows_longer_than_the_header(convert_csv: Convert, text: str, line: int, cells: int, way_out: str) -> None:
+    """Decimals with commas between commas would be numbers of other columns, taken in silence."""
+    rest = TIME if ";" not in text else f"{TIME}, layout: {{separator: ';'}}"
+    with pytest.raises(CocorosimError, match=rf"a.csv line {line} has {cells} cells and its header 3, .*{way_out}"):
+        convert_csv(table(rest), {"a.csv": text})
+
+
+@pytest.mark.parametrize("text", ["t,x,y\n0,1,2,\n1,2,3, \n", "t,x,y,\n0,1,2,\n1,2,3,\n", "t,x,y,\n0,1,2,,\n1,2,3\n"])
+def test_empty_cells_behind_the_last(convert_csv: Convert, text: str) -> None:
+    """A separator at the end of lines, with or without the header, is no further cell."""
+    rows = convert_csv(table(TIME), {"a.csv": text}).topics["/boat/pose"]
+    assert [(row.content.pose.position.x, row.content.pose.position.y) for row in rows] == [(1, 2), (2, 3)]
 
 
 def test_time_backwards_is_refused_or_sorted(convert_csv: Convert) -> None:
     """The sentence says where and by how much; `sort` sorts and says so; the bag has growing stamps."""
     files = {"a.csv": "t,x,y\n0,0,0\n2,2,2\n1.5,1,1\n3,3,3\n"}
-    with pytest.raises(CocorosimError, match=r"boat/pose: time runs backwards at 1 places, first by 0\.5 s, 2 s after"):
+    with pytest.raises(CocorosimError, match=r"boat/pose: time runs backwards at 1 place, first by 0\.5 s, 2 s after"):
         convert_csv(table(TIME), files)
     result = convert_csv(table(f"{TIME}, backwards: sort"), files)
     assert [message.content.pose.position.x for message in result.topics["/boat/pose"]] == [0, 1, 2, 3]
     assert "the rows were sorted" in result.findings[0]
+
+
+@pytest.mark.parametrize("backwards", ["refuse", "sort"])
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        (('"a.csv"', '"b.csv"'), r"a.csv \(tables\[0\]\) and by b.csv \(tables\[1\]\)"),
+        (('"*.csv"',), r"a.csv \(tables\[0\]\) and by b.csv \(tables\[0\]\)"),
+        (('"a.csv"', '"a.csv"'), r"a.csv \(tables\[0\]\) and by a.csv \(tables\[1\]\)"),
+    ],
+)
+def test_two_sources_of_one_topic(convert_csv: Convert, files: tuple[str, ...], told: str, backwards: str) -> None:
+    """Two tables or files tell of the same time: sorted, the boat would leap from one place to another and back."""
+    tables = "".join(table(f"{TIME}, backwards: {backwards}", files=each) for each in files)
+    logs = {"a.csv": "t,x,y\n0,0,0\n2,2,2\n3,3,3\n", "b.csv": "t,x,y\n1,9,9\n2.5,8,8\n5,0,0\n"}
+    with pytest.raises(CocorosimError, match=f"boat/pose is given by {told} for the same [23] s; give it by one"):
+        convert_csv(tables, logs)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_utf_16(convert_csv: Convert, tmp_path: Path, encoding: str) -> None:
+    """With and without a mark at its begin, and whatever the map says of it: Latin letters are none of it."""
+    (tmp_path / "logs").mkdir()
+    (tmp_path / "logs" / "a.csv").write_bytes("t,x,y\n0,1,2\n".encode(encoding))
+    for layout in ("", ", layout: {encoding: latin-1}"):
+        with pytest.raises(CocorosimError, match=r"a\.csv is UTF-16 text; save it as UTF-8"):
+            convert_csv(table(TIME + layout), {})
+
+
+def test_pieces_that_meet(convert_csv: Convert) -> None:
+    """The last moment of one file may be the first of the next."""
+    logs = {"a.csv": "t,x,y\n0,0,0\n2,2,2\n", "b.csv": "t,x,y\n2,2,2\n5,0,0\n"}
+    rows = convert_csv(table(TIME), logs).topics["/boat/pose"]
+    assert [row.at for row in rows] == [0, 2 * S, 2 * S, 5 * S]
 
 
 def test_robots_from_a_column(convert_csv: Convert) -> None:
@@ -150,7 +206,7 @@ def test_commands_from_pulse_widths(convert_csv: Convert) -> None:
     result = convert_csv(table(TIME, streams), {"a.csv": "t,p\n0,1500\n1,1520\n2,1900\n3,1300\n4,2300\n"})
     commands = [message.content.command[0] for message in result.topics["/boat/thruster_command"]]
     np.testing.assert_allclose(commands, [0, 0.05, 1, -0.5, 1], atol=1e-12)
-    assert "1 commands beyond -1..1 were cut" in result.findings[0]
+    assert "1 command beyond -1..1 was cut" in result.findings[0]
 
 
 def test_uneven_limits(convert_csv: Convert) -> None:
@@ -169,7 +225,7 @@ def test_actuators_in_files_of_their_own(convert_csv: Convert) -> None:
     found = [(message.at / 1e9, *message.content.command) for message in result.topics["/boat/thruster_command"]]
     assert found == [(0.5, 0.1, 0.5), (1.0, 0.2, 0.5), (3.0, 0.3, -1.0)]
     assert result.topics["/boat/thruster_command"][0].content.name == ["left", "right"]
-    assert "1 moments before all actuators are known" in result.findings[0]
+    assert "1 moment before all actuators are known" in result.findings[0]
 
 
 def test_white_space_and_skipped_lines(convert_csv: Convert) -> None:

@@ -96,6 +96,8 @@ def test_operators_are_those_of_python(left: float, right: float, sign: str) -> 
     [
         ("a / (b - 2)", r"map.yaml line 7: 'x.formula' has 'a / \(b - 2\)', which in log.csv line 2 divides by zero"),
         ("a % (b - 2)", "divides by zero"),
+        ("a / 0", r"line 2 and 1 more divides by '0', which is zero; correct the formula"),
+        ("a % (2 - 2)", r"divides by '2 - 2', which is zero; correct the formula"),
         ("sqrt(a)", "has 'sqrt.a.', which in log.csv line 3 is no finite number"),
         ("log(0 * a)", "line 2 and 1 more is no finite number"),
         ("9**9**9**9", "is no finite number"),

@@ -60,15 +60,40 @@ def test_a_wrong_map(convert_csv: Convert, old: str, new: str, sentence: str) ->
         ("t,x,y\n", "a.csv holds no row of numbers"),
         ("", "a.csv holds no row of numbers"),
         ("t,x,y\n-5,1,2\n", r"a.csv line 2 has the time -5 s.*add 'start'"),
+        ("t,x,y\n0,1,2\n1e300,1,2\n", r"a.csv line 3 has the time 1e\+300 s, and a recording lies between"),
+        ("t,x,y\n1e999999999,1,2\n", r"a.csv line 2, column 't' has '1e999999999', which is no number"),
         ("t,x,y\nnoon,1,2\n", r"a.csv line 2, column 't' has 'noon'"),
         ("t,x,x,y\n0,1,2,3\n", "the name of several columns of a.csv; give a number"),
-        ("t,x,y\n0,nan,2\n", "finds nothing to convert in the source: .*1 rows with missing"),
+        ("t,x,y\n0,nan,2\n", "finds nothing to convert in the source: .*1 row with missing"),
     ],
 )
 def test_a_wrong_log(convert_csv: Convert, log: str, sentence: str) -> None:
     """File, line and column are named, lines counted as an editor does."""
     with pytest.raises(CocorosimError, match=sentence):
         convert_csv(GOOD, {"a.csv": log})
+
+
+@pytest.mark.parametrize(
+    ("word", "sentence"),
+    [
+        (
+            "excel",
+            "has 'excel', which is not read: such a file is an Excel file; save it as CSV; allowed: csv, parquet",
+        ),
+        ("xlsx", "has 'xlsx', which is not read: such a file is an Excel file; save it as CSV"),
+        ("hdf5", "is an HDF5 file; convert it to CSV or Parquet, for instance with pandas; allowed"),
+        ("pickle", "save it as Parquet, npz or CSV: a pickle can run code; allowed"),
+        ("cvs", "has 'cvs'; did you mean 'csv'"),
+        ("mcap", "has 'mcap'.*by `cocorosim convert`|has 'mcap'.*format: bag"),
+    ],
+)
+def test_a_format_that_is_not_read(tmp_path: Path, word: str, sentence: str) -> None:
+    """What to do with such a file is said, beside the formats that are read."""
+    from cocorosim_ros.wire.conversion.map_file import load_map
+
+    (tmp_path / "map.yaml").write_text(f"name: test\nformat: {word}\ntables:\n{GOOD}")
+    with pytest.raises(CocorosimError, match=sentence):
+        load_map(tmp_path / "map.yaml")
 
 
 def test_pulses_below_stop(convert_csv: Convert) -> None:

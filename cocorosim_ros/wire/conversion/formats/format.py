@@ -59,8 +59,15 @@ class LogFormat:
 Format = FileFormat | LogFormat
 
 
-def check_file(path: Path, origin: str, summary: str, kinds: Collection[str]) -> None:
-    """Nothing, if a file can be of that format by its first bytes. Raises CocorosimError otherwise."""
+BY_MAP = "as the map says"
+BY_NAME = "as its name says"
+
+
+def check_file(path: Path, origin: str, summary: str, kinds: Collection[str], said: str = BY_MAP) -> None:
+    """Nothing, if a file can be of that format by its first bytes. Raises CocorosimError otherwise.
+
+    said: what tells that it is.
+    """
     try:
         empty, kind = path.stat().st_size == 0, kind_of(path)
     except OSError as error:
@@ -68,10 +75,10 @@ def check_file(path: Path, origin: str, summary: str, kinds: Collection[str]) ->
     if empty and kinds:
         raise CocorosimError(f"{origin} is empty: nothing was recorded; give another file.")
     if kind is not None and kind.key not in kinds:
-        raise CocorosimError(f"{origin} is not {summary}, as the map says: it {told(kind, path)}.")
+        raise CocorosimError(f"{origin} is not {summary}, {said}: it {told(kind, path)}.")
     if kind is None and kinds:
         raise CocorosimError(
-            f"{origin} is not {summary}, as the map says, and its kind is not known; give the right file, or save it "
+            f"{origin} is not {summary}, {said}, and its kind is not known; give the right file, or save it "
             "as CSV or Parquet."
         )
 

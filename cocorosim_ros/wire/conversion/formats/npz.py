@@ -5,8 +5,10 @@ from __future__ import annotations
 import zipfile
 import zlib
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout
@@ -17,7 +19,8 @@ _SUMMARY = "an npz file"
 
 
 def _rows(path: Path, origin: str, layout: CsvLayout) -> ColumnRows:
-    found = {}
+    found: dict[str, npt.NDArray[Any]] = {}
+    name = ""
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:  # a pickle can run code
             for name in archive.files:
@@ -25,6 +28,8 @@ def _rows(path: Path, origin: str, layout: CsvLayout) -> ColumnRows:
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError) as error:
         raise unreadable(origin, _SUMMARY, error) from error
     except ValueError as error:
+        if not name:
+            raise unreadable(origin, _SUMMARY, "no zip archive") from error
         raise CocorosimError(
             f"{origin} holds '{name}', an array of objects, which is not read since it can run code; save it again "
             "with columns of numbers alone."

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion.formats.column_rows import ColumnRows
 from cocorosim_ros.wire.conversion.formats.format import LogFormat, check_file, missing_library, unreadable
@@ -65,7 +66,8 @@ class Tlog:
 
     def _damages(self, broken: int, rest: int) -> Iterator[str]:
         if broken:
-            yield f"{self._name}: {broken} messages cannot be read and were left out."
+            lost = f"{counted(broken, 'message')} cannot be read and {either(broken, 'was', 'were')} left out"
+            yield f"{self._name}: {lost}."
         if rest:
             yield f"{self._name} is damaged or ends early: its last {rest} bytes were left out."
 

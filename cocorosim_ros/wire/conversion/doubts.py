@@ -1,0 +1,62 @@
+"""Units of a map that its log makes doubtful: angles that look like degrees, and readings that are minutes apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.reading.entry import listed
+from cocorosim_ros.wire.conversion.conversion_map import ColumnValue, Value
+from cocorosim_ros.wire.conversion.rows import Stamps
+
+MINUTES_NS = 60_000_000_000  # between readings, median; gliders at sea report every 10 s or so
+_DEGREES = (-180.5, 360.5)  # headings in degrees lie between, whichever way they are wrapped
+_WRAP = 300.0  # a step of so much is a turn of less than 60 degrees through north
+_FEW = 0.05  # share of the readings that may be faulty
+
+
+def like_degrees(angles: Floats) -> bool:
+    """Tell whether (n,) angles that should be in radians look like degrees.
+
+    They lie beyond a turn and within a turn of degrees, and are wrapped at 360, or are never within the first turn, or
+    take steps of more than half a turn of radians, though most are shorter. An unwrapped heading of a vehicle that
+    spins takes none such: it could not have been unwrapped.
+    """
+    given = angles[np.isfinite(angles)]
+    turn = 2.0 * math.pi
+    if given.size < 2 or np.mean(np.abs(given) > turn) <= _FEW:
+        return False
+    if np.mean((given < _DEGREES[0]) | (given > _DEGREES[1])) > _FEW:
+        return False
+    step = np.abs(np.diff(given))
+    long = float(np.mean(step > math.pi + 1e-6))
+    return bool((step > _WRAP).any() or np.abs(given).min() > turn or 0.0 < long < 0.5)
+
+
+def doubtful_angles(place: str, values: Mapping[str, Value], columns: Mapping[str, Floats]) -> list[str]:
+    """Sentences on angles of a stream that a map gives in radians and that look like degrees; `columns` [SI]."""
+    found = []
+    for name, value in values.items():
+        if not isinstance(value, ColumnValue) or value.unit_factor != "1" or not value.scale:
+            continue
+        offset = value.offset if isinstance(value.offset, float) else 0.0
+        cells = np.round((columns[name] - offset) / value.scale, 6) + 0.0  # no negative zero
+        if like_degrees(cells):
+            ends = f"from {np.nanmin(cells):.4g} to {np.nanmax(cells):.4g} rad"
+            found.append(f"{place}: '{name}' goes {ends}, as degrees do; check its 'unit' in the map.")
+    return found
+
+
+def doubtful_times(stamps: Mapping[str, Sequence[Stamps]]) -> list[str]:
+    """A sentence on topics, by name with the stamps [ns] of their messages, whose readings are minutes apart."""
+    apart = {name: np.median(np.diff(np.unique(np.concatenate(parts)))) for name, parts in stamps.items()
+             if sum(map(len, parts)) > 2}  # fmt: skip
+    slow = [name for name, interval in apart.items() if interval > MINUTES_NS]
+    if not slow:
+        return []
+    seconds = max(apart[name] for name in slow) / 1e9
+    apart_by = f"Readings of {listed(slow, 'and')} are {seconds:.4g} s apart"
+    return [f"{apart_by}; check the unit of 'time' in the map."]
