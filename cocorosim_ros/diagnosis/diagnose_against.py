@@ -52,6 +52,7 @@ from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.other_vehicle import as_another_vehicle
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
+from cocorosim_ros.diagnosis.showing.unrecorded import unrecorded
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 
@@ -228,6 +229,7 @@ def _told(
             *of_unsettled(unsettled),
         ),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
+        unrecorded=unrecorded(base.tracks),
     )
 
 
