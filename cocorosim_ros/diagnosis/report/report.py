@@ -30,7 +30,7 @@ from cocorosim_ros.diagnosis.report.number_text import (
 )
 from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_unit
 from cocorosim_ros.diagnosis.report.place_figure import over_place
-from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
+from cocorosim_ros.diagnosis.report.probability_words import meaning_words, told_probabilities
 from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
 from cocorosim_ros.diagnosis.report.recorded import as_recorded
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY, residual_of, said_law
@@ -69,6 +69,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         "verdict": verdict_words(diagnosis),
         "nothing_missing": nothing_missing_words(diagnosis),
         "probability": told_probabilities(diagnosis),
+        "meaning": meaning_words(diagnosis),
         "weighed": weighed_words(diagnosis),
     }
     diagnosis = as_recorded(diagnosis, origin.platform)

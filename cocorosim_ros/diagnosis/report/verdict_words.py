@@ -59,7 +59,7 @@ SUSPECTED = Words(
 )
 ELSE = Words(
     "Something is missing, and its name is not known",
-    f"{_BETTER}, but most probably it is something else that is missing: take the names for what is most like it.",
+    f"{_BETTER}, but none of their names is sure: take them for what is most like it.",
     _AGAIN,
 )
 INSTRUMENTS = Words(
@@ -166,10 +166,10 @@ def weighed_words(diagnosis: Diagnosis) -> str:
             f"{weighed}; of these two in three lacked something, which is too many for recordings of the same vehicle: "
             "nothing is more probable here than this says."
         )
-    if diagnosis.verdict == "consistent":
+    if diagnosis.verdict in ("consistent", "recalibrate") and not collapsed_channels(diagnosis.fit):
         return (
-            f"{weighed}; of these two in three lacked something. So something else is here what was believed before "
-            "the recording was seen, and what it could not show; nothing in it speaks for that."
+            f"{weighed}; of these two in three lacked something. So what would not show is here what was believed "
+            "before the recording was seen; nothing in it speaks for that."
         )
     return f"{weighed}; of another vehicle it is a guess."
 

@@ -42,11 +42,11 @@ def test_what_has_no_name_has_a_table_of_its_own(example: Example) -> None:
 
 
 def test_probabilities_are_one_line(example: Example) -> None:
-    """Whole percents of the sets of suspects; silence is mostly nothing."""
+    """Whole percents of the sets of suspects; silence is said in words."""
     lines = [line for line in shown(example("mismatch")).splitlines() if line.startswith("probability: ")]
     assert len(lines) == 1 and "% added mass" in lines[0] and "% anisotropic drag" in lines[0]
     silent = next(line for line in shown(example("consistent")).splitlines() if line.startswith("probability: "))
-    assert silent.split(", ")[0].endswith("% nothing")
+    assert silent.split(", ")[1].endswith("% that nothing is missing")
     assert "probability: " not in shown(example("insufficient"))
 
 

@@ -89,7 +89,7 @@ def test_a_name_that_is_less_probable_than_another_cause_is_said_as_that(example
     doubtful = replace(found, effects=(*law, *many))
     assert max(probabilities_of(doubtful).told.items(), key=lambda each: each[1])[0] == "something else"
     words = verdict_words(doubtful)
-    assert "name is not known" in words.heading and "most probably" in words.sentence
+    assert "name is not known" in words.heading and "none of their names is sure" in words.sentence
     assert "effects below do." not in told(doubtful) and "should find nothing" not in told(doubtful)
 
 
@@ -128,7 +128,10 @@ def test_what_silence_is_worth_is_said_beside_its_probability(example: Example) 
     silent = example("consistent")
     assert "believed before the recording was seen" in weighed_words(silent)
     assert "nothing is more probable here than this says" in weighed_words(replace(silent, against=AGAINST))
-    assert "of another vehicle it is a guess" in weighed_words(example("mismatch"))
+    assert "believed before the recording was seen" in weighed_words(example("recalibrate"))
+    collapsed = replace(silent, fit={**silent.fit, "position": WORSE})
+    for found in (example("mismatch"), collapsed):
+        assert "of another vehicle it is a guess" in weighed_words(found)
     assert "Nothing is missing" not in verdict_words(silent).heading
     assert weighed_words(silent) in told(silent)
 
