@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, size
 from cocorosim_ros.diagnosis.against.running import Running, runnable, runs_away
 from cocorosim_ros.diagnosis.against.stamps import other_clocks
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
@@ -259,8 +260,8 @@ def _of_nameless(law: str) -> tuple[str, ...]:
     if not law:
         return ()
     return (
-        f"Something differs that no entry of the catalogue clearly explains. It looks like '{law}', but this often "
-        "stands in for something else; look at the residuals.",
+        f"Something differs that no entry of the catalogue clearly explains. It looks like {identifier_words(law)}, "
+        "but this often stands in for something else; look at the residuals.",
     )
 
 

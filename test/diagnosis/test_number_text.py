@@ -9,7 +9,8 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.report.believable import is_possible_size
-from cocorosim_ros.diagnosis.report.number_text import estimate_words, plain_number, quantity_words, unit_text
+from cocorosim_ros.diagnosis.report.number_text import estimate_words
+from cocorosim_ros.foundation.units.quantity_text import plain_number, quantity_words, unit_text
 from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of
 
 

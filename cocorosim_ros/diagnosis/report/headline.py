@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.law_words import short_law_words, short_words
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import FoundEffect, PassedOver, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.report.verdict_words import is_of_instruments
@@ -126,7 +127,7 @@ def _name(found: FoundEffect, before: str = "") -> Name:
 
 
 def _numbers(moved: Sequence[Recalibrated]) -> list[Name]:
-    return [Name(words, words) for words in dict.fromkeys(plain(part.parameter) for part in moved)]
+    return [Name(words, words) for words in dict.fromkeys(parameter_words(part.parameter) for part in moved)]
 
 
 def _unsure(before: str, words: str, behind: str, name: str) -> Name:

@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.report.words import effect_words
 from cocorosim_ros.diagnosis.showing.probability import Probabilities, probabilities_of
 from cocorosim_ros.diagnosis.showing.suspect_sets import AND_MORE, NO_EFFECT, SOMETHING_ELSE, TOGETHER
 
+_UNSURE = {"100": "over 99", "0": "below 1"}
 _AS_THEY_ARE = (NO_EFFECT, SOMETHING_ELSE, AND_MORE)
 
 
@@ -40,8 +41,8 @@ def meaning_words(diagnosis: Diagnosis) -> str:
         return ""
     alike = "the vehicles are alike" if diagnosis.against else "the physics of the model is complete"
     meant = (
-        f"Nothing: {alike}, but for numbers. Something else: what has no name, such as an unexplained force, and what is "
-        "not in this list."
+        f"Nothing: {alike}, but for numbers. Something else: what has no name, such as an unexplained force, and what "
+        "is not in this list."
     )
     if f" and {AND_MORE}" not in probability_words(probabilities_of(diagnosis).grouped):
         return meant
@@ -67,8 +68,8 @@ def _own_words(effect: FoundEffect, others: Sequence[FoundEffect]) -> str:
 
 
 def _percent(share: float) -> str:
-    whole = round(100.0 * share)
-    return "over 99\u00a0%" if whole == 100 else f"{whole}\u00a0%" if whole else "below 1\u00a0%"
+    whole = f"{100.0 * share:.0f}"
+    return f"{_UNSURE.get(whole, whole)}\u00a0%"
 
 
 def _of_silence(diagnosis: Diagnosis, told: Mapping[str, float]) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros import __version__
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
 from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
@@ -20,15 +21,7 @@ from cocorosim_ros.diagnosis.report.marks import limit_words, marked_words, unli
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
-from cocorosim_ros.diagnosis.report.number_text import (
-    NONE,
-    estimate_words,
-    handy_scale,
-    in_unit_of,
-    plain_number,
-    quantity_words,
-)
-from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_unit
+from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
 from cocorosim_ros.diagnosis.report.place_figure import over_place
 from cocorosim_ros.diagnosis.report.probability_words import meaning_words, told_probabilities
 from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
@@ -56,6 +49,8 @@ from cocorosim_ros.diagnosis.report.words import (
     effect_words,
     odds_words,
 )
+from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, quantity_words
+from cocorosim_ros.foundation.units.quantity_text import with_unit as number_with_unit
 from cocorosim_ros.study.pictures.page import page_template
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
@@ -80,6 +75,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         version=__version__,
         details=detail_lines(diagnosis),
         control=control_words(diagnosis.against),
+        learned=", ".join(map(effect_words, diagnosis.against.learned)) if diagnosis.against else "",
         manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),
         **_what(diagnosis),
@@ -292,7 +288,7 @@ def _parameter(found: Recalibrated) -> Context:
     value, interval = estimate_words(found.estimate)
     low, high = found.estimate.low, found.estimate.high
     return {
-        "name": found.parameter.replace("_", " "),
+        "name": parameter_words(found.parameter),
         "nominal": in_unit_of(found.nominal, found.estimate),
         "value": value,
         "interval": interval,

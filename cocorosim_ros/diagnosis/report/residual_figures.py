@@ -24,7 +24,6 @@ from cocorosim_ros.diagnosis.report.figure_style import (
     style_axes,
     thinned,
 )
-from cocorosim_ros.diagnosis.report.number_text import Scale, handy_scale
 from cocorosim_ros.diagnosis.report.regressors import (
     OF_BODY,
     Along,
@@ -36,6 +35,7 @@ from cocorosim_ros.diagnosis.report.regressors import (
     said_law,
 )
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.quantity_text import Scale, handy_scale
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 

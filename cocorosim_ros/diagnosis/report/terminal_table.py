@@ -14,15 +14,10 @@ from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, rep
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.marks import marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
-from cocorosim_ros.diagnosis.report.number_text import (
-    NONE,
-    handy_scale,
-    in_unit_of,
-    plain_number,
-    with_unit,
-)
+from cocorosim_ros.diagnosis.report.number_text import in_unit_of
 from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 from cocorosim_ros.diagnosis.report.recorded import as_recorded
+from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, with_unit
 
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:

@@ -44,8 +44,8 @@ class Probabilities:
 
     told: sets are identifiers with " + " between them; SOMETHING_ELSE holds every set that is not told, NO_EFFECT that
     the model lacks nothing; in all 1. of_effects: for each named effect that it is there, whatever is there beside it;
-    of a law outside the catalogue, that something without a name is there in its place. grouped: as told, but sets that
-    are not told are those of the most probable named effect in them, with AND_MORE; SOMETHING_ELSE has the others alone.
+    of a law outside the catalogue, that something without a name is there in its place. grouped: as told, but sets
+    that are not told are those of the most probable named effect in them, with AND_MORE; SOMETHING_ELSE has the others.
     """
 
     told: Mapping[str, float]
