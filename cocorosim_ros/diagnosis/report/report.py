@@ -37,8 +37,13 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
 )
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.shift_figure import shifts
-from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
-from cocorosim_ros.diagnosis.report.verdict_words import nothing_missing_words, verdict_words, weighed_words
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
+from cocorosim_ros.diagnosis.report.verdict_words import (
+    is_untested,
+    nothing_missing_words,
+    verdict_words,
+    weighed_words,
+)
 from cocorosim_ros.diagnosis.report.words import (
     BECAUSE,
     CHANNEL_WORDS,
@@ -49,6 +54,7 @@ from cocorosim_ros.diagnosis.report.words import (
     effect_words,
     odds_words,
 )
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
 from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, quantity_words
 from cocorosim_ros.foundation.units.quantity_text import with_unit as number_with_unit
 from cocorosim_ros.study.pictures.page import page_template
@@ -63,6 +69,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
     known = {
         "verdict": verdict_words(diagnosis),
         "nothing_missing": nothing_missing_words(diagnosis),
+        "untested": is_untested(diagnosis),
         "probability": told_probabilities(diagnosis),
         "meaning": meaning_words(diagnosis),
         "weighed": weighed_words(diagnosis),
@@ -218,6 +225,7 @@ def _effect(found: FoundEffect) -> Context:
             for name, each in found.parameters.items()
             if name not in doubtful
         ],
+        "doubt": SIZE_MAY_BE_NOTHING if may_be_nothing(found) else "",
         "doubtful": [f"{name.replace('_', ' ')} ({marked_words(found.parameters[name])[1]})" for name in doubtful],
         "correction": found.correction,
         "robots": ", ".join(found.robots),

@@ -17,8 +17,9 @@ from cocorosim_ros.diagnosis.findings import (
 from cocorosim_ros.diagnosis.report.headline import plain, whose_words
 from cocorosim_ros.diagnosis.report.marks import marked_value, marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.number_text import in_unit_of
-from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
 from cocorosim_ros.diagnosis.report.words import effect_words
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
 from cocorosim_ros.foundation.units.quantity_text import plain_number, quantity_words
 
 
@@ -47,7 +48,8 @@ def _effect(effect: FoundEffect) -> str:
     told = [effect.correction] if effect.correction else [_shortened(numbers)] if numbers else []
     if effect.ambiguous_with:
         told.append(f"or else {' or '.join(effect_words(rival.id) for rival in effect.ambiguous_with)}")
-    name = f"{effect.name}{whose_words(effect.robots)}, {effect.tier}"
+    doubt = f", and {SIZE_MAY_BE_NOTHING}" if may_be_nothing(effect) else ""
+    name = f"{effect.name}{whose_words(effect.robots)}, {effect.tier}{doubt}"
     return f"{name}: {'; '.join(told)}" if told else name
 
 

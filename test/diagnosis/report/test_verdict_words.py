@@ -113,6 +113,26 @@ def test_numbers_that_are_kept_as_given_are_said_first(example: Example, verdict
     assert "collapsed" in words.heading and "Do not simulate" not in words.next
 
 
+def test_recordings_that_cannot_tell_say_what_was_tried(example: Example) -> None:
+    """Nothing could be tested where nothing was; a collapsed fit is called that by badge, headline and section."""
+    untested = example("insufficient")
+    assert "Nothing could be tested" in told(untested)
+    tried = replace(example("consistent"), verdict="insufficient")
+    collapsed = replace(tried, fit={**tried.fit, "position": WORSE})
+    held = replace(tried, held=("yaw_drag",))
+    for found, why in (
+        (tried, "would not have shown"),
+        (collapsed, "the fault of the fit"),
+        (held, "fault of the fit"),
+    ):
+        page = told(found)
+        assert "could be tested" not in page and "too little information" not in page
+        assert "effects were tried" in page and why in page
+    assert verdict_words(tried).heading == "This recording cannot tell"
+    words = verdict_words(collapsed)
+    assert "collapsed" in words.heading and words.next == ""  # its model.yaml is the platform as given
+
+
 def test_differences_are_as_sure_as_their_names(example: Example) -> None:
     """Suspected, of readings alone, or beside a number that has changed for certain."""
     found = replace(example("mismatch"), against=AGAINST, recalibrated=())
