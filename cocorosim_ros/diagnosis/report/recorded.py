@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import NEEDS, dives, has_pump
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, Located, ResidualForce, Unrecorded
+from cocorosim_ros.diagnosis.report.medium import moves_in_air
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE_OF_KIND
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -40,9 +41,12 @@ _ORGANS: dict[str, Callable[[Platform], bool]] = {
     "reverse_loss": _reverses,
     "crashback_loss": _reverses,
     "thruster_asymmetry": lambda platform: len(_thrusters(platform)) > 1,
+    "hull_emergence": lambda platform: not moves_in_air(platform),
+    "surface_loss": lambda platform: not moves_in_air(platform),
+    "surface_waves": lambda platform: not moves_in_air(platform),
     "wash_loss": lambda platform: any(each.diameter is not None for each in _thrusters(platform)),
 }
-"""Effects of actuators that not every vehicle has, by identifier, and whether one has them."""
+"""Effects of actuators, and of a surface, that not every vehicle has, by identifier, and whether one has them."""
 
 
 def as_recorded(diagnosis: Diagnosis, platform: Platform | None = None) -> Diagnosis:

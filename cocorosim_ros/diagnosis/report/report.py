@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
 from cocorosim_ros.diagnosis.report.marks import limit_words, marked_words, unlike_words
+from cocorosim_ros.diagnosis.report.medium import in_its_medium
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
@@ -31,6 +32,7 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     Pair,
     against_regressor,
     by_conditions,
+    condition_words,
     over_time,
     pairs_of,
     why_not_drawn,
@@ -90,7 +92,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         reported=(reported_headings(diagnosis.actuators), reported_rows(diagnosis.actuators)),
         **not_shown_context(diagnosis),
     )
-    return explained_at_first_sight(page)
+    return in_its_medium(explained_at_first_sight(page), origin.platform)
 
 
 def _clause(sentence: str | None) -> str:
@@ -187,6 +189,7 @@ def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
         "leading": leading.replace("_", " "),
         "over_place": over_place(pair, leading) if "position" in diagnosis.fit or not diagnosis.fit else "",
         "by_conditions": by_conditions(pair, equations[:2]),
+        "conditions": condition_words(pair),
     }
 
 
@@ -285,7 +288,9 @@ def _held_out(found: HeldOut) -> list[Context]:
         cells.append(
             {
                 "value": number_with_unit(plain_number(value * scale.factor), scale.unit),
-                "interval": f"{plain_number(low)} to {plain_number(high)}" if math.isfinite(low + high) else "",
+                "interval": f"{plain_number(low)} to {plain_number(high)}"
+                if math.isfinite(low + high) and low < high
+                else "",
                 "best": len(errors) > 1 and value == errors[0] and value < REPORT.clearly_best * errors[1],
             }
         )

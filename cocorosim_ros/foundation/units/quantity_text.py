@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of, with_superscripts
-from cocorosim_ros.foundation.units.units import prefixed, units_shown
+from cocorosim_ros.foundation.units.units import EQUAL, prefixed, units_shown
 
 NONE = "\u2013"
 _FINEST = 6  # decimals, at most
@@ -27,6 +27,8 @@ def handy_scale(magnitude: float, unit: str) -> Scale:
         if below:
             scale = handy_scale(magnitude, above)
             return Scale(scale.factor, f"{scale.unit} per {unit_text(below)}")
+        if above in EQUAL:  # in the unit of its equation: what is in proportion to an acceleration is no mass of grams
+            return Scale(1.0, unit_text(EQUAL[above]))
         unit = above
     options = [(each.per_si, unit_text(each.label or each.symbol)) for each in units_shown(unit) or prefixed(unit)]
     size = abs(magnitude)

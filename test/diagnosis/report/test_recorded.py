@@ -96,7 +96,8 @@ def test_the_file_keeps_what_the_contract_names(example: Example) -> None:
     ("platform", "lacking"),
     [
         ("lily", {"wash_loss"}),  # no propeller of these has a diameter
-        ("hovercraft_epfl", {"pump_lag", "reverse_loss", "crashback_loss", "wash_loss"}),  # two fans that push one way
+        # Two fans that push one way, over air.
+        ("hovercraft_epfl", {"pump_lag", "reverse_loss", "crashback_loss", "wash_loss", "surface_waves"}),
         ("kvlcc2_hsva", {"pump_lag", "thruster_asymmetry", "wash_loss"}),  # one propeller
         ("slocum_glider", {"reverse_loss", "crashback_loss", "thruster_asymmetry", "wash_loss"}),  # a pump alone
     ],
@@ -105,7 +106,15 @@ def test_effects_of_actuators_that_are_not_there_are_not_mentioned(
     example: Example, platform: str, lacking: set[str]
 ) -> None:
     """Neither among what is out of sight nor among what was screened."""
-    names = ("pump_lag", "reverse_loss", "crashback_loss", "thruster_asymmetry", "wash_loss", "linear_drag")
+    names = (
+        "pump_lag",
+        "reverse_loss",
+        "crashback_loss",
+        "thruster_asymmetry",
+        "wash_loss",
+        "linear_drag",
+        "surface_waves",
+    )
     screened = tuple(ScreenedEffect(name, 1.0, {}) for name in names)
     shown = as_recorded(replace(example("mismatch"), not_shown=names, screened=screened), load_platform(platform))
     assert set(names) - set(shown.not_shown) == set(names) - {each.id for each in shown.screened} == lacking
