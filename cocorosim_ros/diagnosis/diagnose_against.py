@@ -20,6 +20,7 @@ from cocorosim_ros.diagnosis.against.running import Running, runnable, runs_away
 from cocorosim_ros.diagnosis.against.stamps import other_clocks
 from cocorosim_ros.diagnosis.against.torn import as_learned, is_torn, surer
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
+from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
@@ -54,6 +55,7 @@ from cocorosim_ros.diagnosis.showing.other_vehicle import as_another_vehicle
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.showing.undone import undone
+from cocorosim_ros.diagnosis.showing.unrecorded import unrecorded
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 
@@ -236,6 +238,7 @@ def _told(
             *of_unsettled(unsettled),
         ),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
+        unrecorded=unrecorded(base.tracks),
     )
 
 
@@ -265,8 +268,8 @@ def _of_nameless(law: str) -> tuple[str, ...]:
     if not law:
         return ()
     return (
-        f"Something differs that no entry of the catalogue clearly explains. It looks like '{law}', but this often "
-        "stands in for something else; look at the residuals.",
+        f"Something differs that no entry of the catalogue clearly explains. It looks like {identifier_words(law)}, "
+        "but this often stands in for something else; look at the residuals.",
     )
 
 

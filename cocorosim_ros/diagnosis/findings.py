@@ -282,6 +282,7 @@ class Unrecorded:
     """Record of what recordings do not show, so that pages leave it out."""
 
     readings: tuple[str, ...] = ()  # kinds that never vary, such as a height that a map fixes
+    absent: tuple[str, ...] = ()  # kinds without any number, of streams that are there, such as an acceleration
     depth: bool = False  # whether nothing shows a change of depth
 
 

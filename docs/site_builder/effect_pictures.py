@@ -6,7 +6,7 @@ import re
 from html import escape
 
 from cocorosim_ros.diagnosis.report.figure_style import AFTER, QUIET, Drawing, Margins, labelled, largest, style_axes
-from cocorosim_ros.diagnosis.report.number_text import handy_scale
+from cocorosim_ros.foundation.units.quantity_text import handy_scale
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.sensors.sensor_error import SensorError

@@ -44,7 +44,6 @@ NO_THRESHOLDS = {
         "PROGRAMMES": "the manoeuvres themselves",
     },
     "report/overlay.py": {"_RED": "a colour", "_GREEN": "a colour"},
-    "report/number_text.py": {"_FINEST": "decimals of a text"},
     "report/place_figure.py": {
         "_CELLS": "size of a grid",
         "_STRONG": "a colour",
@@ -72,7 +71,6 @@ NO_LIMITS = {
     ("evidence/streams/turning.py", "np.count_nonzero(given) < 3"): "two points always lie on a line",
     ("evidence/streams/vehicle_scales.py", "max(platform.drag, 1e-09)"): "keeps from dividing by zero",
     ("report/figure_style.py", "abs(value) >= 0.0001"): "decimals of a text",
-    ("report/number_text.py", "abs(value) < 10.0 ** (-_FINEST)"): "decimals of a text",
     (
         "report/place_figure.py",
         "max(_usual_length(maps[0]), 1.96 * float(np.median(pair.before.spread[:, OF_BODY.index('surge')])))",

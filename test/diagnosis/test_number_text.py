@@ -9,7 +9,8 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.report.believable import is_possible_size
-from cocorosim_ros.diagnosis.report.number_text import estimate_words, plain_number, quantity_words, unit_text
+from cocorosim_ros.diagnosis.report.number_text import estimate_words
+from cocorosim_ros.foundation.units.quantity_text import plain_number, quantity_words, unit_text
 from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of
 
 
@@ -30,8 +31,8 @@ from cocorosim_ros.foundation.units.unit_algebra import powers_of, unit_of
         (0.03, "1", "0.0300"),
         (1.14e-4, "N m s^2", "114 µN m s²"),
         (3e-4, "N/((m))", "300 µN/m"),
-        (2e-3, "N m/((m/s) (m/s))", "2.00 g"),  # of Munk's moment
-        (0.124, "N/((m/s) (rad/s))", "124 g"),
+        (2e-3, "N m/((m/s) (m/s))", "0.00200 kg"),  # of Munk's moment
+        (0.124, "N/((m/s) (rad/s))", "0.124 kg"),
         (12.0, "N/((m/s)^2)", "12.0 kg/m"),
         (0.0775, "s/rad", "0.0775 s/rad"),
         (-2.0, "N/((N m))", "\u22122.00 N per N m"),

@@ -26,7 +26,7 @@ from cocorosim_ros.diagnosis.findings import (
 )
 from cocorosim_ros.diagnosis.report.headline import difference_sentence, sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
-from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
 from cocorosim_ros.diagnosis.showing.doubt import NOT_FORETOLD, SIZE_MAY_BE_NOTHING
 from cocorosim_ros.diagnosis.showing.other_forms import SHORTLY_OF_NO_NAME
 from cocorosim_ros.world.laws.law import Law
@@ -229,6 +229,33 @@ def test_what_may_as_well_be_nothing_is_not_told_as_a_number() -> None:
     assert not_shown_numbers(doubtful) == ()
     ratios = {"sway_ratio": Estimate(2.0, 1.8, 2.2, "1"), "heave_ratio": Estimate(1.1, 0.8, 1.4, "1")}
     assert not_shown_numbers(replace(drag, id="anisotropic_drag", parameters=ratios)) == ("heave_ratio",)
+
+
+def test_a_name_whose_size_may_be_nothing_is_doubted_beside_it() -> None:
+    """In headline and line; not beside one a number of which is clear. A law outside the catalogue has one number."""
+    size = {"surge": Estimate(0.02, -0.01, 0.05, "N s/m"), "sway": Estimate(0.001, -0.004, 0.006, "N s/m")}
+    drag = replace(
+        LAG,
+        id="linear_drag",
+        name="linear drag",
+        parameters=size,
+        ambiguous_with=(),
+        tier="suspected",
+        because=("No.",),
+    )
+    clear = replace(drag, parameters=size | {"sway": Estimate(0.02, 0.018, 0.022, "N s/m")})
+    numbers = {"coefficient": Estimate(-0.01, -0.03, 0.01, "N"), "moment": Estimate(3.0, 1.0, 5.0, "s")}
+    law = replace(drag, id="unknown:yaw~v", name="a moment", law=Law.parse("unknown:yaw~v"), parameters=numbers)
+    assert may_be_nothing(drag) and may_be_nothing(law) and not may_be_nothing(clear)
+    for doubtful in (drag, law):
+        assert sentence_of("mismatch", [clear, doubtful], []).endswith(
+            f"linear drag; and {doubtful.name} (may be nothing)."
+        )
+        collapsed = sentence_of("mismatch", [doubtful], [], collapsed=True)
+        assert collapsed.endswith(f"perhaps {doubtful.name} (may be nothing).")
+        told = plain(detail_lines(found(doubtful))[0])
+        assert told.startswith(f"{doubtful.name} of lily_01, suspected, and its size may as well be nothing: ")
+    assert "nothing" not in detail_lines(found(clear))[0]
 
 
 def test_a_gain_is_told_of_the_channel_that_has_one() -> None:

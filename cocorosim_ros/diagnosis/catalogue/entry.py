@@ -82,10 +82,14 @@ class Entry(Standing):
         return joined_equation(self.equation, [each.part for each in self.amplitudes])
 
     def shown_equation(self, estimates: Mapping[str, Estimate]) -> str:
-        """The equation with the parts of those amplitudes that were shown to do something; whole where none was."""
+        """The equation with the parts of those amplitudes that were shown to do something; of all told where none was.
+
+        Whole where none of them is told.
+        """
         doubts = self.doubts(estimates)
         shown = [each.part for each in self.amplitudes if doubts.get(each.name) is False]
-        return joined_equation(self.equation, shown) if shown else self.whole_equation
+        told = shown or [each.part for each in self.amplitudes if each.name in doubts]
+        return joined_equation(self.equation, told) if told else self.whole_equation
 
     def doubts(self, estimates: Mapping[str, Estimate]) -> dict[str, bool]:
         """Tell of each amplitude that was estimated, by name, whether its 95 % interval holds the neutral value."""

@@ -19,8 +19,9 @@ from cocorosim_ros.diagnosis.fleet.findings import FleetFindings
 from cocorosim_ros.diagnosis.fleet.in_common import InCommon
 from cocorosim_ros.diagnosis.fleet.rows import Effect, Row
 from cocorosim_ros.diagnosis.fleet.sentence import THRUST, few, fleet_sentence, number_words, rate_words
-from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of, plain_number
+from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
 from cocorosim_ros.diagnosis.report.words import effect_words
+from cocorosim_ros.foundation.units.quantity_text import plain_number
 from cocorosim_ros.study.pictures.page import page_template
 
 Context = dict[str, Any]

@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.criteria.fitting import CONVERGENCE
 from cocorosim_ros.diagnosis.criteria.foretelling import RESTRAINT
 from cocorosim_ros.diagnosis.findings import HeldOut
@@ -26,6 +27,7 @@ from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import EXACT
 from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
+from cocorosim_ros.foundation.units.quantity_text import said_quantity
 
 _TURNED = "heading"  # channel of free runs
 _OF_TURNS = "yaw"  # with which the names of numbers that turn a vehicle begin: yaw_drag, linear_drag.yaw
@@ -44,10 +46,11 @@ class Restrained(NamedTuple):
     @property
     def sentences(self) -> tuple[str, ...]:
         """Sentences on it, one for each channel that was foretold worse; () where nothing is held."""
-        names = ", ".join(self.held)
+        names = ", ".join(map(parameter_words, self.held))
         return tuple(
-            f"With {names} fitted, the {channel} of unseen data was foretold worse than by the platform as given: by "
-            f"{row.augmented:.3g} for {row.nominal:.3g} {row.unit}; they are kept as the file gives them."
+            f"With {names} fitted, the {channel} of unseen data was foretold worse than by the platform as given: it "
+            f"erred by {said_quantity(row.augmented, row.unit)} instead of {said_quantity(row.nominal, row.unit)}; "
+            "they are kept as the file gives them."
             for channel, row in self.worse
         )
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from cocorosim_ros.diagnosis.findings import ActuatorReport, Estimate
-from cocorosim_ros.diagnosis.report.number_text import NONE, estimate_words
+from cocorosim_ros.diagnosis.report.number_text import estimate_words
+from cocorosim_ros.foundation.units.quantity_text import NONE
 from cocorosim_ros.scenario.reading.quantity import UNITS
 
 NUMBERS = ("lateness", "delay", "time_constant", "gain", "rate_limit")

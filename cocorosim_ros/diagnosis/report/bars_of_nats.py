@@ -12,7 +12,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.figure_style import AFTER, BEFORE, INK, QUIET, Drawing, Margins, style_axes
-from cocorosim_ros.diagnosis.report.number_text import plain_number
+from cocorosim_ros.foundation.units.quantity_text import plain_number
 from cocorosim_ros.world.laws.law import is_law, subject_and_product
 
 

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.report.number_text import Scale
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.quantity_text import Scale
 
 WIDTH = 9.6  # inches
 BEFORE, AFTER, NOMINAL, MEASURED = "#d9792b", "#2f7fc1", "#a05195", "#808a94"

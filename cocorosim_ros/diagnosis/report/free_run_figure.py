@@ -21,8 +21,8 @@ from cocorosim_ros.diagnosis.report.figure_style import (
     largest,
     style_axes,
 )
-from cocorosim_ros.diagnosis.report.number_text import handy_scale
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.quantity_text import handy_scale
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
 CHANNEL_UNITS = {"position": "m", "heading": "rad", "depth": "m"}

@@ -7,11 +7,14 @@ fewer of them and the number of the others, the same in the shortest words, the 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.law_words import short_law_words, short_words
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import FoundEffect, PassedOver, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing
 from cocorosim_ros.diagnosis.report.verdict_words import is_of_instruments
 from cocorosim_ros.diagnosis.report.words import effect_words
 
@@ -113,7 +116,7 @@ def _of_collapsed(effects: Sequence[FoundEffect]) -> str:
 
 def _without_name(passed: Sequence[PassedOver]) -> Iterator[str]:
     likeliest = max((each for each in passed if each.stands), key=lambda each: each.found.nats)
-    name = _name(likeliest.found)
+    name = _name(replace(likeliest.found, parameters={}))  # without its size: why it has no name is said behind it
     for words in (name.words, name.short):
         yield f"Something is missing, most like {words}, but {likeliest.shortly}."
     yield f"Something is missing, but {likeliest.shortly}."
@@ -122,11 +125,12 @@ def _without_name(passed: Sequence[PassedOver]) -> Iterator[str]:
 
 def _name(found: FoundEffect, before: str = "") -> Name:
     short = short_law_words(found.law) if found.law is not None else short_words(found.id)
-    return Name(f"{before}{found.name}", f"{before}{short}")
+    doubt = " (may be nothing)" if may_be_nothing(found) else ""
+    return Name(f"{before}{found.name}{doubt}", f"{before}{short}{doubt}")
 
 
 def _numbers(moved: Sequence[Recalibrated]) -> list[Name]:
-    return [Name(words, words) for words in dict.fromkeys(plain(part.parameter) for part in moved)]
+    return [Name(words, words) for words in dict.fromkeys(parameter_words(part.parameter) for part in moved)]
 
 
 def _unsure(before: str, words: str, behind: str, name: str) -> Name:

@@ -6,8 +6,8 @@ from typing import Any
 
 from cocorosim_ros.diagnosis.findings import Diagnosis
 from cocorosim_ros.diagnosis.report.believable import is_possible_size
-from cocorosim_ros.diagnosis.report.number_text import quantity_words
 from cocorosim_ros.diagnosis.report.words import effect_words, parameter_unit
+from cocorosim_ros.foundation.units.quantity_text import quantity_words
 
 
 def not_shown_context(diagnosis: Diagnosis) -> dict[str, Any]:

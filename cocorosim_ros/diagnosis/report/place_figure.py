@@ -13,10 +13,10 @@ from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import ResidualForce
 from cocorosim_ros.diagnosis.report.binned_means import CellEdges, mean_map
 from cocorosim_ros.diagnosis.report.figure_style import INK, QUIET, Drawing, Margins, labelled, largest, style_axes
-from cocorosim_ros.diagnosis.report.number_text import handy_scale
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY, residual_of
 from cocorosim_ros.diagnosis.report.residual_figures import Pair
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.quantity_text import handy_scale
 from cocorosim_ros.world.state.state import X, Y, Z
 
 _CELLS = 12

@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.report.figure_style import (
     largest,
     style_axes,
 )
-from cocorosim_ros.diagnosis.report.number_text import handy_scale
+from cocorosim_ros.foundation.units.quantity_text import handy_scale
 
 
 def reading_figure(reading: ResidualReading) -> Markup:

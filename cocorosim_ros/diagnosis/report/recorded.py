@@ -6,14 +6,15 @@ of depth, forces upwards and effects that act by depth are left out. diagnosis.j
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import NEEDS, dives, has_pump
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
-from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, Located, ResidualForce, ScreenedEffect, Unrecorded
+from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, Located, ResidualForce, Unrecorded
+from cocorosim_ros.diagnosis.report.medium import moves_in_air
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE_OF_KIND
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -28,6 +29,7 @@ _UPRIGHT_NUMBERS = ("buoyancy_gain",)
 _UPRIGHT_EFFECTS = frozenset(entry.id for entry in ENTRIES if entry.channel == "heave")
 _UP_OR_DOWN = tuple(name for name, need in NEEDS.items() if need in (dives, has_pump))
 _BY_DEPTH = _UPRIGHT_EFFECTS | {entry.id for entry in ENTRIES if entry.manoeuvre in _UP_OR_DOWN}
+_ENTRIES = {(entry.id, entry.topic): entry for entry in ENTRIES}
 
 
 def _reverses(platform: Platform) -> bool:
@@ -39,20 +41,19 @@ _ORGANS: dict[str, Callable[[Platform], bool]] = {
     "reverse_loss": _reverses,
     "crashback_loss": _reverses,
     "thruster_asymmetry": lambda platform: len(_thrusters(platform)) > 1,
+    "hull_emergence": lambda platform: not moves_in_air(platform),
+    "surface_loss": lambda platform: not moves_in_air(platform),
+    "surface_waves": lambda platform: not moves_in_air(platform),
     "wash_loss": lambda platform: any(each.diameter is not None for each in _thrusters(platform)),
 }
-"""Effects of actuators that not every vehicle has, by identifier, and whether one has them."""
+"""Effects of actuators, and of a surface, that not every vehicle has, by identifier, and whether one has them."""
 
 
 def as_recorded(diagnosis: Diagnosis, platform: Platform | None = None) -> Diagnosis:
     """Copy a diagnosis without what its recordings do not show, nor effects of actuators that the platform lacks."""
     lacking = {name for name, has in _ORGANS.items() if platform is not None and not has(platform)}
-    shown = replace(
-        diagnosis,
-        screened=tuple(each for each in diagnosis.screened if each.id not in lacking),
-        not_shown=tuple(name for name in diagnosis.not_shown if _effect_of(name) not in lacking),
-    )
     gone = diagnosis.unrecorded
+    shown = _with_sizes(diagnosis, _Sizes(lacking, {*gone.readings, *gone.absent}))
     if gone == Unrecorded():
         return shown
     shown = replace(
@@ -63,18 +64,52 @@ def as_recorded(diagnosis: Diagnosis, platform: Platform | None = None) -> Diagn
     return _without_depth(shown) if gone.depth else shown
 
 
+class _Sizes(NamedTuple):
+    """Sizes from which effects would be seen that are left out: of whole effects, and of numbers of any effect."""
+
+    effects: Collection[str]
+    numbers: Collection[str]
+    upright: bool = False  # whether numbers of motion upwards are left out too
+
+    def keeps(self, name: str) -> bool:
+        """Tell whether an effect stays, by its name or as effect:stream or effect:number."""
+        effect, _, number = name.partition(":")
+        return effect not in self.effects and not self._is_gone(number)
+
+    def of(self, numbers: Mapping[str, _Value]) -> dict[str, _Value]:
+        """Copy what is told by number, without the numbers that are left out."""
+        return {name: each for name, each in numbers.items() if not self._is_gone(name)}
+
+    def _is_gone(self, number: str) -> bool:
+        return number in self.numbers or (self.upright and _is_upright(number))
+
+
+def _with_sizes(diagnosis: Diagnosis, sizes: _Sizes) -> Diagnosis:
+    """Copy a diagnosis without some effects and numbers where it tells from which size they would be seen."""
+    against = diagnosis.against
+    if against is not None:
+        seen = {name: sizes.of(numbers) for name, numbers in against.seen_from.items() if sizes.keeps(name)}
+        against = replace(against, seen_from=seen)
+    return replace(
+        diagnosis,
+        screened=tuple(
+            replace(each, detectable=sizes.of(each.detectable)) for each in diagnosis.screened if sizes.keeps(each.id)
+        ),
+        not_shown=tuple(name for name in diagnosis.not_shown if sizes.keeps(name)),
+        against=against,
+    )
+
+
 def _without_depth(diagnosis: Diagnosis) -> Diagnosis:
     """Leave out numbers of motion upwards. An effect that was named stays, whatever it acts by."""
     return replace(
-        diagnosis,
+        _with_sizes(diagnosis, _Sizes(_BY_DEPTH, (), upright=True)),
         recalibrated=tuple(each for each in diagnosis.recalibrated if not _is_upright(each.parameter)),
         all_recalibrated=tuple(each for each in diagnosis.all_recalibrated if not _is_upright(each.parameter)),
         mismatch=tuple(each for each in diagnosis.mismatch if not _is_located_upright(each)),
         effects=tuple(map(_level, diagnosis.effects)),
         passed_over=tuple(replace(each, found=_level(each.found)) for each in diagnosis.passed_over),
-        screened=tuple(_level_sizes(each) for each in diagnosis.screened if each.id not in _BY_DEPTH),
         screened_laws=tuple(each for each in diagnosis.screened_laws if not _is_upright_law(each.id)),
-        not_shown=tuple(name for name in diagnosis.not_shown if _effect_of(name) not in _BY_DEPTH),
         noise={name: each for name, each in diagnosis.noise.items() if name != _UPRIGHT_NOISE},
         residual_before=tuple(map(_level_force, diagnosis.residual_before)),
         residual_after=tuple(map(_level_force, diagnosis.residual_after)),
@@ -82,7 +117,12 @@ def _without_depth(diagnosis: Diagnosis) -> Diagnosis:
 
 
 def _level(found: FoundEffect) -> FoundEffect:
-    return replace(found, parameters=_level_numbers(found.parameters))
+    """Copy an effect without its numbers of motion upwards, nor their parts of its equation."""
+    numbers = {name: each for name, each in found.parameters.items() if not _is_upright(name)}
+    entry = _ENTRIES.get((found.id, found.topic))
+    if entry is None or not numbers or len(numbers) == len(found.parameters):
+        return replace(found, parameters=numbers)
+    return replace(found, parameters=numbers, equation=entry.shown_equation(numbers))
 
 
 def _level_force(residual: ResidualForce) -> ResidualForce:
@@ -93,18 +133,11 @@ def _level_force(residual: ResidualForce) -> ResidualForce:
     return replace(residual, force=force, course=residual.course._replace(state=state))
 
 
-def _level_sizes(screened: ScreenedEffect) -> ScreenedEffect:
-    return replace(screened, detectable=_level_numbers(screened.detectable))
-
-
-def _level_numbers(numbers: Mapping[str, _Value]) -> dict[str, _Value]:
-    return {name: each for name, each in numbers.items() if not _is_upright(name)}
-
-
 def _is_upright(number: str) -> bool:
     """Tell whether a number, which may have the name of its effect before a dot, is of motion upwards."""
     effect, _, name = number.rpartition(".")
-    return name.startswith("heave") or name in _UPRIGHT_NUMBERS or effect in _UPRIGHT_EFFECTS
+    upright = name.startswith("heave") or name.endswith("_dz") or name in _UPRIGHT_NUMBERS
+    return upright or effect in _UPRIGHT_EFFECTS
 
 
 def _is_located_upright(located: Located) -> bool:
@@ -133,7 +166,3 @@ def _is_unmeasured(channel: str, gone: Unrecorded) -> bool:
 
 def _thrusters(platform: Platform) -> list[Thruster]:
     return [each for each in platform.actuators if isinstance(each, Thruster)]
-
-
-def _effect_of(name: str) -> str:
-    return name.partition(":")[0]

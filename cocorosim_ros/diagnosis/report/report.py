@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from cocorosim_ros import __version__
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, FreeRun, HeldOut, Located, Recalibrated
 from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
@@ -17,20 +18,13 @@ from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
 from cocorosim_ros.diagnosis.report.marks import limit_words, marked_words, unlike_words
+from cocorosim_ros.diagnosis.report.medium import in_its_medium
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
-from cocorosim_ros.diagnosis.report.number_text import (
-    NONE,
-    estimate_words,
-    handy_scale,
-    in_unit_of,
-    plain_number,
-    quantity_words,
-)
-from cocorosim_ros.diagnosis.report.number_text import with_unit as number_with_unit
+from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
 from cocorosim_ros.diagnosis.report.place_figure import over_place
-from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
+from cocorosim_ros.diagnosis.report.probability_words import meaning_words, told_probabilities
 from cocorosim_ros.diagnosis.report.reading_figure import reading_figure
 from cocorosim_ros.diagnosis.report.recorded import as_recorded
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY, residual_of, said_law
@@ -38,14 +32,20 @@ from cocorosim_ros.diagnosis.report.residual_figures import (
     Pair,
     against_regressor,
     by_conditions,
+    condition_words,
     over_time,
     pairs_of,
     why_not_drawn,
 )
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.shift_figure import shifts
-from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
-from cocorosim_ros.diagnosis.report.verdict_words import nothing_missing_words, verdict_words, weighed_words
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
+from cocorosim_ros.diagnosis.report.verdict_words import (
+    is_untested,
+    nothing_missing_words,
+    verdict_words,
+    weighed_words,
+)
 from cocorosim_ros.diagnosis.report.words import (
     BECAUSE,
     CHANNEL_WORDS,
@@ -56,6 +56,9 @@ from cocorosim_ros.diagnosis.report.words import (
     effect_words,
     odds_words,
 )
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
+from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, quantity_words
+from cocorosim_ros.foundation.units.quantity_text import with_unit as number_with_unit
 from cocorosim_ros.study.pictures.page import page_template
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
@@ -68,7 +71,9 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
     known = {
         "verdict": verdict_words(diagnosis),
         "nothing_missing": nothing_missing_words(diagnosis),
+        "untested": is_untested(diagnosis),
         "probability": told_probabilities(diagnosis),
+        "meaning": meaning_words(diagnosis),
         "weighed": weighed_words(diagnosis),
     }
     diagnosis = as_recorded(diagnosis, origin.platform)
@@ -79,6 +84,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         version=__version__,
         details=detail_lines(diagnosis),
         control=control_words(diagnosis.against),
+        learned=", ".join(map(effect_words, diagnosis.against.learned)) if diagnosis.against else "",
         manoeuvre=_clause(manoeuvre_words(diagnosis.manoeuvres)),
         **_where(diagnosis, origin),
         **_what(diagnosis),
@@ -86,7 +92,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
         reported=(reported_headings(diagnosis.actuators), reported_rows(diagnosis.actuators)),
         **not_shown_context(diagnosis),
     )
-    return explained_at_first_sight(page)
+    return in_its_medium(explained_at_first_sight(page), origin.platform)
 
 
 def _clause(sentence: str | None) -> str:
@@ -183,6 +189,7 @@ def _pictures(pair: Pair, diagnosis: Diagnosis) -> Context:
         "leading": leading.replace("_", " "),
         "over_place": over_place(pair, leading) if "position" in diagnosis.fit or not diagnosis.fit else "",
         "by_conditions": by_conditions(pair, equations[:2]),
+        "conditions": condition_words(pair),
     }
 
 
@@ -221,6 +228,7 @@ def _effect(found: FoundEffect) -> Context:
             for name, each in found.parameters.items()
             if name not in doubtful
         ],
+        "doubt": SIZE_MAY_BE_NOTHING if may_be_nothing(found) else "",
         "doubtful": [f"{name.replace('_', ' ')} ({marked_words(found.parameters[name])[1]})" for name in doubtful],
         "correction": found.correction,
         "robots": ", ".join(found.robots),
@@ -280,7 +288,9 @@ def _held_out(found: HeldOut) -> list[Context]:
         cells.append(
             {
                 "value": number_with_unit(plain_number(value * scale.factor), scale.unit),
-                "interval": f"{plain_number(low)} to {plain_number(high)}" if math.isfinite(low + high) else "",
+                "interval": f"{plain_number(low)} to {plain_number(high)}"
+                if math.isfinite(low + high) and low < high
+                else "",
                 "best": len(errors) > 1 and value == errors[0] and value < REPORT.clearly_best * errors[1],
             }
         )
@@ -291,7 +301,7 @@ def _parameter(found: Recalibrated) -> Context:
     value, interval = estimate_words(found.estimate)
     low, high = found.estimate.low, found.estimate.high
     return {
-        "name": found.parameter.replace("_", " "),
+        "name": parameter_words(found.parameter),
         "nominal": in_unit_of(found.nominal, found.estimate),
         "value": value,
         "interval": interval,

@@ -24,7 +24,6 @@ from cocorosim_ros.diagnosis.report.figure_style import (
     style_axes,
     thinned,
 )
-from cocorosim_ros.diagnosis.report.number_text import Scale, handy_scale
 from cocorosim_ros.diagnosis.report.regressors import (
     OF_BODY,
     Along,
@@ -36,10 +35,14 @@ from cocorosim_ros.diagnosis.report.regressors import (
     said_law,
 )
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.quantity_text import Scale, handy_scale
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-_CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")
+_CONDITIONS = {
+    "yaw": "heading", "speed": "speed", "z": "height", "thrust": "command", "yaw_command": "command", "pump": "pump",
+}  # fmt: skip
+"""Regressors by which means are drawn, and words for them."""
 
 
 @dataclass(frozen=True)
@@ -182,7 +185,7 @@ def _scatter(axes: Axes, points: Points, law: SaidLaw, colour: str) -> float:
 
 def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
     """Draw the mean residual of some equations by heading, speed, height and command, as far as these vary."""
-    columns = [name for name in _CONDITIONS if _varies(pair.before, name)]
+    columns = _varying(pair)
     rows = [name for name in dict.fromkeys(equations) if residual_of(name, pair.before) is not None]
     if not rows or not columns:
         return Markup("")
@@ -196,6 +199,16 @@ def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
                 axes.set_ylim(low, high)
         drawing.legend()
     return drawing.svg
+
+
+def condition_words(pair: Pair) -> str:
+    """Words for the conditions by which means are drawn, such as 'heading, speed and command'; '' without any."""
+    *others, last = dict.fromkeys(_CONDITIONS[name] for name in _varying(pair)) or ("",)
+    return f"{', '.join(others)} and {last}" if others else last
+
+
+def _varying(pair: Pair) -> list[str]:
+    return [name for name in _CONDITIONS if _varies(pair.before, name)]
 
 
 def _condition_panel(axes: Axes, pair: Pair, equation: str, condition: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import (
     Comparison,
@@ -15,8 +16,11 @@ from cocorosim_ros.diagnosis.findings import (
 )
 from cocorosim_ros.diagnosis.report.headline import plain, whose_words
 from cocorosim_ros.diagnosis.report.marks import marked_value, marked_words, unlike_words
-from cocorosim_ros.diagnosis.report.number_text import in_unit_of, plain_number, quantity_words
-from cocorosim_ros.diagnosis.report.significance import not_shown_numbers
+from cocorosim_ros.diagnosis.report.number_text import in_unit_of
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
+from cocorosim_ros.diagnosis.report.words import effect_words
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
+from cocorosim_ros.foundation.units.quantity_text import plain_number, quantity_words
 
 
 def detail_lines(diagnosis: Diagnosis) -> tuple[str, ...]:
@@ -34,7 +38,7 @@ def detail_lines(diagnosis: Diagnosis) -> tuple[str, ...]:
 
 def _shift(part: Recalibrated) -> str:
     value = f"{marked_value(part.estimate)} for {in_unit_of(part.nominal, part.estimate)}"
-    return f"{plain(part.parameter)}{whose_words(part.robots)}: {value}"
+    return f"{parameter_words(part.parameter)}{whose_words(part.robots)}: {value}"
 
 
 def _effect(effect: FoundEffect) -> str:
@@ -43,8 +47,9 @@ def _effect(effect: FoundEffect) -> str:
     numbers = [f"{plain(name)} {marked_value(value)}" for name, value in shown]
     told = [effect.correction] if effect.correction else [_shortened(numbers)] if numbers else []
     if effect.ambiguous_with:
-        told.append(f"or else {' or '.join(plain(rival.id) for rival in effect.ambiguous_with)}")
-    name = f"{effect.name}{whose_words(effect.robots)}, {effect.tier}"
+        told.append(f"or else {' or '.join(effect_words(rival.id) for rival in effect.ambiguous_with)}")
+    doubt = f", and {SIZE_MAY_BE_NOTHING}" if may_be_nothing(effect) else ""
+    name = f"{effect.name}{whose_words(effect.robots)}, {effect.tier}{doubt}"
     return f"{name}: {'; '.join(told)}" if told else name
 
 
@@ -72,7 +77,9 @@ def _gain(table: Mapping[str, HeldOut], unlike: Sequence[str]) -> tuple[str, ...
 def _doubt(against: Comparison | None) -> tuple[str, ...]:
     if against is None or not against.control:
         return ()
-    return (f"the recordings compared with differ among themselves too: {', '.join(map(plain, against.control))}",)
+    return (
+        f"the recordings compared with differ among themselves too: {', '.join(map(effect_words, against.control))}",
+    )
 
 
 def _shortened(parts: Sequence[str]) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.findings import Recalibrated
 from cocorosim_ros.diagnosis.report.believable import told_ends
 from cocorosim_ros.diagnosis.report.figure_style import BEFORE, INK, QUIET, Drawing, Margins, style_axes
@@ -39,6 +40,6 @@ def shifts(parameters: Sequence[Recalibrated]) -> Markup:
 
 
 def _parameter_label(found: Recalibrated, everything: Sequence[Recalibrated]) -> str:
-    name = found.parameter.replace("_", " ")
+    name = parameter_words(found.parameter)
     alone = sum(each.parameter == found.parameter for each in everything) == 1
     return name if alone else f"{name}, {', '.join(found.robots)}"

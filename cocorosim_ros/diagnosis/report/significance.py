@@ -9,11 +9,25 @@ from cocorosim_ros.diagnosis.findings import FoundEffect
 def not_shown_numbers(found: FoundEffect) -> tuple[str, ...]:
     """Name the amplitudes whose 95 % intervals hold the value at which they do nothing, in the effect's order.
 
-    None where that is so of all of them: then the whole effect is in doubt, which its tier says.
+    None where that is so of all of them: then the whole effect is in doubt (`may_be_nothing`).
     """
+    doubts = _doubts(found)
+    doubtful = tuple(name for name in found.parameters if doubts.get(name))
+    return doubtful if len(doubtful) < len(doubts) else ()
+
+
+def may_be_nothing(found: FoundEffect) -> bool:
+    """Tell whether the 95 % interval of each amplitude of an effect holds the value at which it does nothing."""
+    doubts = _doubts(found).values()
+    return bool(doubts) and all(doubts)
+
+
+def _doubts(found: FoundEffect) -> dict[str, bool]:
+    """Tell of each amplitude, by name, whether its interval holds the value at which it does nothing."""
+    if found.law is not None:
+        return {name: each.holds(0.0) for name, each in found.parameters.items() if name == "coefficient"}
     doubts: dict[str, bool] = {}
     for entry in ENTRIES:
         if entry.id == found.id:
             doubts |= entry.doubts(found.parameters)
-    doubtful = tuple(name for name in found.parameters if doubts.get(name))
-    return doubtful if len(doubtful) < len(doubts) else ()
+    return doubts

@@ -14,15 +14,12 @@ from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, rep
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.marks import marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
-from cocorosim_ros.diagnosis.report.number_text import (
-    NONE,
-    handy_scale,
-    in_unit_of,
-    plain_number,
-    with_unit,
-)
+from cocorosim_ros.diagnosis.report.number_text import in_unit_of
 from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 from cocorosim_ros.diagnosis.report.recorded import as_recorded
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing
+from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
+from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, with_unit
 
 
 def terminal_tables(diagnosis: Diagnosis) -> RenderableType:
@@ -53,7 +50,8 @@ def _effects(diagnosis: Diagnosis) -> Table:
     table = _table(title, ("effect", "robots", "parameter", "value", "95 % interval", "nats", "rivals"))
     for found in diagnosis.effects:
         rivals = ", ".join(f"{rival.id} (\u2212{plain_number(rival.nats_behind, 2)})" for rival in found.ambiguous_with)
-        first = [f"{_name(found)}, {found.tier}", ", ".join(found.robots)]
+        doubt = f"; {SIZE_MAY_BE_NOTHING}" if may_be_nothing(found) else ""
+        first = [f"{_name(found)}, {found.tier}{doubt}", ", ".join(found.robots)]
         numbers = [(name, *marked_words(each)) for name, each in found.parameters.items()]
         if found.correction is not None:
             numbers.append(("correction", found.correction, ""))

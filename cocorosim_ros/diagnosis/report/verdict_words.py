@@ -59,7 +59,7 @@ SUSPECTED = Words(
 )
 ELSE = Words(
     "Something is missing, and its name is not known",
-    f"{_BETTER}, but most probably it is something else that is missing: take the names for what is most like it.",
+    f"{_BETTER}, but none of their names is sure: take them for what is most like it.",
     _AGAIN,
 )
 INSTRUMENTS = Words(
@@ -127,10 +127,11 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
         return _of_difference(diagnosis)
     if diagnosis.held:
         return KEPT_AS_GIVEN
+    if collapsed_channels(diagnosis.fit):
+        # The model file of recordings that cannot tell is the platform as given.
+        return COLLAPSED if diagnosis.verdict != "insufficient" else COLLAPSED._replace(next="")
     if diagnosis.verdict == "insufficient":
         return INSUFFICIENT
-    if collapsed_channels(diagnosis.fit):
-        return COLLAPSED
     if diagnosis.verdict == "mismatch":
         return _of_mismatch(diagnosis) if diagnosis.effects else WITHOUT_NAME
     return CONSISTENT if diagnosis.verdict == "consistent" else RECALIBRATE
@@ -143,10 +144,15 @@ def is_of_instruments(found: FoundEffect) -> bool:
     return found.correction is not None or _CHANNEL.get(found.id) in SENSOR_CHANNELS
 
 
+def is_untested(diagnosis: Diagnosis) -> bool:
+    """Tell whether recordings hold so little that no effect was tried, and no model fitted."""
+    return diagnosis.verdict == "insufficient" and not (diagnosis.screened or diagnosis.fit)
+
+
 def nothing_missing_words(diagnosis: Diagnosis) -> str:
     """The reason, as a sentence, for a diagnosis without effects."""
     if diagnosis.verdict == "insufficient":
-        return "Nothing could be tested, because the recording holds too little information."
+        return _why_untold(diagnosis)
     if diagnosis.passed_over:
         return "No effect is named: those below explain something, but none beyond doubt."
     if diagnosis.against is not None and diagnosis.verdict == "mismatch":
@@ -154,6 +160,15 @@ def nothing_missing_words(diagnosis: Diagnosis) -> str:
     if diagnosis.against is not None:
         return "No effect of the catalogue, and no law outside it, differs from the compared recordings."
     return "No effect of the catalogue, and no law outside it, explains what the fitted model leaves over."
+
+
+def _why_untold(diagnosis: Diagnosis) -> str:
+    """The reason for which recordings cannot tell: nothing was tried, the fit has collapsed, or too little shows."""
+    if is_untested(diagnosis):
+        return "Nothing could be tested, because the recording holds too little information."
+    if diagnosis.held or collapsed_channels(diagnosis.fit):
+        return "Nothing is named: effects were tried, but what explains something here may be the fault of the fit."
+    return "Nothing is named: effects were tried, but most of them this recording would not have shown."
 
 
 def weighed_words(diagnosis: Diagnosis) -> str:
@@ -166,10 +181,10 @@ def weighed_words(diagnosis: Diagnosis) -> str:
             f"{weighed}; of these two in three lacked something, which is too many for recordings of the same vehicle: "
             "nothing is more probable here than this says."
         )
-    if diagnosis.verdict == "consistent":
+    if diagnosis.verdict in ("consistent", "recalibrate") and not collapsed_channels(diagnosis.fit):
         return (
-            f"{weighed}; of these two in three lacked something. So something else is here what was believed before "
-            "the recording was seen, and what it could not show; nothing in it speaks for that."
+            f"{weighed}; of these two in three lacked something. So what would not show is here what was believed "
+            "before the recording was seen; nothing in it speaks for that."
         )
     return f"{weighed}; of another vehicle it is a guess."
 

@@ -6,39 +6,27 @@ readings, explains the fault of that fit. Its name stays, since it may help; its
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
-from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
-from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lasting_errors
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
-from cocorosim_ros.diagnosis.foretelling.deviation import deviation
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.remainder import remainder
+from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
-from cocorosim_ros.diagnosis.tracks.columns import (
-    COLUMN,
-    MEMORY_COLUMNS,
-    NEUTRAL,
-    OF_TIME,
-    READING_COLUMNS,
-    WHITE,
-)
-from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.foundation.units.quantity_text import said_quantity
 
 _LAGS = ("thruster_lag", "pump_lag")
-_OF_RATES = ("accel_x", "accel_y", "accel_z")  # these need rates, which a smoothed course does not have
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
 
@@ -48,11 +36,10 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
     for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
         absent = "." in unknown.column and unknown.value(q) == NEUTRAL[COLUMN[unknown.column]]
         if unknown.owner.effect == PLATFORM and any(unknown.at_ends(q)) and not absent:
-            name = unknown.owner.parameter.replace("_", " ")
             yield Objection(
-                f"The fit of {name} of {_listed(unknown.owner.robots)} stands at the end of its range, "
-                f"{_in_text(unknown.value(q), unknown.owner.unit)}; the recordings ask for a number that the "
-                "platform's file leaves out.",
+                f"The fit of {parameter_words(unknown.owner.parameter)} of {_listed(unknown.owner.robots)} stands at "
+                f"the end of its range, {said_quantity(unknown.value(q), unknown.owner.unit)}; the recordings ask for "
+                "a number that the platform's file leaves out.",
                 unknown.owner.robots,
             )
 
@@ -68,7 +55,7 @@ def effect_at_a_bound(case: Case) -> Iterator[Objection]:
                 ):
                     yield Objection(
                         f"Its {unknown.owner.parameter.replace('_', ' ')} stands at the end of what is looked for, "
-                        f"{_in_text(unknown.value(q), unknown.owner.unit)}.",
+                        f"{said_quantity(unknown.value(q), unknown.owner.unit)}.",
                         effect=found,
                     )
 
@@ -112,34 +99,10 @@ def collapsed_base(case: Case) -> Iterator[Objection]:
     for channel in collapsed_channels(case.table):
         row = case.table[channel]
         yield Objection(
-            f"The recalibrated model foretells the {channel} worse than the platform as given does: by "
-            f"{row.recalibrated:.3g} for {row.nominal:.3g} {row.unit}; its fit has collapsed."
+            f"The recalibrated model foretells the {channel} worse than the platform as given does: it errs by "
+            f"{said_quantity(row.recalibrated, row.unit)} instead of {said_quantity(row.nominal, row.unit)}; its fit "
+            "has collapsed."
         )
-
-
-def strayed_course(case: Case) -> Iterator[Objection]:
-    """Object to a most likely course that leaves the readings by more than their noise."""
-    for number, (track, course) in enumerate(zip(case.final.tracks, case.courses, strict=True)):
-        left = list(_left(track, course, case.final.filled[number]))
-        if left:
-            yield Objection(
-                f"The most likely course of {track.name} leaves its readings by more than their noise: "
-                f"{'; '.join(left)}.",
-                (track.name,),
-            )
-
-
-def _left(track: Track, course: Smoothed, row: Floats) -> Iterator[str]:
-    """Kinds of readings that a course leaves, each with how far."""
-    for kind in np.unique(track.timeline.kind).tolist():
-        name = KIND_NAMES[kind]
-        if name in _OF_RATES or KINDS[name].of_water:
-            continue
-        chosen = track.timeline.kind == kind
-        off = float(np.quantile(np.abs(deviation(track, chosen, course, row)), HARD_STOPS.most))
-        noise = _noise(track, kind, row)
-        if off > HARD_STOPS.strayed * noise:
-            yield f"{name} by {off:.3g} {KINDS[name].unit}, {off / noise:.3g} times their noise"
 
 
 def lasting_errors(case: Case) -> Iterator[Objection]:
@@ -257,24 +220,5 @@ def _stopped(effect: FoundEffect, sentences: Sequence[str]) -> FoundEffect:
     return replace(effect, tier="suspected", because=tuple(sentences)) if sentences else effect
 
 
-def _noise(track: Track, kind: int, row: Floats) -> float:
-    """Noise of most readings of a kind, as averaged for the filter, and never less than the filter's steps err by.
-
-    Of errors that last differences show a part alone; then it is no less than what the fit has, row (columns,).
-    """
-    topic = next(name for name, kinds in KINDS_OF_STREAM.items() if kind in kinds)
-    single = float(track.log.streams[topic].noise[KINDS_OF_STREAM[topic].index(kind)])
-    if not np.isfinite(single):
-        return np.inf
-    if row[MEMORY_COLUMNS[kind]] != WHITE:
-        single = max(single, float(np.exp(row[READING_COLUMNS[kind]])))
-    share = float(np.median(track.timeline.share[track.timeline.kind == kind]))
-    return max(single * math.sqrt(share), KINDS[KIND_NAMES[kind]].least_noise)
-
-
 def _listed(robots: Sequence[str]) -> str:
     return ", ".join(robots)
-
-
-def _in_text(value: float, unit: str) -> str:
-    return f"{value:.3g}" if unit == "1" else f"{value:.3g} {unit}"

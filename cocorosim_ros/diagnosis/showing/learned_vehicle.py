@@ -17,7 +17,8 @@ from cocorosim_ros.diagnosis.foretelling.unseen import whole_tracks
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_at_once, coloured_innovations
 from cocorosim_ros.diagnosis.showing.framing import unexplained
-from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, strayed_course
+from cocorosim_ros.diagnosis.showing.hard_stops import STOPS
+from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course, strayed_mostly
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 
 
@@ -29,15 +30,6 @@ def coloured_together(case: Case) -> Iterator[Objection]:
     for robot, numbers in tracks_by_robot(case.final.tracks).items():
         passes = [case.final.passes[number] for number in numbers]
         yield from coloured_at_once(robot, [case.final.tracks[number] for number in numbers], passes)
-
-
-def strayed_mostly(case: Case) -> Iterator[Objection]:
-    """Object to courses that leave the readings by more than their noise on most tracks of a robot."""
-    found = list(strayed_course(case))
-    for robot, numbers in tracks_by_robot(case.final.tracks).items():
-        own = [each for each in found if robot in each.robots]
-        if 2 * len(own) > len(numbers):
-            yield own[0]
 
 
 _IN_ALL: Mapping[Stop, Stop] = {coloured_innovations: coloured_together, strayed_course: strayed_mostly}

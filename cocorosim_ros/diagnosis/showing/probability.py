@@ -28,7 +28,13 @@ from dataclasses import dataclass
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.probability import PROBABILITY, ProbabilityCriteria
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, ScreenedEffect
-from cocorosim_ros.diagnosis.showing.suspect_sets import NO_EFFECT, SOMETHING_ELSE, Answers, all_sets, told_sets
+from cocorosim_ros.diagnosis.showing.suspect_sets import (
+    NO_EFFECT,
+    SOMETHING_ELSE,
+    Answers,
+    by_first_of,
+    told_sets,
+)
 from cocorosim_ros.world.laws.law import is_law
 
 
@@ -38,11 +44,13 @@ class Probabilities:
 
     told: sets are identifiers with " + " between them; SOMETHING_ELSE holds every set that is not told, NO_EFFECT that
     the model lacks nothing; in all 1. of_effects: for each named effect that it is there, whatever is there beside it;
-    of a law outside the catalogue, that something without a name is there in its place.
+    of a law outside the catalogue, that something without a name is there in its place. grouped: as told, but sets
+    that are not told are those of the most probable named effect in them, with AND_MORE; SOMETHING_ELSE has the others.
     """
 
     told: Mapping[str, float]
     of_effects: tuple[float, ...]
+    grouped: Mapping[str, float]
 
 
 def probabilities_of(diagnosis: Diagnosis, by: ProbabilityCriteria = PROBABILITY) -> Probabilities:
@@ -52,8 +60,13 @@ def probabilities_of(diagnosis: Diagnosis, by: ProbabilityCriteria = PROBABILITY
     for found, (member, answers) in zip(diagnosis.effects, named, strict=True):
         if found.id not in surest or answers[member] > surest[found.id][member]:
             surest[found.id] = answers
-    joint = all_sets([*surest.values(), _of_the_rest(diagnosis, by)], by)
-    return Probabilities(told_sets(joint, by), tuple(answers[member] for member, answers in named))
+    questions = [*surest.values(), _of_the_rest(diagnosis, by)]
+    names = [name for name in sorted(surest, key=lambda name: -surest[name][_member(name)]) if not is_law(name)]
+    return Probabilities(
+        told_sets(questions, by),
+        tuple(answers[member] for member, answers in named),
+        told_sets(questions, by, by_first_of(names)),
+    )
 
 
 def _named(diagnosis: Diagnosis, found: FoundEffect, by: ProbabilityCriteria) -> Answers:

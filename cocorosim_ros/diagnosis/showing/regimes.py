@@ -8,9 +8,12 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.showing import REGIMES
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span
-from cocorosim_ros.diagnosis.foretelling.regimes import QUANTITIES, Quantity, regimes_along
+from cocorosim_ros.diagnosis.foretelling.regimes import DEPTH, QUANTITIES, Quantity, regimes_along
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.units.quantity_text import said_quantity
+
+_DEPTH = QUANTITIES[DEPTH].name
 
 
 def unlike_regimes(unseen: Unseen) -> dict[str, str]:
@@ -36,9 +39,14 @@ def _remark(quantity: Quantity, held: Floats, seen: Floats) -> str:
     median = float(np.median(held))
     if low - wider <= median <= high + wider:
         return ""
+    name = quantity.name
+    if name == _DEPTH and max(median, high) < 0.0:  # a vehicle in the air, or above where its map has the surface
+        name = "height"
+        median, low, high = -median, -high, -low
+    middle, lowest, highest = (said_quantity(each, quantity.unit) for each in (median, low, high))
     return (
-        f"Free runs go through parts unlike the fitted ones: their median {quantity.name} is {median:.3g} "
-        f"{quantity.unit}, the middle half of the fitted parts lies between {low:.3g} and {high:.3g} {quantity.unit}."
+        f"Free runs go through parts unlike the fitted ones: their median {name} is {middle}, the middle half of the "
+        f"fitted parts lies between {lowest} and {highest}."
     )
 
 

@@ -20,15 +20,17 @@ OF_DEPTH = frozenset(name for name, kind in KINDS.items() if "z" in kind.shows)
 
 
 def unrecorded(tracks: Sequence[Track]) -> Unrecorded:
-    """Find the kinds of readings that have one value throughout each recording, and whether none shows the depth."""
-    present, varying = set[str](), set[str]()
+    """Find kinds of readings that have one value throughout each recording, or none; and whether none shows depth."""
+    present, varying, asked = set[str](), set[str](), set[str]()
     for track in tracks:
         for topic, kinds in KINDS_OF_STREAM.items():
             if topic not in track.log.streams:
                 continue
             for kind, column in zip(kinds, track.log.streams[topic].value.T, strict=True):
                 given = column[np.isfinite(column)]
+                asked |= {KIND_NAMES[kind]}
                 present |= {KIND_NAMES[kind]} if given.size else set()
                 varying |= {KIND_NAMES[kind]} if given.size and np.ptp(given) > 0.0 else set()
     steady = tuple(name for name in KIND_NAMES if name in present - varying)
-    return Unrecorded(steady, depth=OF_DEPTH.isdisjoint(varying))
+    absent = tuple(name for name in KIND_NAMES if name in asked - present)
+    return Unrecorded(steady, absent, depth=OF_DEPTH.isdisjoint(varying))

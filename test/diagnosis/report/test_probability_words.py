@@ -2,10 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.report.probability_words import percents, probability_words
+from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis
+from cocorosim_ros.diagnosis.report.probability_words import (
+    meaning_words,
+    percents,
+    probability_words,
+    told_probabilities,
+)
+
+Example = Callable[[str], Diagnosis]
 
 
 def plain(told: dict[str, float]) -> str:
@@ -20,6 +32,50 @@ def test_words_are_those_of_a_workshop() -> None:
     assert plain({"nothing": 0.7, "something else": 0.3}) == "70 % nothing, 30 % something else"
     told = {"tether + something else": 0.6, "something else": 0.4, "nothing": 0.0}
     assert plain(told) == "60 % tether and something else, 40 % something else"
+
+
+def told(found: Diagnosis) -> str:
+    """The line of a diagnosis, with usual spaces."""
+    return told_probabilities(found).replace("\u00a0", " ")
+
+
+@pytest.mark.parametrize("verdict", ["consistent", "recalibrate", "insufficient"])
+def test_silence_is_not_called_something_else(example: Example, verdict: str) -> None:
+    """Where nothing is named: what would not show, what nearly has a name, and nothing; in all 100 %."""
+    line = told(example(verdict))
+    assert "% that something is missing which these recordings would not show" in line
+    assert "% that nothing is missing" in line and "something else" not in line
+    assert sum(map(int, re.findall(r"(\d+) %", line))) == 100
+    compared = replace(example(verdict), against=Comparison(("good",), (), ()))
+    assert "that something differs which" in told(compared) and "that nothing differs" in told(compared)
+    assert meaning_words(compared) == ""
+
+
+def test_what_has_no_name_is_there_all_the_same(example: Example) -> None:
+    """A mismatch without a name is not hidden: the recordings show it."""
+    assert told(example("nameless")).startswith("50 % that something is missing that has no name")
+
+
+def test_each_name_has_its_own_probability(example: Example) -> None:
+    """Beside that of the sets that hold it; streams are told apart, and what is meant is said."""
+    found = example("mismatch")
+    (munk,) = found.effects
+    sure = replace(munk, ambiguous_with=())
+    names = ("linear_drag", "thruster_lag", "battery_sag", "tether", "pose_lever")
+    doubtful = [replace(sure, id=name, because=("It may be chance.",), tier="suspected") for name in names]
+    late = [
+        replace(sure, id="sensor_latency", topic=topic, because=("No.",), tier="suspected") for topic in ("pose", "imu")
+    ]
+    line = told(replace(found, effects=(sure, *doubtful, *late)))
+    own, together = line.split("; taken together ")
+    assert own.startswith("added mass 98 %, linear drag 50 %") and "each whatever is there beside it" in own
+    assert "sensor latency of pose 50 %, sensor latency of stream of the inertial sensor 50 %" in own
+    assert "keeps a name at even odds" in own
+    assert "% added mass and more" in together and "% something else" not in together
+    assert "And more:" in meaning_words(replace(found, effects=(sure, *doubtful)))
+    alone = told(replace(found, effects=(sure,)))
+    assert alone.startswith("added mass 98 %; taken together 98 % added mass, ")
+    assert "And more:" not in meaning_words(replace(found, effects=(sure,)))
 
 
 def test_nothing_is_certain() -> None:

@@ -10,7 +10,16 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, Recalibrated, ScreenedEffect, Unrecorded
+from cocorosim_ros.diagnosis.findings import (
+    Comparison,
+    Diagnosis,
+    Estimate,
+    FoundEffect,
+    PassedOver,
+    Recalibrated,
+    ScreenedEffect,
+    Unrecorded,
+)
 from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.recorded import as_recorded
@@ -87,7 +96,8 @@ def test_the_file_keeps_what_the_contract_names(example: Example) -> None:
     ("platform", "lacking"),
     [
         ("lily", {"wash_loss"}),  # no propeller of these has a diameter
-        ("hovercraft_epfl", {"pump_lag", "reverse_loss", "crashback_loss", "wash_loss"}),  # two fans that push one way
+        # Two fans that push one way, over air.
+        ("hovercraft_epfl", {"pump_lag", "reverse_loss", "crashback_loss", "wash_loss", "surface_waves"}),
         ("kvlcc2_hsva", {"pump_lag", "thruster_asymmetry", "wash_loss"}),  # one propeller
         ("slocum_glider", {"reverse_loss", "crashback_loss", "thruster_asymmetry", "wash_loss"}),  # a pump alone
     ],
@@ -96,10 +106,77 @@ def test_effects_of_actuators_that_are_not_there_are_not_mentioned(
     example: Example, platform: str, lacking: set[str]
 ) -> None:
     """Neither among what is out of sight nor among what was screened."""
-    names = ("pump_lag", "reverse_loss", "crashback_loss", "thruster_asymmetry", "wash_loss", "linear_drag")
+    names = (
+        "pump_lag",
+        "reverse_loss",
+        "crashback_loss",
+        "thruster_asymmetry",
+        "wash_loss",
+        "linear_drag",
+        "surface_waves",
+    )
     screened = tuple(ScreenedEffect(name, 1.0, {}) for name in names)
     shown = as_recorded(replace(example("mismatch"), not_shown=names, screened=screened), load_platform(platform))
     assert set(names) - set(shown.not_shown) == set(names) - {each.id for each in shown.screened} == lacking
+
+
+SEEN = {
+    "pump_lag": {"time_constant": 1.0},
+    "hull_compressibility": {},
+    "imu_bias": {"gyro_z": 0.01, "accel_z": 0.2},
+    "linear_drag": {"surge": 0.1, "heave": 0.2},
+    "sheared_current": {"x": 0.1, "dx_dz": 0.2},
+    "thruster_lag": {"time_constant": 0.1},
+}
+UNSEEN = (
+    "pump_lag",
+    "hull_compressibility",
+    "imu_bias:accel_z",
+    "added_mass:heave_minus_surge",
+    "linear_drag",
+    "sheared_current:dx_dz",
+)
+
+
+def test_a_comparison_tells_sizes_of_what_is_recorded_alone(example: Example) -> None:
+    """Neither a pump that is not there, nor accelerations without a number, nor depth; all of them in the file."""
+    against = Comparison(("good",), (), (), seen_from=SEEN)
+    gone = Unrecorded(("pose_z",), ("accel_x", "accel_y", "accel_z"), depth=True)
+    found = replace(example("consistent"), against=against, unrecorded=gone, not_shown=UNSEEN, screened=())
+    shown = as_recorded(found, ORIGIN.platform)
+    assert shown.not_shown == ("linear_drag",)
+    assert shown.against is not None
+    assert shown.against.seen_from == {
+        "imu_bias": {"gyro_z": 0.01},
+        "linear_drag": {"surge": 0.1},
+        "sheared_current": {"x": 0.1},
+        "thruster_lag": {"time_constant": 0.1},
+    }
+    page, _ = told(found)
+    for words in ("pump lag", "compressib", "accel", "heave", "dx dz"):
+        assert words not in page, words
+    assert "accel_z" in diagnosis_json(found) and "pump_lag" in diagnosis_json(found)
+
+
+DRAG = {"surge": (0.02, 0.04), "sway": (-0.01, 0.1), "heave": (0.01, 0.07), "yaw": (-1e-4, 1e-4)}
+
+
+@pytest.mark.parametrize(
+    ("ahead", "equation"), [((0.02, 0.04), "X = -d_u u"), ((-0.02, 0.04), "X = -d_u u, Y = -d_v v, N = -d_r r")]
+)
+def test_an_equation_has_the_parts_of_shown_numbers(
+    example: Example, ahead: tuple[float, float], equation: str
+) -> None:
+    """Linear drag of a hovercraft: none upwards, as in its table; also where nothing but that one is clear."""
+    ends = DRAG | {"surge": ahead}
+    numbers = {name: Estimate((low + high) / 2, low, high, "N s/m") for name, (low, high) in ends.items()}
+    drag = FoundEffect("linear_drag", "linear drag", "X = -d_u u, Z = -d_w w", ("h",), "suspected", numbers, 40.0)
+    passed = PassedOver(drag, stands=False, because=(), shortly="")
+    found = replace(example("mismatch"), effects=(drag,), passed_over=(passed,), unrecorded=Unrecorded(depth=True))
+    shown = as_recorded(found)
+    assert shown.effects[0].equation == shown.passed_over[0].found.equation == equation
+    assert set(shown.effects[0].parameters) == {"surge", "sway", "yaw"}
+    assert as_recorded(replace(found, unrecorded=Unrecorded())).effects[0].equation == drag.equation
 
 
 def test_what_is_recorded_is_shown_as_it_is(example: Example) -> None:

@@ -332,19 +332,21 @@ document.body.dataset.facts = document.querySelector("table.facts").getBoundingC
 
 
 def test_probabilities_stand_once_and_in_words(example: Example) -> None:
-    """Whole percents that add up to 100, without underscores, and what is meant by nothing and by something else."""
+    """Whole percents that add up to 100, without underscores; where names are told, what is meant by the others."""
     for verdict in ("mismatch", "recalibrate", "consistent", "insufficient"):
         text = page(example(verdict))[1].text
-        told = re.findall(r"How probable: (.*?)\. Nothing: the physics of the model is complete, but for numbers", text)
-        assert len(told) == 1 and "_" not in told[0]
-        assert sum(map(int, re.findall(r"(\d+) %", told[0]))) == 100
-        assert "something else" in told[0] and text.count("How probable") == 1
+        told = re.findall(r"How probable: (.*?)\. (?:Nothing|Weighed|Nothing was learned)", text)
+        assert len(told) == 1 and "_" not in told[0] and text.count("How probable") == 1
+        sets = told[0].rpartition("; taken together ")[2]
+        assert sum(map(int, re.findall(r"(\d+) %", sets))) == 100
+        named = verdict == "mismatch"
+        assert ("something else" in sets) == named == ("Nothing: the physics of the model is complete" in text)
         assert ("what is believed without it" in text) == (verdict == "insufficient")
 
 
 def test_probabilities_of_a_comparison_are_of_the_difference(example: Example) -> None:
     """Nothing then means that the vehicles are alike."""
-    text = page(replace(example("consistent"), against=Comparison(("good",), (), ())))[1].text
+    text = page(replace(example("mismatch"), against=Comparison(("good",), (), ())))[1].text
     assert "Nothing: the vehicles are alike, but for numbers" in text
 
 

@@ -9,7 +9,10 @@ from dataclasses import replace
 from rich.console import Console
 
 from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate
+from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.report import render_report
 from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 Example = Callable[[str], Diagnosis]
 
@@ -41,12 +44,24 @@ def test_what_has_no_name_has_a_table_of_its_own(example: Example) -> None:
     assert "0.97" in row and "1.07" in row and "52.3" in row
 
 
+def test_a_size_that_may_be_nothing_is_said_beside_the_name(example: Example) -> None:
+    """On the page and in the terminal; not where a number is clear."""
+    (munk,) = example("mismatch").effects
+    numbers = {name: replace(each, low=-1.0, high=1.0) for name, each in munk.parameters.items()}
+    doubtful = replace(example("mismatch"), effects=(replace(munk, parameters=numbers, tier="suspected"),))
+    assert "added_mass, suspected; its size may as well be nothing" in shown(doubtful)
+    assert "may as well be nothing" not in shown(example("mismatch"))
+    origin = Origin(load_platform("lily"), ("bags/tank_7",), ("lily_01",), 600.0)
+    name = '<span class="quiet">added_mass</span><br><span class="mark">its size may as well be nothing</span></h3>'
+    assert name in render_report(doubtful, origin) and name not in render_report(example("mismatch"), origin)
+
+
 def test_probabilities_are_one_line(example: Example) -> None:
-    """Whole percents of the sets of suspects; silence is mostly nothing."""
+    """Whole percents of the sets of suspects; silence is said in words."""
     lines = [line for line in shown(example("mismatch")).splitlines() if line.startswith("probability: ")]
     assert len(lines) == 1 and "% added mass" in lines[0] and "% anisotropic drag" in lines[0]
     silent = next(line for line in shown(example("consistent")).splitlines() if line.startswith("probability: "))
-    assert silent.split(", ")[0].endswith("% nothing")
+    assert silent.split(", ")[1].endswith("% that nothing is missing")
     assert "probability: " not in shown(example("insufficient"))
 
 

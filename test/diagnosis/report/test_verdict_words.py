@@ -89,7 +89,7 @@ def test_a_name_that_is_less_probable_than_another_cause_is_said_as_that(example
     doubtful = replace(found, effects=(*law, *many))
     assert max(probabilities_of(doubtful).told.items(), key=lambda each: each[1])[0] == "something else"
     words = verdict_words(doubtful)
-    assert "name is not known" in words.heading and "most probably" in words.sentence
+    assert "name is not known" in words.heading and "none of their names is sure" in words.sentence
     assert "effects below do." not in told(doubtful) and "should find nothing" not in told(doubtful)
 
 
@@ -113,6 +113,26 @@ def test_numbers_that_are_kept_as_given_are_said_first(example: Example, verdict
     assert "collapsed" in words.heading and "Do not simulate" not in words.next
 
 
+def test_recordings_that_cannot_tell_say_what_was_tried(example: Example) -> None:
+    """Nothing could be tested where nothing was; a collapsed fit is called that by badge, headline and section."""
+    untested = example("insufficient")
+    assert "Nothing could be tested" in told(untested)
+    tried = replace(example("consistent"), verdict="insufficient")
+    collapsed = replace(tried, fit={**tried.fit, "position": WORSE})
+    held = replace(tried, held=("yaw_drag",))
+    for found, why in (
+        (tried, "would not have shown"),
+        (collapsed, "the fault of the fit"),
+        (held, "fault of the fit"),
+    ):
+        page = told(found)
+        assert "could be tested" not in page and "too little information" not in page
+        assert "effects were tried" in page and why in page
+    assert verdict_words(tried).heading == "This recording cannot tell"
+    words = verdict_words(collapsed)
+    assert "collapsed" in words.heading and words.next == ""  # its model.yaml is the platform as given
+
+
 def test_differences_are_as_sure_as_their_names(example: Example) -> None:
     """Suspected, of readings alone, or beside a number that has changed for certain."""
     found = replace(example("mismatch"), against=AGAINST, recalibrated=())
@@ -128,7 +148,10 @@ def test_what_silence_is_worth_is_said_beside_its_probability(example: Example) 
     silent = example("consistent")
     assert "believed before the recording was seen" in weighed_words(silent)
     assert "nothing is more probable here than this says" in weighed_words(replace(silent, against=AGAINST))
-    assert "of another vehicle it is a guess" in weighed_words(example("mismatch"))
+    assert "believed before the recording was seen" in weighed_words(example("recalibrate"))
+    collapsed = replace(silent, fit={**silent.fit, "position": WORSE})
+    for found in (example("mismatch"), collapsed):
+        assert "of another vehicle it is a guess" in weighed_words(found)
     assert "Nothing is missing" not in verdict_words(silent).heading
     assert weighed_words(silent) in told(silent)
 

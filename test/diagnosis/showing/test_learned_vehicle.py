@@ -24,8 +24,8 @@ from cocorosim_ros.diagnosis.showing.learned_vehicle import (
     coloured_together,
     in_one,
     objection_to_learned,
-    strayed_mostly,
 )
+from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course, strayed_mostly
 
 BEGIN = "The recordings of --against are not those of a well vehicle, or the platform's file does not fit them: "
 END = "; diagnose them by themselves first."
@@ -62,7 +62,7 @@ def test_a_number_that_leaves_the_range_of_the_file_is_said(driven: Callable[...
     """A ratio of 3 is fitted at the end of a range up to 2.5."""
     (found,) = objections(driven("[1, 2.5]"))
     assert re.match(
-        rf"{BEGIN}the fit of \S+ drag\.sway ratio of boat stands at the end of its range, 2\.5;", found.sentence
+        rf"{BEGIN}the fit of sway ratio of \S+ drag of boat stands at the end of its range, 2\.50;", found.sentence
     )
     assert found.sentence.endswith(END)
     assert (found.robots, found.effect) == (("boat",), None)
@@ -98,7 +98,10 @@ def test_a_course_that_leaves_most_parts_is_said(driven: Callable[..., Any], awa
         courses[number] = replace(courses[number], mean=courses[number].mean + 0.1)
     found = list(strayed_mostly(Case(fit, (), (), courses, {})))
     assert len(found) == said
-    assert all("leaves its readings by more than their noise: pose_x by 0.1" in each.sentence for each in found)
+    told = "in 2 of its 3 recordings, at most: the pose along x by 10"
+    assert all(told in each.sentence and " mm, " in each.sentence for each in found)
+    (every,) = strayed_course(Case(fit, (), (), courses, {}))  # one sentence for all recordings of a robot
+    assert f"in {len(away)} of its 3 recordings" in every.sentence
 
 
 def test_predictions_are_weighed_in_all_parts_together(driven: Callable[..., Any]) -> None:

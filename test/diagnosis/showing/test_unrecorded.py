@@ -42,7 +42,40 @@ def test_another_reading_shows_the_depth() -> None:
 def test_columns_without_a_number_are_not_there() -> None:
     """Neither steady nor varying; where nothing has a depth, nothing shows it."""
     flat = track(pose=[MOVING, MOVING, ABSENT, MOVING])
-    assert unrecorded([flat]) == unrecorded([track(compass=[MOVING])]) == Unrecorded((), depth=True)
+    assert unrecorded([flat]) == Unrecorded(absent=("pose_z",), depth=True)
+    assert unrecorded([track(compass=[MOVING])]) == Unrecorded(depth=True)
+    assert unrecorded([flat, track(pose=[MOVING] * 4)]) == Unrecorded()
+
+
+def at_one_height(evidence: Any) -> Any:
+    """Recordings of one robot with poses alone, the height of each of which a map has fixed."""
+    recordings = []
+    for recording in evidence.recordings:
+        (log,) = recording.robots
+        pose = log.streams["pose"]
+        fixed = pose.value.copy()
+        fixed[:, 2] = 0.0
+        level = replace(log, streams={"pose": replace(pose, value=fixed)})
+        recordings.append(replace(recording, robots=(level,)))
+    return replace(evidence, recordings=tuple(recordings))
+
+
+def test_a_comparison_says_that_the_height_is_fixed(swim: Any) -> None:
+    """Nothing on its page is of depth either: no row, no picture, no size from which a difference would show."""
+    from cocorosim_ros.diagnosis.diagnose_against import diagnose_against
+    from cocorosim_ros.diagnosis.report.recorded import as_recorded
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    lily = load_platform("lily")
+    bad, good = (at_one_height(swim(lily, 60.0, seed=seed)) for seed in (1, 2))
+    found = diagnose_against(bad, good, lambda words, share: None)
+    assert found.unrecorded == Unrecorded(("pose_z",), depth=True)
+    shown = as_recorded(found, lily)
+    assert found.against is not None and shown.against is not None
+    assert "depth" in found.fit and "depth" not in shown.fit
+    assert "pump_lag" in found.against.seen_from and "hull_compressibility" in found.against.seen_from
+    assert {"pump_lag", "hull_compressibility"}.isdisjoint(shown.against.seen_from)
+    assert not any("heave" in number for numbers in shown.against.seen_from.values() for number in numbers)
 
 
 def test_a_diagnosis_says_that_the_height_is_fixed(swim: Any) -> None:
@@ -50,15 +83,7 @@ def test_a_diagnosis_says_that_the_height_is_fixed(swim: Any) -> None:
     from cocorosim_ros.diagnosis.diagnose import diagnose
     from cocorosim_ros.scenario.parts.platform import load_platform
 
-    evidence = swim(load_platform("lily"), 60.0)
-    (recording,) = evidence.recordings
-    (log,) = recording.robots
-    pose = log.streams["pose"]
-    fixed = pose.value.copy()
-    fixed[:, 2] = 0.0
-    level = replace(log, streams={"pose": replace(pose, value=fixed)})
-    evidence = replace(evidence, recordings=(replace(recording, robots=(level,)),))
-    found = diagnose(evidence, lambda words, share: None)
+    found = diagnose(at_one_height(swim(load_platform("lily"), 60.0)), lambda words, share: None)
     assert found.unrecorded == Unrecorded(("pose_z",), depth=True)
     assert not any("height" in sentence for sentence in found.untold)
     assert any("the pose along x" in sentence for sentence in found.untold)
