@@ -42,7 +42,7 @@ from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, rec
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
-from cocorosim_ros.diagnosis.showing.harm import that_helps
+from cocorosim_ros.diagnosis.showing.harm import fewer_until, harmful, that_helps
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -159,8 +159,11 @@ def _steadily_searched(base: Fit, progress: Progress) -> tuple[Restrained, Searc
     steady = restrained(base, found.free)
     if steady.base is not base:
         again = _searched(steady.base, progress)
-        if mends(again.free.table, found.free.table):
-            return steady, again
+        before = found.free.table
+        naming, free = fewer_until(lambda table: mends(table, before), again.naming, again.unseen, again.free)
+        if mends(free.table, before):
+            passed = (*again.passed, *harmful(again.naming, naming))
+            return steady, again._replace(naming=naming, free=free, passed=passed)
     return Restrained(base), found
 
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
-from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.findings import HeldOut, PassedOver
 from cocorosim_ros.diagnosis.foretelling.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS
@@ -12,6 +14,13 @@ from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.pruning import without_least
+from cocorosim_ros.diagnosis.showing.doubt import NOT_FORETOLD
+from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
+
+WORSE_BESIDE_KEPT = (
+    "Beside the numbers that are kept as the file gives them, unseen data are foretold worse with it than by the "
+    "platform as given."
+)
 
 
 def that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:
@@ -21,6 +30,24 @@ def that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]
         naming = without_least(naming)
         free = held_out_free_runs(unseen, naming.fit)
     return naming, free
+
+
+def fewer_until(
+    is_well: Callable[[Mapping[str, HeldOut]], bool], naming: Naming, unseen: Unseen, free: HeldOutFreeRuns
+) -> tuple[Naming, HeldOutFreeRuns]:
+    """Take back named effects, the one that free runs gain least by first, until the table of free runs is well."""
+    while naming.named and not is_well(free.table):
+        naming = without_least(naming)
+        free = held_out_free_runs(unseen, naming.fit)
+    return naming, free
+
+
+def harmful(before: Naming, after: Naming) -> tuple[PassedOver, ...]:
+    """Effects that were taken back from one naming to another, as they would have been told."""
+    left = {effect.candidate.key for effect in after.named}
+    gone = [effect for effect in before.named if effect.candidate.key not in left]
+    told = found_effects(before.fit, gone, fitted(before.fit)) if gone else ()
+    return tuple(PassedOver(each, False, (WORSE_BESIDE_KEPT,), NOT_FORETOLD) for each in told)
 
 
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
 from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.showing import harm
 from cocorosim_ros.diagnosis.showing.harm import _is_worse
 
 
@@ -15,3 +19,27 @@ def test_one_free_run_takes_no_name_back(spread: float, taken_back: bool) -> Non
     intervals = {name: (error - spread, error + spread) for name, error in errors.items()}
     row = HeldOut(**errors, noise_floor=0.015, unit="rad", intervals=intervals)
     assert _is_worse("heading", row) == taken_back
+
+
+def naming(count: int) -> Any:
+    """A naming of so many effects, whose fit is their number."""
+    return SimpleNamespace(named=("lag", "curve", "lever")[:count], fit=count)
+
+
+@pytest.mark.parametrize(("most", "left"), [(3, 3), (2, 2), (1, 1), (-1, 0)])
+def test_effects_are_taken_back_until_unseen_data_are_foretold_well(
+    monkeypatch: pytest.MonkeyPatch, most: int, left: int
+) -> None:
+    """The least first, and no more than needed; all of them where nothing helps."""
+    errors = {"unit": "m", "intervals": {}, "noise_floor": 0.0, "nominal": 1.0, "recalibrated": 1.0}
+
+    def free_runs(_unseen: Any, count: int) -> Any:
+        return SimpleNamespace(table={"position": HeldOut(**errors, augmented=count)})
+
+    monkeypatch.setattr(harm, "without_least", lambda before: naming(len(before.named) - 1))
+    monkeypatch.setattr(harm, "held_out_free_runs", free_runs)
+    nothing: Any = None
+    kept, runs = harm.fewer_until(
+        lambda table: table["position"].augmented <= most, naming(3), nothing, free_runs(nothing, 3)
+    )
+    assert (len(kept.named), runs.table["position"].augmented) == (left, left)
