@@ -118,8 +118,9 @@ def _usable(topic: str, values: Floats, readable: Flags, remarks: list[str]) -> 
     beyond = np.count_nonzero((np.abs(values) > 1.0).any(axis=1))
     if beyond:
         have, cut = either(beyond, "commands", "command"), either(beyond, "it is", "they are")
+        most = f"up to {np.abs(values).max():.3g} where 1 is all"
         remarks.append(
-            f"{topic}: {counted(beyond, 'message')} {have} more than the maximum (up to {np.abs(values).max():.3g} where 1 "
-            f"is all); {cut} cut to it. Check the unit of the commands."
+            f"{topic}: {counted(beyond, 'message')} {have} more than the maximum ({most}); {cut} cut to it. Check the "
+            "unit of the commands."
         )
     return np.clip(values, -1.0, 1.0)
