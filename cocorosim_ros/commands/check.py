@@ -9,6 +9,7 @@ import click
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
 from cocorosim_ros.commands.terminal import say
+from cocorosim_ros.foundation.counted import counted
 
 FOUND = 1  # exit status
 
@@ -42,7 +43,8 @@ def command(ctx: click.Context, /, bag: Path, json_file: Path | None, force: boo
     for each in checked.findings:
         say(console, each.sentence, "yellow")
     messages = sum(count for _, _, count in checked.topics)
-    found = f"{len(checked.findings)} findings" if checked.findings else "nothing odd was found"
-    say(console, f"{bag}: {len(checked.topics)} topics, {messages} messages, {found}.")
+    found = counted(len(checked.findings), "finding") if checked.findings else "nothing odd was found"
+    counts = f"{counted(len(checked.topics), 'topic')}, {counted(messages, 'message')}"
+    say(console, f"{bag}: {counts}, {found}.")
     give_json(console, json_file, checked.tree())
     ctx.exit(FOUND if checked.findings else 0)

@@ -46,7 +46,7 @@ def command(words: tuple[str, ...], guess: bool, out: Path, json_file: Path | No
     if len(words) != 2 - guess:
         wanted = "SOURCE alone" if guess else "MAP.yaml and SOURCE, or --guess and SOURCE alone"
         raise CocorosimError(f"{len(words)} names were given; give {wanted}.")
-    console = console_beside(json_file, force=force, inputs=_read(words, json_file))
+    console = console_beside(json_file, force=force, inputs=map(Path, words))
     if guess:
         give_json(console, json_file, _guess(console, Path(words[0]), out, force=force))
         return
@@ -58,16 +58,6 @@ def command(words: tuple[str, ...], guess: bool, out: Path, json_file: Path | No
     for made in done.recordings:
         _show(console, made, full=len(done.recordings) <= _MOST_SHOWN_IN_FULL)
     give_json(console, json_file, {"map": done.name, "recordings": [_tree(made) for made in done.recordings]})
-
-
-def _read(words: tuple[str, ...], json_file: Path | None) -> list[Path]:
-    """What the command reads, which the file for programs must not replace: a map that is named by its file, SOURCE."""
-    if json_file is None:
-        return []
-    from cocorosim_ros.wire.conversion.kept_sources import kept_from
-
-    *maps, source = map(Path, words)
-    return [*maps, *kept_from(json_file, source)]
 
 
 def _guess(console: Console, source: Path, out: Path, *, force: bool) -> dict[str, Any]:

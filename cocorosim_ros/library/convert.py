@@ -135,11 +135,10 @@ def convert(
     from cocorosim_ros.wire.conversion.map_file import load_map
 
     mapped, place, target = load_map(file), Path(place_text(source, "source")), Path(place_text(out, "out"))
-    from cocorosim_ros.wire.conversion.kept_sources import kept_from
     from cocorosim_ros.wire.conversion.sources import check_there
 
     check_there(mapped, place)
-    refuse_inputs(target, [file, *kept_from(target, place)])
+    refuse_inputs(target, [file, place])
     from cocorosim_ros.wire.conversion.conversion import convert as convert_source
 
     made = convert_source(mapped, place, target, force=force, progress=progress)

@@ -8,7 +8,6 @@ from pathlib import Path
 from cocorosim_ros.diagnosis.guessing.guess import GuessedMap, guess_map
 from cocorosim_ros.foundation.output_file import check_file, write_text
 from cocorosim_ros.scenario.reading.arguments import Place, place_text
-from cocorosim_ros.wire.conversion.kept_sources import kept_from
 
 
 def guess(source: Place, out: Place, *, force: bool = False) -> GuessedMap:
@@ -24,7 +23,7 @@ def guess(source: Place, out: Place, *, force: bool = False) -> GuessedMap:
     Example: `guess("log.csv", "log.yaml").doubts`.
     """
     file, log = Path(place_text(out, "out")), Path(place_text(source, "source"))
-    check_file(file, force=force, inputs=kept_from(file, log))
+    check_file(file, force=force, inputs=[log])
     found = guess_map(log, re.sub(r"\W+", "_", file.stem).strip("_") or "guessed")
     write_text(file, found.text)
     return found

@@ -15,7 +15,8 @@ from cocorosim_ros.foundation.output_file import check_file
     ("place", "read", "found"),
     [
         ("log.csv", "log.csv", "is read by this command"),
-        ("bag/x.mcap", "bag", "lies within .*bag, which is read"),
+        ("bag/x.mcap", "bag", "is a part of .*bag, which is read"),
+        ("bag/metadata.yaml", "bag", "is a part of .*bag, which is read"),
         ("found", "found/model.yaml", "holds .*model.yaml, which is read"),
         ("other/../log.csv", "log.csv", "is read"),
         ("link.csv", "log.csv", "is read"),
@@ -29,7 +30,9 @@ def test_places_of_inputs(tmp_path: Path, place: str, read: str, found: str) -> 
 
 
 def test_places_beside_inputs(tmp_path: Path) -> None:
-    """A neighbour whose name begins alike, and no place at all."""
+    """A neighbour whose name begins alike, results within the folder of a recording, and no place at all."""
+    refuse_inputs(tmp_path / "bag" / "page.html", [tmp_path / "bag"])
+    refuse_inputs(tmp_path / "bag" / "diagnosis", [tmp_path / "bag"])
     refuse_inputs(tmp_path / "bag.html", [tmp_path / "bag"])
     refuse_inputs(None, [tmp_path])
 

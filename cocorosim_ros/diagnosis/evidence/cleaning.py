@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.criteria.evidence import BURSTS, SPACING
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
 from cocorosim_ros.diagnosis.evidence.topic_rows import TopicRows
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 
 _EVEN = re.compile(r": \d+ readings( at \S+ Hz| in bunches, \S+ a second)?\.$")
@@ -74,11 +75,12 @@ def _each_moment_once(rows: TopicRows, remarks: list[str]) -> TopicRows:
     same = ((copy == original) | (np.isnan(copy) & np.isnan(original))).all(axis=1)
     equal, unequal = int(np.count_nonzero(same)), int(np.count_nonzero(~same))
     if equal:
-        remarks.append(f"{rows.name}: {equal} messages were recorded twice; each counts once.")
+        was = either(equal, "was recorded twice; it counts", "were recorded twice; each counts")
+        remarks.append(f"{rows.name}: {counted(equal, 'message')} {was} once.")
     if unequal:
         remarks.append(
-            f"{rows.name}: {unequal} messages have the stamp of another one but say something else (two publishers?); "
-            "the first of each was kept."
+            f"{rows.name}: {counted(unequal, 'message')} {either(unequal, 'has', 'have')} the stamp of another one but "
+            f"{either(unequal, 'says', 'say')} something else (two publishers?); the first of each was kept."
         )
     return rows.chosen(first)
 

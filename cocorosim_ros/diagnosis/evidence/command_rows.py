@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.six_degrees import AXES
@@ -111,12 +112,15 @@ def _usable(topic: str, values: Floats, readable: Flags, remarks: list[str]) -> 
     given = np.isfinite(values[readable]).any(axis=0)  # a column without any number already has a remark
     lost = np.count_nonzero(~np.isfinite(values[readable][:, given]).all(axis=1))
     if lost:
-        remarks.append(f"{topic}: {lost} messages have a command that is no number; that actuator is taken to be off.")
+        have = f"{counted(lost, 'message')} {either(lost, 'has', 'have')}"
+        remarks.append(f"{topic}: {have} a command that is no number; that actuator is taken to be off.")
     values = np.where(np.isfinite(values), values, 0.0)
     beyond = np.count_nonzero((np.abs(values) > 1.0).any(axis=1))
     if beyond:
+        have, cut = either(beyond, "commands", "command"), either(beyond, "it is", "they are")
+        most = f"up to {np.abs(values).max():.3g} where 1 is all"
         remarks.append(
-            f"{topic}: {beyond} messages command more than the maximum (up to {np.abs(values).max():.3g} where 1 is "
-            "all); they are cut to it. Check the unit of the commands."
+            f"{topic}: {counted(beyond, 'message')} {have} more than the maximum ({most}); {cut} cut to it. Check the "
+            "unit of the commands."
         )
     return np.clip(values, -1.0, 1.0)

@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.errors import ArgumentError
 FILES = ("diagnosis.json", "model.yaml", "report.html", "next_manoeuvre.yaml")
 OVERLAY_FOLDER = "overlay"
 _PARTIAL = ".partial"
-"""How what is not written in full yet ends, which a diagnosis that was killed leaves behind."""
+"""Ending of what is not written in full yet, which a diagnosis that was killed leaves behind."""
 _UNFINISHED = f".overlay{_PARTIAL}"
 
 

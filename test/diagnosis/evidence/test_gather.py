@@ -81,7 +81,7 @@ def test_order_and_duplicates(record: Record, circle: Any, lily_platform: Platfo
     np.testing.assert_array_equal(stream.value[:, 0], pose.numbers[:, 0])
     assert is_said(recording.remarks, "lily_01/pose", "backwards at 1 place", "by up to 0.3 s", "sorted")
     assert is_said(recording.remarks, "lily_01/pose", "2 messages were recorded twice")
-    assert is_said(recording.remarks, "lily_01/pose", "1 messages have the stamp of another one")
+    assert is_said(recording.remarks, "lily_01/pose", "1 message has the stamp of another one")
 
 
 def test_what_is_no_number_is_left_out(record: Record, circle: Any, lily_platform: Platform, is_said: Any) -> None:
@@ -270,8 +270,8 @@ def test_commands_that_are_not_usable(record: Record, circle: Any, lily_platform
     np.testing.assert_array_equal(found[:5], numbers[:5, [1, 0, 0]] * [1, 1, 0])
     assert found[5].tolist() == [0.0, numbers[5, 0], 0.0]
     assert found[6].tolist() == [numbers[6, 1], 1.0, 0.0]
-    assert is_said(recording.remarks, "1 messages have a command that is no number")
-    assert is_said(recording.remarks, "1 messages command more than the maximum (up to 3")
+    assert is_said(recording.remarks, "1 message has a command that is no number")
+    assert is_said(recording.remarks, "1 message commands more than the maximum (up to 3")
     assert is_said(recording.remarks, "buoyancy is never commanded")
 
 
