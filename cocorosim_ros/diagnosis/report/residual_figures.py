@@ -39,10 +39,7 @@ from cocorosim_ros.foundation.units.quantity_text import Scale, handy_scale
 from cocorosim_ros.world.terms.equations import EQUATION
 from cocorosim_ros.world.terms.regressors import REGRESSOR
 
-_CONDITIONS = {
-    "yaw": "heading", "speed": "speed", "z": "height", "thrust": "command", "yaw_command": "command", "pump": "pump",
-}  # fmt: skip
-"""Regressors by which means are drawn, and words for them."""
+_CONDITIONS = ("yaw", "speed", "z", "thrust", "yaw_command", "pump")
 
 
 @dataclass(frozen=True)
@@ -202,8 +199,8 @@ def by_conditions(pair: Pair, equations: Sequence[str]) -> Markup:
 
 
 def condition_words(pair: Pair) -> str:
-    """Words for the conditions by which means are drawn, such as 'heading, speed and command'; '' without any."""
-    *others, last = dict.fromkeys(_CONDITIONS[name] for name in _varying(pair)) or ("",)
+    """Words for the conditions by which means are drawn, such as 'heading, speed and thrust command'; '' if none."""
+    *others, last = [REGRESSOR[name].label or name for name in _varying(pair)] or [""]
     return f"{', '.join(others)} and {last}" if others else last
 
 

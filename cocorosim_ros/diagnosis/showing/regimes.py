@@ -28,23 +28,23 @@ def unlike_regimes(unseen: Unseen) -> dict[str, str]:
         if (remark := _remark(quantity, unlike, fitted))
     }
     said = {quantity.name for quantity in remarks}
-    return {quantity.name: remark for quantity, remark in remarks.items() if quantity.unless not in said}
+    return dict(remark for quantity, remark in remarks.items() if quantity.unless not in said)
 
 
-def _remark(quantity: Quantity, held: Floats, seen: Floats) -> str:
-    """Sentence about a quantity whose median differs: held (n,), seen (m,); '' if it does not."""
+def _remark(quantity: Quantity, held: Floats, seen: Floats) -> tuple[str, str] | None:
+    """Name of a quantity whose median differs, and a sentence: held (n,), seen (m,); None if it does not differ."""
     low, high = np.quantile(seen, REGIMES.middle).tolist()
     least = REGIMES.steady * float(max(np.abs(seen).max(), np.abs(held).max()))
     wider = 0.5 * max(least - (high - low), 0.0)
     median = float(np.median(held))
     if low - wider <= median <= high + wider:
-        return ""
+        return None
     name = quantity.name
     if name == _DEPTH and max(median, high) < 0.0:  # a vehicle in the air, or above where its map has the surface
         name = "height"
         median, low, high = -median, -high, -low
     middle, lowest, highest = (said_quantity(each, quantity.unit) for each in (median, low, high))
-    return (
+    return name, (
         f"Free runs go through parts unlike the fitted ones: their median {name} is {middle}, the middle half of the "
         f"fitted parts lies between {lowest} and {highest}."
     )

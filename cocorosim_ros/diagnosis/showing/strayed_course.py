@@ -61,7 +61,8 @@ def _objection(robot: str, count: int, strayed: Sequence[Sequence[Left]]) -> Obj
         if each.kind not in worst or each.ratio > worst[each.kind].ratio:
             worst[each.kind] = each
     told = "; ".join(_words(worst[kind]) for kind in KIND_NAMES if kind in worst)
-    where = f", in {len(strayed)} of its {count} recordings" if count > 1 else ""
+    some = "all" if len(strayed) == count else f"{len(strayed)} of"
+    where = f", in {some} its {count} recordings" if count > 1 else ""
     most = ", at most" if len(strayed) > 1 else ""
     return Objection(
         f"The most likely course of {robot} leaves its readings by more than their noise{where}{most}: {told}.",

@@ -43,8 +43,10 @@ def test_a_vehicle_in_the_air_has_no_water(example: Example, effect: str) -> Non
 def test_captions_name_what_is_drawn(example: Example) -> None:
     """No height where none is known; an interval of a single window, whose ends are equal, is none."""
     found = example("mismatch")
-    assert "by heading, speed, height and command, with" in told(found, "lily")
-    assert "by heading, speed and command, with" in told(replace(found, unrecorded=Unrecorded(depth=True)), "lily")
+    assert "by heading, speed, height z, thrust command and torque command, with" in told(found, "lily")
+    assert "by heading, speed, thrust command and torque command, with" in told(
+        replace(found, unrecorded=Unrecorded(depth=True)), "lily"
+    )
     single = replace(found.fit["position"], intervals={"nominal": (0.537, 0.537), "augmented": (0.01, 0.02)})
     page = told(replace(found, fit={**found.fit, "position": single}), "lily")
     assert "537" not in page and "10.0 to 20.0" in page

@@ -22,7 +22,7 @@ def said(monkeypatch: pytest.MonkeyPatch, name: str, fitted: float, held: float)
     monkeypatch.setattr(regimes, "regimes_along", lambda track, course: values)
     split = SimpleNamespace(seen=[Span(0, 10)], held=[Span(10, 20)])
     unseen: Any = SimpleNamespace(tracks=[None], courses=[None], splits=[split])
-    return regimes.unlike_regimes(unseen).get(name, "")
+    return next((sentence for key, sentence in regimes.unlike_regimes(unseen).items() if f" {key} is" in sentence), "")
 
 
 @pytest.mark.parametrize(
