@@ -100,8 +100,8 @@ def collapsed_base(case: Case) -> Iterator[Objection]:
         row = case.table[channel]
         yield Objection(
             f"The recalibrated model foretells the {channel} worse than the platform as given does: it errs by "
-            f"{said_quantity(row.recalibrated, row.unit)} instead of {said_quantity(row.nominal, row.unit)}; its fit "
-            "has collapsed."
+            f"{said_quantity(row.recalibrated, row.unit)} instead of {said_quantity(row.nominal, row.unit)}; "
+            "its fit has collapsed."
         )
 
 

@@ -70,7 +70,7 @@ def test_numbers_that_stand_for_a_wrong_log_are_held(sound: Swum, wrong: Any) ->
     assert "yaw_torque_gain" in steady.held
     table = held_out_free_runs(unseen_parts(steady.base), steady.base).table
     assert table["heading"].recalibrated == pytest.approx(table["heading"].nominal, rel=0.1)
-    assert any("heading" in sentence and "yaw_torque_gain" in sentence for sentence in steady.sentences)
+    assert any("heading" in sentence and "yaw torque gain" in sentence for sentence in steady.sentences)
 
 
 def test_a_climb_that_ended_too_low_goes_on_with_all_numbers(sound: Swum) -> None:
@@ -119,7 +119,7 @@ def test_a_diagnosis_says_what_it_holds(wrong: Any) -> None:
     """Of a log that is true in held-out parts alone: numbers are kept, names suspected, and the headline says it."""
     found = diagnose(wrong, lambda words, share: None)
     assert "yaw_torque_gain" in found.held
-    assert any("yaw_torque_gain" in warning for warning in found.warnings)
+    assert any("yaw torque gain" in warning for warning in found.warnings)
     assert all(effect.tier == "suspected" for effect in found.effects)
     assert "collapsed" in found.sentence and found.verdict in ("mismatch", "insufficient")
     assert "yaw_torque_gain" not in {number.parameter for number in found.all_recalibrated}
