@@ -13,7 +13,7 @@ from trial.ships import BAR, TANKER, WIND_BAR, WINDY
 
 Tree = dict[str, Any]
 BLIMP, GLIDER = "rgblimp", "slocum_glider"
-COLLAPSED, AT_A_BOUND = "its fit has collapsed", "stands at the end of its range"  # of warnings of a diagnosis
+COLLAPSED, AT_A_BOUND = "its fit has collapsed", "the end of its range"  # of warnings of a diagnosis
 DRAWN = 200  # altered logs that are asked for
 ALTERED = "altered logs against unaltered ones ([against](against.md))"
 
