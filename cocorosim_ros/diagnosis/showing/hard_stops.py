@@ -37,9 +37,9 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
         absent = "." in unknown.column and unknown.value(q) == NEUTRAL[COLUMN[unknown.column]]
         if unknown.owner.effect == PLATFORM and any(unknown.at_ends(q)) and not absent:
             yield Objection(
-                f"The fit of {parameter_words(unknown.owner.parameter)} of {_listed(unknown.owner.robots)} stands at "
-                f"the end of its range, {said_quantity(unknown.value(q), unknown.owner.unit)}; the recordings ask for "
-                "a number that the platform's file leaves out.",
+                f"The fit of {parameter_words(unknown.owner.parameter)} of {_listed(unknown.owner.robots)} "
+                f"stands at the end of its range, {said_quantity(unknown.value(q), unknown.owner.unit)}; the "
+                "recordings ask for a number that the platform's file leaves out.",
                 unknown.owner.robots,
             )
 
