@@ -207,7 +207,7 @@ def test_figures_of_real_recordings_are_those_of_their_page() -> None:
     text = "\n".join(believed())
     pattern = r"{} effects, both directions: (\d+) of (\d+) keep the sign, (\d+) the size"
     sure, guessed = (counts("real", pattern.format(tier)) for tier in ("confirmed", "suspected"))
-    assert f"of {sure[1]} *confirmed* effects {sure[0]} keeps its sign and {sure[2]} the size" in text
+    assert f"of {sure[1]} *confirmed* effects {sure[0]} keep their sign and {sure[2]} the size" in text
     assert f"of {guessed[1]} *suspected* ones {guessed[0]} and {guessed[2]}" in text
     rows = re.findall(r"^\| \S+ \| (position|depth|heading) \[.* \| ([\d.]+) \|$", report("real"), re.MULTILINE)
     straight = [float(ratio) for channel, ratio in rows if channel != "heading"]
