@@ -11,6 +11,7 @@ import shlex
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import click
 import pytest
@@ -88,7 +89,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with BagWriter(place / "drive", [Channel(topic, kind) for topic, kind in kinds.items()]) as writer:
         for second in range(5):
             for topic, kind in kinds.items():
-                stamp = {"header": {"stamp": {"sec": second, "nanosec": 0}}} if kind != force else {"data": 1.0}
+                stamp: dict[str, Any] = {"data": 1.0}
+                if kind != force:
+                    stamp = {"header": {"stamp": {"sec": second, "nanosec": 0}}}
+                if kind == odometry:
+                    stamp |= {"pose": {"pose": {"orientation": {"w": 1.0}}}}
                 data = type_store.serialize(type_store.build(kind, stamp))
                 writer.write(topic, second * 10**9, second * 10**9, data)
     return place
