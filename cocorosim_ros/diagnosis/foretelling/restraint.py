@@ -100,7 +100,9 @@ def mends(table: Mapping[str, HeldOut], before: Mapping[str, HeldOut]) -> bool:
 
 
 def _worse(table: Mapping[str, HeldOut]) -> tuple[str, ...]:
-    return collapsed_channels(table, "augmented", RESTRAINT.worse)
+    """Channels that readings show and that are foretold worse; a course is bent by the very errors that were found."""
+    read = {channel: row for channel, row in table.items() if row.against == "readings"}
+    return collapsed_channels(read, "augmented", RESTRAINT.worse)
 
 
 def _mean_error(table: Mapping[str, HeldOut], other: Mapping[str, HeldOut]) -> float:

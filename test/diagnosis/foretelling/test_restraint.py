@@ -100,6 +100,15 @@ def table(**channels: tuple[float, float]) -> dict[str, HeldOut]:
     }
 
 
+def test_a_course_is_no_reason_to_hold_numbers(sound: Swum) -> None:
+    """Where no reading shows a place, that of the base stands in, which an error of its instruments has bent."""
+    good = sound.measure.base
+    free = held_out_free_runs(sound.measure, good)
+    bent = table(position=(1.0, 5.0))
+    by_course = {"position": replace(bent["position"], against="course")}
+    assert restrained(good, free._replace(table=by_course)) == Restrained(good)
+
+
 @pytest.mark.parametrize(
     ("again", "mended"),
     [
