@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.criteria.against import CHANGES, LEARNING
-from cocorosim_ros.diagnosis.criteria.fitting import OWN_CURVES
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, COMMAND_DELAY, MOST_THRUSTERS
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -53,15 +54,19 @@ def thruster_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[
 
 
 def curve_entries(tracks: Sequence[Track], thrusters: Sequence[str]) -> list[Entry]:
-    """Make an entry of the curve of every single thruster whose commands differ from those of the others."""
-    (least, most), large = OWN_CURVES.bounds, OWN_CURVES.large
+    """Make an entry of the curve of every single thruster whose commands differ from those of the others.
+
+    It is that of all thrusters, of one alone.
+    """
+    (of_all,) = (entry for entry in ENTRIES if entry.id == "thrust_curve")
+    (exponent,) = of_all.amplitudes
     return [
         Entry(
             f"thruster_curve:{name}",
             f"curve of the thrust of {name}",
-            "s = sign(s_0) |s_0|^exponent",
+            of_all.equation,
             "yaw",
-            (Amplitude(f"own_exponent.{number}", name, "1", large, neutral=1.0, least=least, most=most),),
+            (replace(exponent, column=f"own_exponent.{number}", name=name),),
             group=TURN,
         )
         for number, name in _told_alone(tracks, thrusters)

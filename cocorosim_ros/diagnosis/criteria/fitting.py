@@ -142,17 +142,11 @@ class ColouredReadingsCriteria:
 
 @dataclass(frozen=True)
 class OwnCurveCriteria:
-    """Curves of thrusters that differ from the platform's (`tracks.own_curves`, `against.numbers`)."""
+    """Curves of thrusters that differ from the platform's (`tracks.own_curves`)."""
 
     commands: int = 81
     """[commands] of the table of a curve: a square law between two of them errs by 0.06 % of full thrust at most.
     Reckoned from its second derivative, 2, times an eighth of the square of their distance."""
-    large: float = 0.5
-    """[1] exponent less one in a bad case: half of the way from a straight line to a square law. Chosen, not
-    measured."""
-    bounds: tuple[float, float] = (-1.0, 4.0)
-    """[of `large`] exponents from 0.5 to 3: a square law where the file has its root, or the other way round, and
-    beyond. Chosen, not measured."""
 
 
 @dataclass(frozen=True)

@@ -25,18 +25,20 @@ WORSE_BESIDE_KEPT = (
 
 def that_helps(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRuns]:
     """Take back named effects that make free runs on unseen data worse, the one they gain least by first."""
-    free = held_out_free_runs(unseen, naming.fit)
-    while naming.named and _is_harmed(naming, free):
-        naming = without_least(naming)
-        free = held_out_free_runs(unseen, naming.fit)
-    return naming, free
+    return _fewer(lambda left, free: not _is_harmed(left, free), naming, unseen, held_out_free_runs(unseen, naming.fit))
 
 
 def fewer_until(
     is_well: Callable[[Mapping[str, HeldOut]], bool], naming: Naming, unseen: Unseen, free: HeldOutFreeRuns
 ) -> tuple[Naming, HeldOutFreeRuns]:
     """Take back named effects, the one that free runs gain least by first, until the table of free runs is well."""
-    while naming.named and not is_well(free.table):
+    return _fewer(lambda _, runs: is_well(runs.table), naming, unseen, free)
+
+
+def _fewer(
+    is_well: Callable[[Naming, HeldOutFreeRuns], bool], naming: Naming, unseen: Unseen, free: HeldOutFreeRuns
+) -> tuple[Naming, HeldOutFreeRuns]:
+    while naming.named and not is_well(naming, free):
         naming = without_least(naming)
         free = held_out_free_runs(unseen, naming.fit)
     return naming, free

@@ -20,10 +20,12 @@ GOOD, BAD = (1, 2, 3, 4), (11, 12, 13)  # seeds of recordings
 def vehicle(left: float = 1.0) -> Platform:
     """A Lily whose left thruster follows a square law and has so much of its thrust; the file has straight lines."""
     lily = load_platform("lily")
-    changes = {"left": {"curve": ThrustCurve("square")}}
-    actuators = tuple(replace(each, **changes.get(each.name, {})) for each in lily.actuators)
-    weaker = tuple(replace(each, maximum=left * each.maximum) if each.name == "left" else each for each in actuators)
-    return replace(lily, actuators=weaker)
+    square = ThrustCurve("square")
+    actuators = (
+        replace(each, curve=square, maximum=left * each.maximum) if each.name == "left" else each
+        for each in lily.actuators
+    )
+    return replace(lily, actuators=tuple(actuators))
 
 
 def recordings(swim: Callable[..., Any], platform: Platform, seeds: tuple[int, ...]) -> Evidence:
