@@ -41,6 +41,7 @@ from cocorosim_ros.diagnosis.naming.detectability import (
     streams_and_numbers_not_shown,
 )
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names
 from cocorosim_ros.diagnosis.report.headline import difference_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
@@ -56,8 +57,6 @@ from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.showing.undone import undone
 from cocorosim_ros.diagnosis.showing.unrecorded import unrecorded
-from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 
 Progress = Callable[[str, float], None]
 
@@ -78,8 +77,7 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
     if well.reasons or intake.reasons:
         return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), well)
     progress("learning the vehicle", 0.05)
-    thrusters = _thrusters(bad.platform)
-    once = learned_once(well.evidence, thrusters, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    once = learned_once(well.evidence, lambda words, share: progress(words, 0.1 + 0.25 * share))
     progress("fitting both together", 0.4)
     learned, joint, taken_back = _joined(once.vehicle, intake)
     turned = in_its_axes(learned, joint, intake)
@@ -92,19 +90,19 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
         return _with_files(abstained(bad, (reason,)), well)
     alike = Alike(with_streams_of(learned, joint))
     progress("comparing the recordings of --against with each other", 0.5)
-    control = _control(learned, alike, thrusters)
+    control = _control(learned, alike)
     numbers = tuple(range(len(learned.tracks), len(joint.tracks)))
-    judged = _judged(joint, numbers, alike, thrusters)
+    judged = _judged(joint, numbers, alike)
     naming = name_differences(joint, judged, lambda words, share: progress(words, 0.55 + 0.2 * share))
     if is_torn(learned, joint):
         kept = as_learned(learned, joint)
-        anew = _judged(kept, numbers, alike, thrusters)
+        anew = _judged(kept, numbers, alike)
         naming = surer(naming, name_differences(kept, anew, lambda words, share: progress(words, 0.75 + 0.2 * share)))
     progress("writing down", 0.95)
     naming = replace(naming, screened=alike.all_weighed(naming.screened))
     against = replace(_against(well, learned, control, naming), taken_back=taken_back)
     clocks = tuple(other_clocks(intake.evidence, well.evidence))
-    objection = objection_to_learned(learned, well, changed_halfway(once.base, thrusters))
+    objection = objection_to_learned(learned, well, changed_halfway(once.base))
     told = _told(naming, judged, intake, against, clocks, objection)
     # The numbers of the model file are those of the learned vehicle, found with its steps and in its form of drag.
     form = word_of_form(learned) if bad.platform.drag_form is None else ""
@@ -113,10 +111,6 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
 
 def _joined(learned: Fit, intake: Intake) -> Running:
     return runnable(learned, lambda vehicle: joint_fit(vehicle, intake.evidence))
-
-
-def _thrusters(platform: Platform) -> tuple[str, ...]:
-    return tuple(each.name for each in platform.actuators if isinstance(each, Thruster))
 
 
 def _of_good(reasons: Sequence[str]) -> tuple[str, ...]:
@@ -132,19 +126,19 @@ def _of_taken_back(taken_back: Sequence[str]) -> tuple[str, ...]:
     )
 
 
-def _control(learned: Fit, alike: Alike, thrusters: tuple[str, ...]) -> tuple[str, ...]:
+def _control(learned: Fit, alike: Alike) -> tuple[str, ...]:
     """Names of what every second track of the learned vehicle differs in from the others; () if in nothing."""
     half = tuple(range(1, len(learned.tracks), 2))
     if not half:
         return ()
     fit = replace(learned, rows=below(learned))
-    found = name_differences(fit, _judged(fit, half, alike, thrusters), lambda words, share: None)
+    found = name_differences(fit, _judged(fit, half, alike), lambda words, share: None)
     names = tuple(effect.candidate.entry.id for effect in found.named)
     return (*names, found.nameless) if found.nameless else names
 
 
-def _judged(fit: Fit, numbers: tuple[int, ...], alike: Alike, thrusters: tuple[str, ...]) -> Judged:
-    return Judged(numbers, alike, thrusters, foreseeable_parts(fit, among=numbers))
+def _judged(fit: Fit, numbers: tuple[int, ...], alike: Alike) -> Judged:
+    return Judged(numbers, alike, foreseeable_parts(fit, among=numbers))
 
 
 def _against(well: Intake, learned: Fit, control: tuple[str, ...], naming: Naming) -> Comparison:
@@ -198,7 +192,7 @@ def _told(
     case = Case(final, naming.named, effects, courses[1], table)
     of_vehicles = (*to_learned, *as_another_vehicle(moved, effects), *undone(case, base))
     stops = (*of_vehicles, *unexplained(intake), *objections(case))
-    effects = as_asymmetries(stopped(effects, stops), judged.thrusters)
+    effects = as_asymmetries(stopped(effects, stops), thruster_names(base.tracks[0].vehicle))
     traces, unsettled = (names_of(naming, each) for each in (naming.traces, naming.unsettled))
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
     unseen = tuple(name for name in not_shown(naming.screened) if name not in seen)

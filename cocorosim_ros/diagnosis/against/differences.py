@@ -52,13 +52,11 @@ class Addition(NamedTuple):
 class Judged:
     """The tracks of a joint fit that are to be judged, by number, and the measures of evidence in them.
 
-    thrusters: names of the platform's thrusters, in order. unseen: parts of these tracks, through which free runs
-    choose among differences of motion.
+    unseen: parts of these tracks, through which free runs choose among differences of motion.
     """
 
     numbers: tuple[int, ...]
     alike: Alike
-    thrusters: tuple[str, ...]
     unseen: Unseen
 
 
@@ -171,7 +169,7 @@ def _scene(fit: Fit, judged: Judged) -> Scene:
 
 def _entries(joint: Fit, judged: Judged) -> list[Entry]:
     tracks = [joint.tracks[number] for number in judged.numbers]
-    numbers = number_entries(tracks, joint.rows[list(judged.numbers)], judged.thrusters)
+    numbers = number_entries(tracks, joint.rows[list(judged.numbers)])
     return with_delays([*ENTRIES, *numbers], tracks)
 
 

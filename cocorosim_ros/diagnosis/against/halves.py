@@ -18,10 +18,11 @@ import numpy as np
 from scipy.stats import t as student
 
 from cocorosim_ros.diagnosis.against.control import Alike
-from cocorosim_ros.diagnosis.against.numbers import number_entries, number_words
+from cocorosim_ros.diagnosis.against.numbers import number_entries
 from cocorosim_ros.diagnosis.criteria.against import ALIKE, HALVES
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.naming.single_thrusters import number_words
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -41,13 +42,13 @@ class Difference(NamedTuple):
     chance: float
 
 
-def changed_halfway(base: Fit, thrusters: Sequence[str]) -> tuple[Changed, ...]:
+def changed_halfway(base: Fit) -> tuple[Changed, ...]:
     """List the numbers that differ clearly and by much between the halves of each robot's tracks, the clearest first.
 
-    base: fit of the platform's numbers to tracks in the order of time. thrusters: names, in order.
+    base: fit of the platform's numbers to tracks in the order of time.
     """
     alike = Alike(base)
-    entries = [each for each in number_entries(base.tracks, base.rows, thrusters) if each.amplitudes[0].factor]
+    entries = [each for each in number_entries(base.tracks, base.rows) if each.amplitudes[0].factor]
     candidates = {each.entry.id: each for each in reversed(expand(entries, base.tracks, base.rows))}
     found = []
     for robot, numbers in tracks_by_robot(base.tracks).items():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import pickle
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.against.comparable import in_parts
@@ -35,17 +35,17 @@ class _Kept(threading.local):
 _KEPT = _Kept()
 
 
-def learned_once(good: Evidence, thrusters: Sequence[str], progress: Callable[[str, float], None]) -> Learned:
+def learned_once(good: Evidence, progress: Callable[[str, float], None]) -> Learned:
     """Learn the vehicle of recordings; of the same recordings as the time before it is known already.
 
-    Learning takes most of a comparison, and many recordings are compared with the same. thrusters: names, in order.
+    Learning takes most of a comparison, and many recordings are compared with the same.
     """
 
     def learn() -> Learned:
         base = base_fit(in_parts(good))
         if good.platform.drag_form is None:
             base, _ = with_best_form(base, RECALIBRATION.most_rounds)
-        return Learned(learned_vehicle(base, thrusters, progress), base)
+        return Learned(learned_vehicle(base, progress), base)
 
     return _KEPT.vehicles.once(_content(good), learn)
 

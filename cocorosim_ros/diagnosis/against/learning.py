@@ -6,12 +6,12 @@ the recordings of the same vehicle, so that nothing but differences is left to b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.against.numbers import curve_entries, thruster_entries
+from cocorosim_ros.diagnosis.against.numbers import curve_entries
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.against import LEARNING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
@@ -24,17 +24,18 @@ from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.naming.contest import begin
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_entries
 
 LEARNED = "learned"
 """Owner of the numbers that the vehicle has beside the platform's: an effect's name and number are its parameter."""
 
 
-def learned_vehicle(base: Fit, thrusters: Sequence[str], progress: Callable[[str, float], None]) -> Fit:
-    """Learn the vehicle from its recalibrated fit `base`; thrusters: names, in order."""
+def learned_vehicle(base: Fit, progress: Callable[[str, float], None]) -> Fit:
+    """Learn the vehicle from its recalibrated fit `base`."""
     fit = name_effects(base, progress).fit
     fit = replace(fit, unknowns=tuple(map(_nameless, fit.unknowns)))
     for _ in range(LEARNING.most):
-        richer = _richer(fit, thrusters)
+        richer = _richer(fit)
         if richer is None:
             break
         fit = replace(richer, unknowns=tuple(map(_nameless, richer.unknowns)))
@@ -68,12 +69,12 @@ def _nameless(unknown: Unknown) -> Unknown:
     return replace(unknown, owner=replace(owner, effect=LEARNED, parameter=f"{owner.effect}.{owner.parameter}"))
 
 
-def _richer(fit: Fit, thrusters: Sequence[str]) -> Fit | None:
+def _richer(fit: Fit) -> Fit | None:
     """Add the effect that explains most, of those without shapes, to all robots; None if none explains enough."""
     scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(fit))
     screen = Screen(fit, scene)
     taken = {unknown.column for unknown in fit.unknowns}
-    tested = [screen.test(each) for each in _candidates(fit, thrusters) if not taken & _columns(each)]
+    tested = [screen.test(each) for each in _candidates(fit) if not taken & _columns(each)]
     for best in sorted(tested, key=lambda each: -each.nats):
         if best.nats < LEARNING.worth:
             return None
@@ -83,9 +84,9 @@ def _richer(fit: Fit, thrusters: Sequence[str]) -> Fit | None:
     return None
 
 
-def _candidates(fit: Fit, thrusters: Sequence[str]) -> list[Candidate]:
+def _candidates(fit: Fit) -> list[Candidate]:
     """Make candidates of entries without shapes and of thrusters' own gains and curves, each for all its robots."""
-    own = (*thruster_entries(fit.tracks, thrusters), *curve_entries(fit.tracks, thrusters))
+    own = (*thruster_entries(fit.tracks), *curve_entries(fit.tracks))
     plain = [entry for entry in (*ENTRIES, *own) if not entry.shapes]
     widest: dict[int, Candidate] = {}
     for candidate in expand(plain, fit.tracks, fit.rows):

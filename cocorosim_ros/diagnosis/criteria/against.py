@@ -16,9 +16,6 @@ class LearningCriteria:
     """[effects] that are learned beside those of the contest: each costs a screening. Chosen, not measured."""
     turns: int = 3
     """[turns of noise and unknowns] after all effects have been added. Chosen, not measured."""
-    alone: float = 0.05
-    """[of its rms] a thruster's command that the others do not share, so that its own gain shows. Chosen, not
-    measured."""
 
 
 @dataclass(frozen=True)
@@ -113,11 +110,6 @@ class ComparisonCriteria:
 class ChangeCriteria:
     """Sizes of changes in the platform's own numbers (`against.numbers`)."""
 
-    large_factor: float = 0.3
-    """[logarithm] of a number in a bad case: a third more or less. Chosen, not measured."""
-    bounds: tuple[float, float] = (-10.0, 5.0)
-    """[of `large_factor`] a factor of a twentieth, a dead thruster nearly, up to four and a half. Chosen, not
-    measured."""
     large_delay: float = 0.3
     """[s] of commands in a bad case, as of the lag of a thruster. Chosen, not measured."""
     late_readings: float = 5.0

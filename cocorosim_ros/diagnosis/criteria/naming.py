@@ -107,6 +107,19 @@ class NamingCriteria:
 
 
 @dataclass(frozen=True)
+class FactorCriteria:
+    """Sizes of factors of a model's numbers, and commands that show a single thruster's (`naming.single_thrusters`)."""
+
+    large: float = 0.3
+    """[logarithm] of a number in a bad case: a third more or less. Chosen, not measured."""
+    bounds: tuple[float, float] = (-10.0, 5.0)
+    """[of `large`] a factor of a twentieth, a dead thruster nearly, up to four and a half. Chosen, not measured."""
+    alone: float = 0.05
+    """[of its rms] a thruster's command that the others do not share, so that its own gain shows. Chosen, not
+    measured."""
+
+
+@dataclass(frozen=True)
 class DetectabilityCriteria:
     """Limits below which a recording shows too little of the catalogue (`naming.detectability`)."""
 
@@ -168,6 +181,7 @@ class SwingCriteria:
 SEARCH = SearchCriteria()
 PAIR_LAWS = PairLawCriteria()
 NAMING = NamingCriteria()
+FACTORS = FactorCriteria()
 DETECTABILITY = DetectabilityCriteria()
 PUMP = PumpCriteria()
 SWINGS = SwingCriteria()

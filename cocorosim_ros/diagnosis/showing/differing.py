@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from cocorosim_ros.diagnosis.against.numbers import ONE_THRUSTER, THRUST
+from cocorosim_ros.diagnosis.against.numbers import THRUST
 from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
+from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER, SIDES, thruster_of
 from cocorosim_ros.diagnosis.showing.estimates import Fitted, found_effects
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 _COLUMN_OF = {name: (column, unit) for column, (name, unit) in RECALIBRATED.items()}
-SIDES = 2  # thrusters, of which a weak one is an asymmetry
 
 
 def differing_numbers(naming: Naming, numbers: Sequence[Fitted]) -> tuple[Recalibrated, ...]:
@@ -54,6 +54,7 @@ def differing_effects(naming: Naming, numbers: Sequence[Fitted]) -> tuple[FoundE
 def as_asymmetries(effects: Sequence[FoundEffect], thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
     """Call one weak thruster of two an asymmetry: its own gain is given beside the `difference` of the contract.
 
+    One of more has its name as that of its number alone.
     thrusters: names, in order.
     """
     return tuple(_as_asymmetry(effect, thrusters) for effect in effects)
@@ -72,7 +73,7 @@ def _times(estimate: Estimate, before: float, unit: str) -> Estimate:
 
 
 def _as_asymmetry(effect: FoundEffect, thrusters: Sequence[str]) -> FoundEffect:
-    if not effect.id.startswith(f"{ONE_THRUSTER}:"):
+    if not thruster_of(effect.id):
         return effect
     if len(thrusters) != SIDES:
         return replace(effect, id=ONE_THRUSTER)

@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from cocorosim_ros.diagnosis.against.numbers import ONE_THRUSTER, THRUST, number_words
+from cocorosim_ros.diagnosis.against.numbers import THRUST
 from cocorosim_ros.diagnosis.criteria.against import SAME_VEHICLE
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.naming.single_thrusters import number_words, thruster_of
 from cocorosim_ros.diagnosis.showing.case import Objection
 
 _THRUST, _DRAG = "thrust", "drag"
@@ -59,7 +60,7 @@ def _of_platform(moved: Sequence[Recalibrated]) -> Iterator[Change]:
 
 def _of_thrusters(effects: Sequence[FoundEffect]) -> Iterator[Change]:
     for effect in effects:
-        if effect.id.startswith(f"{ONE_THRUSTER}:"):
+        if thruster_of(effect.id):
             for gain in effect.parameters.values():
                 yield Change(_THRUST, number_words(effect.id), gain, effect.robots)
 

@@ -16,7 +16,6 @@ from cocorosim_ros.diagnosis.against.halves import changed_halfway, difference_o
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 
 SECONDS = 120.0
-PROPELLERS = ("left", "right")
 
 
 @pytest.mark.parametrize("seed", [5, 6])
@@ -31,7 +30,7 @@ def test_a_propeller_damaged_halfway(tmp_path: Path, seed: int, share: float) ->
         return shares * commands
 
     drive = boats.recorded(boat, boats.Truth(), SECONDS, seed, damaged)
-    found = changed_halfway(base_fit(in_parts(drive)), PROPELLERS)
+    found = changed_halfway(base_fit(in_parts(drive)))
     if share == 1.0:
         assert found == ()
     else:

@@ -15,7 +15,7 @@ def learning(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
 
     learned: list[Any] = []
 
-    def learn(base: Any, thrusters: Any, progress: Any) -> Any:
+    def learn(base: Any, progress: Any) -> Any:
         learned.append(base)
         return base
 
@@ -29,7 +29,7 @@ def asked(good: Any) -> Any:
     """Vehicle of recordings."""
     from cocorosim_ros.diagnosis.against.learned_once import learned_once
 
-    return learned_once(good, (), lambda words, share: None)
+    return learned_once(good, lambda words, share: None)
 
 
 def dive(swim: Any, seed: int) -> Any:

@@ -1,0 +1,86 @@
+"""Gains of single thrusters as entries: what one pushes, as a factor of what a model has of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
+from cocorosim_ros.diagnosis.criteria.naming import FACTORS
+from cocorosim_ros.diagnosis.tracks.columns import MOST_THRUSTERS, OWN_GAINS
+from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.world.terms.groups import TURN
+
+ONE_THRUSTER = "thruster_gain"
+SIDES = 2
+"""Thrusters of which a weak one is an asymmetry, which the catalogue has."""
+
+
+def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
+    """Make the entries beside the catalogue's: gains of single thrusters, where there are more than two."""
+    return thruster_entries(tracks) if np.count_nonzero(tracks[0].vehicle.is_thruster) > SIDES else []
+
+
+def thruster_entries(tracks: Sequence[Track]) -> list[Entry]:
+    """Make an entry of the gain of every single thruster whose commands differ from those of the others."""
+    return [
+        factor_entry(f"{ONE_THRUSTER}:{name}", f"own_gain.{number}", "yaw", TURN, name)
+        for number, name in told_alone(tracks)
+    ]
+
+
+def told_alone(tracks: Sequence[Track]) -> list[tuple[int, str]]:
+    """Numbers, from 1, and names of the thrusters whose commands differ from those of the others."""
+    names = thruster_names(tracks[0].vehicle)
+    numbered = zip(range(1, MOST_THRUSTERS + 1), names, _commanded_alone(tracks), strict=False)
+    return [(number, name) for number, name, alone in numbered if alone]
+
+
+def thruster_names(vehicle: VehicleModel) -> tuple[str, ...]:
+    """Names of the thrusters that have a gain of their own, in the order of their numbers."""
+    begin, end = gain_key("*").split("*")
+    return tuple(
+        key.removeprefix(begin).removesuffix(end) for key, each in vehicle.own.items() if each.column in OWN_GAINS
+    )
+
+
+def thruster_of(identifier: str) -> str:
+    """Name of the thruster that an entry is of; '' for every other entry."""
+    kind, _, name = identifier.partition(":")
+    return name if kind == ONE_THRUSTER else ""
+
+
+def factor_entry(identifier: str, column: str, channel: str, group: str, name: str = "") -> Entry:
+    """Make the entry of a number that is a factor of what a model has.
+
+    name: of its amplitude, the identifier if it is empty.
+    """
+    words = number_words(identifier)
+    least, most = FACTORS.bounds
+    amplitude = Amplitude(
+        column, name or identifier, "1", FACTORS.large, neutral=1.0, factor=True, least=least, most=most
+    )
+    return Entry(identifier, f"{words} that differs", f"{words} = factor * before", channel, (amplitude,), group=group)
+
+
+def number_words(identifier: str) -> str:
+    """Words for a number that may differ, such as 'thrust of left' and 'yaw drag', by the identifier of its entry."""
+    thruster = thruster_of(identifier)
+    return f"thrust of {thruster}" if thruster else identifier.replace("_", " ")
+
+
+def _commanded_alone(tracks: Sequence[Track]) -> list[bool]:
+    """Tell for each thruster whether its commands have a part that no sum of the other thrusters' commands makes up."""
+    thrusters = tracks[0].vehicle.is_thruster
+    commands = np.concatenate([track.log.command[:, thrusters] for track in tracks])
+    commands = np.where(np.isfinite(commands), commands, 0.0)
+    found = []
+    for number in range(commands.shape[1]):
+        own, others = commands[:, number], np.delete(commands, number, axis=1)
+        left = own - others @ np.linalg.lstsq(others, own, rcond=None)[0] if others.shape[1] else 0.0 * own
+        size = float(np.sqrt(np.mean(own**2)))
+        found.append(bool(size > 0.0 and np.sqrt(np.mean(left**2)) > FACTORS.alone * size))
+    return found
