@@ -34,9 +34,11 @@ from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, sc
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
+from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names
 from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
+from cocorosim_ros.diagnosis.showing.differing import as_asymmetries
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
@@ -100,7 +102,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     final_courses = smoothed_tracks(naming.fit)
     case = Case(naming.fit, naming.named, effects, final_courses, table)
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
-    effects = stopped(effects, against)
+    effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
     unlike, nothing_shown = unlike_regimes(found.unseen), unrecorded(base.tracks)
     return Diagnosis(
         verdict,

@@ -44,6 +44,7 @@ from cocorosim_ros.diagnosis.naming.promising_laws import leading, pair_candidat
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_RANDOM
 from cocorosim_ros.world.terms.search import Scene
 
@@ -110,9 +111,12 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
 
 
 def _undeclared(base: Fit) -> list[Entry]:
-    """Choose the entries of the catalogue of which no number is one of the platform's own, fitted or held as given."""
-    declared = declared_columns(base.tracks)
-    return [entry for entry in ENTRIES if not declared & {amplitude.column for amplitude in entry.amplitudes}]
+    """Choose the entries of which no number is one of the platform's own, fitted or held as given.
+
+    They are those of the catalogue and of single thrusters.
+    """
+    declared, every = declared_columns(base.tracks), (*ENTRIES, *looked_for_alone(base.tracks))
+    return [entry for entry in every if not declared & {amplitude.column for amplitude in entry.amplitudes}]
 
 
 def keys_of(candidate: Candidate) -> set[tuple[str, str | None, str]]:

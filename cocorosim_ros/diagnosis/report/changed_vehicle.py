@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
+from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
+from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key, own_numbers
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
@@ -15,18 +17,39 @@ GAINS = ("thrust_gain", "yaw_torque_gain")
 
 
 def as_platform(diagnosis: Diagnosis, platform: Platform) -> Diagnosis:
-    """Make the diagnosis that a platform file is written from: the one itself where nothing else was compared with.
+    """Make the diagnosis that a platform file is written from: gains of single thrusters are numbers in it.
 
-    The numbers are those that were learned, with the changes in them; effects of the platform's file stay in a number
-    that has changed, with the change added. platform: the one that was given. A delay of the commands, and one of many
-    thrusters that is weak, are left out, as no platform file has them; so are effects that were learned without a name.
+    Where other recordings were compared with, the numbers are those that were learned, with the changes in them;
+    effects of the platform's file stay in a number that has changed, with the change added. platform: the one that was
+    given. A delay of the commands is left out, as no platform file has it; so are effects that were learned without a
+    name.
     """
-    if diagnosis.against is None:
-        return diagnosis
-    learned = diagnosis.against.before
-    plain = (_plain(effect) for effect in diagnosis.effects if _is_known(effect))
-    effects = tuple(_with_known(effect, learned, platform) for effect in plain)
-    return replace(diagnosis, all_recalibrated=_numbers(diagnosis.against, diagnosis), effects=effects)
+    of_one = [effect for effect in diagnosis.effects if effect.id == ONE_THRUSTER]
+    others = tuple(effect for effect in diagnosis.effects if effect not in of_one)
+    numbers = diagnosis.all_recalibrated or diagnosis.recalibrated
+    if diagnosis.against is not None:
+        learned = diagnosis.against.before
+        others = tuple(_with_known(_plain(each), learned, platform) for each in others if _is_known(each))
+        numbers = _numbers(diagnosis.against, diagnosis)
+    return replace(diagnosis, all_recalibrated=_with_gains(numbers, of_one, platform), effects=others)
+
+
+def _with_gains(
+    numbers: Sequence[Recalibrated], of_one: Sequence[FoundEffect], platform: Platform
+) -> tuple[Recalibrated, ...]:
+    """Add gains of single thrusters to fitted numbers, each as a factor of the one that is there, or that the file has.
+
+    of_one: the effects that are such gains.
+    """
+    found = {(each.parameter, each.robots): each for each in numbers}
+    for effect in of_one:
+        given = own_numbers(platform.of_robot(effect.robots[0]))
+        for name, factor in effect.parameters.items():
+            key = gain_key(name)
+            before = found.get((key, effect.robots))
+            value = before.estimate.value if before is not None else given[key].value
+            found[key, effect.robots] = Recalibrated(key, given[key].value, _times(factor, value), effect.robots)
+    return tuple(found.values())
 
 
 def _is_known(effect: FoundEffect) -> bool:

@@ -63,6 +63,11 @@ POD = """actuators:
     largest_angle: {{value: 1, unit: rad, source: made}}
 """
 STERN = -0.4  # m
+# x and y of four thrusters [m], and where they push [rad to the left of ahead].
+CORNERS = (
+    (0.4, 0.25, -math.pi / 4), (0.4, -0.25, math.pi / 4), (-0.4, 0.25, math.pi / 4), (-0.4, -0.25, -math.pi / 4)
+)  # fmt: skip
+NAMES = ("front_left", "front_right", "rear_left", "rear_right")
 AIR, FRONT, SIDE = 1.225, 0.1, 0.2  # kg/m^3, and areas above the water, m^2
 ABOVE_WATER = f"""front_above_water: {{{{value: {FRONT}, unit: m^2, source: made}}}},
   side_above_water: {{{{value: {SIDE}, unit: m^2, source: made}}}}, """
@@ -88,7 +93,8 @@ class Truth(NamedTuple):
     ahead: float = 0.0  # m, of the centre of mass before the origin
 
 
-Forces = Callable[[Truth, float, float], tuple[float, float, float]]
+Forces = Callable[..., tuple[float, float, float]]
+"""X, Y, N [N, N, N m] of the truth and of what each actuator delivers."""
 
 
 def platform(folder: Path, more: str = "", text: str = PLATFORM) -> Any:
@@ -104,6 +110,21 @@ def with_pod() -> str:
     """The text of the platform with one thruster that turns in place of two that do not."""
     head, _, rest = PLATFORM.partition("actuators:\n")
     return head + POD + "sensors:" + rest.partition("sensors:")[2]
+
+
+def with_four() -> str:
+    """The text of the platform with four thrusters that push aslant."""
+    head, _, rest = PLATFORM.partition("actuators:\n")
+    every = "".join(
+        f"""  - name: {name}
+    kind: thruster
+    position: {{{{value: [{x}, {y}, 0], unit: m, source: made}}}}
+    direction: {{{{value: [{math.cos(angle)}, {math.sin(angle)}, 0], unit: "1", source: made}}}}
+    maximum: {{{{value: 20, unit: N, source: made}}}}
+"""
+        for name, (x, y, angle) in zip(NAMES, CORNERS, strict=True)
+    )
+    return head + "actuators:\n" + every + "sensors:" + rest.partition("sensors:")[2]
 
 
 def in_the_wind() -> str:
@@ -137,18 +158,37 @@ def pod(true: Truth, force: float, turned: float) -> tuple[float, float, float]:
     return force * math.cos(angle), force * math.sin(angle), STERN * force * math.sin(angle)
 
 
-def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0, forces: Forces = pair) -> Any:
-    """(rows, 8) x, y, z, yaw, u, v, w, r every STEP, under commands (ticks, 2) that hold for a TICK each.
+def vectored(_true: Truth, *pushes: float) -> tuple[float, float, float]:
+    """X, Y, N of four thrusters at the corners that push aslant [N, N, N m]."""
+    along = [
+        (push * math.cos(angle), push * math.sin(angle)) for push, (*_, angle) in zip(pushes, CORNERS, strict=True)
+    ]
+    turn = sum(x * aside - y * ahead for (x, y, _), (ahead, aside) in zip(CORNERS, along, strict=True))
+    return sum(ahead for ahead, _ in along), sum(aside for _, aside in along), turn
 
-    truth: of all ticks, or of each tick. forces: X, Y, N of what the two actuators deliver.
+
+def aslant(commands: Any) -> Any:
+    """(ticks, 4) commands of those four from commands (ticks, 2) of a pair, which push them sideways too."""
+    ahead, turn = commands.mean(axis=1), 0.5 * np.diff(commands, axis=1)[:, 0]
+    aside = np.roll(turn, len(turn) // 3)
+    shares = [
+        ahead + 0.7 * side * turn + slant * aside for _, side, slant in ((1, -1, -1), (1, 1, 1), (1, -1, 1), (1, 1, -1))
+    ]
+    return np.clip(np.column_stack(shares), -1.0, 1.0)
+
+
+def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0, forces: Forces = pair) -> Any:
+    """(rows, 8) x, y, z, yaw, u, v, w, r every STEP, under commands (ticks, actuators) that hold for a TICK each.
+
+    truth: of all ticks, or of each tick. forces: X, Y, N of what the actuators deliver.
     """
 
     def rate(_: float, state: Any, true: Truth, wanted: Any, push: Any) -> list[float]:
-        _x, _y, yaw, u, v, r, left, right = state
-        late = (wanted[0] - left, wanted[1] - right)
+        _x, _y, yaw, u, v, r, *delivered = state
+        late = wanted - delivered
         if true.lag == 0.0:
-            left, right = wanted
-        water, air, thrust = drag(true, u, v, r), blown(true, yaw, u, v), forces(true, left, right)
+            delivered = wanted
+        water, air, thrust = drag(true, u, v, r), blown(true, yaw, u, v), forces(true, *delivered)
         aside = thrust[1] + water[1] + push[1] + air[1]
         about_origin = thrust[2] + water[2] + true.weed + ARM * push[2] + air[2]
         turn = (about_origin - true.ahead * aside) / INERTIA
@@ -159,11 +199,10 @@ def course(truth: Truth | Sequence[Truth], commands: Any, seed: int = 0, forces:
             (thrust[0] + water[0] + push[0] + air[0]) / MASS + v * r + true.ahead * r**2,
             aside / MASS - u * r - true.ahead * turn,
             turn,
-            late[0] / true.lag if true.lag else 0.0,
-            late[1] / true.lag if true.lag else 0.0,
+            *(late / true.lag if true.lag else 0.0 * late),
         ]
 
-    state, rows, rng = np.zeros(8), [], np.random.default_rng([20261123, seed, 2])
+    state, rows, rng = np.zeros(6 + commands.shape[1]), [], np.random.default_rng([20261123, seed, 2])
     moments = np.arange(0.0, TICK + 0.5 * STEP, STEP)
     truths = [truth] * len(commands) if isinstance(truth, Truth) else truth
     for true, command in zip(truths, commands, strict=True):
@@ -196,13 +235,15 @@ def recorded(
 ) -> Any:
     """Evidence of one drive: poses every 0.1 s; `thrust` gives shares of the full force for commands.
 
-    forces: as in course; of a pod, what would turn the boat with two thrusters turns it.
+    forces: as in course; of a pod, what would turn the boat with two thrusters turns it, and so of four aslant.
     """
     from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 
     commands = drive(seconds, seed)
     if forces is pod:
         commands = np.column_stack([commands.mean(axis=1), -0.5 * np.diff(commands, axis=1)])
+    if forces is vectored:
+        commands = aslant(commands)
     rows = course(truth, thrust(commands), seed, forces)[::2, :4]
     rng = np.random.default_rng([20261123, seed, 1])
     value = rows + np.array(NOISE) * rng.standard_normal(rows.shape)

@@ -1,0 +1,65 @@
+"""Made boats with four thrusters that push aslant, one of which is weak: it is named alone, and written as its gain.
+
+The courses are SciPy's, of formulas written out in made/boats.py.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import boats
+import numpy as np
+import pytest
+
+from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
+from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
+from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+
+CHOPPY = 0.3  # N
+DRAG = boats.KNOWN.replace(boats.KNOWN[boats.KNOWN.index("  thruster_lag") :], "")  # known, thrusters follow at once
+
+
+def drive(platform: Platform, seed: int, weak: str = "", share: float = 1.0) -> Any:
+    """Evidence of a drive with one thruster that gives a share of its thrust."""
+    shares = np.array([share if name == weak else 1.0 for name in boats.NAMES])
+    truth = boats.Truth(lag=0.0, choppy=CHOPPY)
+    return boats.recorded(platform, truth, 160.0, seed, lambda commands: shares * commands, boats.vectored)
+
+
+def found(evidence: Any) -> Any:
+    """The diagnosis, without its progress."""
+    return diagnose(evidence, lambda words, share: None)
+
+
+@pytest.mark.parametrize(("seed", "weak", "share"), [(1, "front_left", 0.8), (2, "rear_right", 0.7)])
+def test_one_weak_thruster_of_four(tmp_path: Path, seed: int, weak: str, share: float) -> None:
+    """It is named with its share, and nothing else is; with the model that is written, nothing is missing."""
+    boat = boats.platform(tmp_path, DRAG, boats.with_four())
+    told = found(drive(boat, seed, weak, share))
+    (effect,) = told.effects
+    assert effect.id == "thruster_gain"
+    assert set(effect.parameters) == {weak}
+    assert effect.parameters[weak].holds(share) and effect.parameters[weak].value == pytest.approx(share, abs=0.03)
+    path = tmp_path / "model.yaml"
+    path.write_text(model_yaml(as_platform(told, boat), Origin(boat, ("made",), ("boat",), 160.0)), encoding="utf-8")
+    model = load_platform(path)
+    gains = {each.name: each.gain for each in model.actuators}
+    assert gains == {name: effect.parameters[weak].value if name == weak else None for name in boats.NAMES}
+    assert found(drive(model, seed, weak, share)).verdict == "consistent"
+
+
+def test_four_sound_thrusters_have_no_name(tmp_path: Path) -> None:
+    """The same drive with all of their thrust."""
+    assert found(drive(boats.platform(tmp_path, DRAG, boats.with_four()), 1)).effects == ()
+
+
+def test_a_pair_is_an_asymmetry(tmp_path: Path) -> None:
+    """Of two thrusters no single one is looked for: which of them is weak, their sum and difference cannot tell."""
+    from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+    from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone, thruster_entries
+
+    pair = first_fit(boats.recorded(boats.platform(tmp_path), boats.Truth(), 60.0, 1)).tracks
+    assert looked_for_alone(pair) == []
+    assert [each.id for each in thruster_entries(pair)] == ["thruster_gain:left", "thruster_gain:right"]
