@@ -1,9 +1,10 @@
 """Errors of readings that count in a free run: those that something else than the erring readings fixes.
 
 A law of a reading that alone shows a state can move the course at will, and would then be confirmed by the very course
-that it moved. So a model foretells a reading with its own error of it only where other readings show the same; where
-none does, the error is the recalibrated model's, which knows the platform's file alone. Errors of stamps always count,
-because the times of the commands fix them.
+that it moved. So a model foretells a reading with its own error of it only where other readings show the same, or what
+the error is told in terms of, as of an antenna off the centre the heading; where none does, the error is the
+recalibrated model's, which knows the platform's file alone. Errors of stamps always count, because the times of the
+commands fix them.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ def with_fixed_errors(plain: Floats, row: Floats, timeline: Timeline) -> Floats:
     found = plain.copy()
     found[TIMING] = row[TIMING]
     for name in ERROR_COLUMNS:
-        if any(_is_fixed(kind, timeline) for kind in _kinds_of(name)):
+        if _is_told_by_others(name, timeline) or any(_is_fixed(kind, timeline) for kind in _kinds_of(name)):
             found[COLUMN[name]] = row[COLUMN[name]]
     for place, numbers in SENSOR_LAWS.items():
         columns = [COLUMN[f"{place}.{number.name}"] for number in numbers]
@@ -40,6 +41,13 @@ def _kinds_of(column: str) -> list[str]:
     """Kinds of readings that an error's number, named by its column, changes."""
     error, _, number = column.partition(".")
     return [change.kind for change in ERRORS[error].changes if number in change.numbers]
+
+
+def _is_told_by_others(column: str, timeline: Timeline) -> bool:
+    """Tell whether readings that do not err show what an error, by a column of it, says that it is told in terms of."""
+    error = ERRORS[column.partition(".")[0]]
+    wrong = tuple(change.kind for change in error.changes)
+    return bool(error.told_by) and all(is_shown(state, wrong, timeline.kinds) for state in error.told_by)
 
 
 def _is_fixed(kind: str, timeline: Timeline) -> bool:
