@@ -47,10 +47,12 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
     starts = starts_of(base.tracks, base.filled)
     unseen = Unseen(base, _whole(base.tracks), foreseeable_parts(base).seconds, base.filled, (), starts, ())
     runs = FreeRuns(unseen, unseen.rows)
-    by_file = runs.errors(unseen.base.rows)
+    by_file = runs.errors_from_given_starts(unseen.base.rows)
     tracks = tuple(_tracks(unseen.tracks, load_platform(found)))
     rows = np.array([track.vehicle.row for track in tracks])
-    by_model = FreeRuns(replace(unseen, base=replace(unseen.base, tracks=tracks)), unseen.rows).errors(rows)
+    by_model = FreeRuns(
+        replace(unseen, base=replace(unseen.base, tracks=tracks)), unseen.rows
+    ).errors_from_given_starts(rows)
     return {
         channel: OnUnseen(*_roots(one, other), unseen.seconds, int(seen.sum()), float(np.mean(other[seen] > one[seen])))
         for channel, one, other in zip(runs.channels, by_file.T, by_model.T, strict=True)

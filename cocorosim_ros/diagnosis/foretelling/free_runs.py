@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.foretelling.gains import Gain, gain
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, fitted_to_the_rest
 from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, Errors, against, errors_of_course, errors_of_readings
-from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, path_of, starts_of, with_errors_of
+from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, own_starts, path_of, with_errors_of
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
@@ -85,14 +85,12 @@ def _gain(windows: Sequence[Window], told: Mapping[str, HeldOut]) -> Gain:
 
 def _models(unseen: Unseen, augmented: Floats) -> dict[str, Model]:
     """Make the models that run; augmented: rows (tracks, columns) of the one with the effects."""
-    tracks, none = unseen.tracks, [NO_PUSH] * len(unseen.tracks)
-    own = with_errors_of(unseen, augmented)
-    starts = unseen.starts
-    own_starts = starts if np.array_equal(own, unseen.rows) else starts_of(tracks, own)
+    none = [NO_PUSH] * len(unseen.tracks)
+    starts, sensors = unseen.starts, with_errors_of(unseen, augmented)
     return {
         "nominal": Model(unseen.base.rows, unseen.rows, starts, none),
         "recalibrated": Model(unseen.rows, unseen.rows, starts, none),
-        "augmented": Model(augmented, own, own_starts, none),
+        "augmented": Model(augmented, sensors, own_starts(unseen, augmented, sensors), none),
         FLOOR: Model(unseen.rows, unseen.rows, starts, unseen.learnt),
     }
 

@@ -26,7 +26,7 @@ from cocorosim_ros.diagnosis.fitting.solving import clipped, not_held, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import write_values
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Split
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, against, errors_of_readings
-from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, path_of, starts_of, with_errors_of
+from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, own_starts, path_of, with_errors_of
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.foundation.arrays import Flags, Floats
@@ -86,7 +86,7 @@ def _spread_of_mean(found: Floats) -> float:
 class FreeRuns:
     """Free runs by which models that were fitted to the same tracks are compared.
 
-    They start under errors of readings and stamps as `sensors`, rows (tracks, columns), has them, for all models alike.
+    They have errors of readings and stamps as `sensors`, rows (tracks, columns), for all models alike.
     """
 
     unseen: Unseen
@@ -112,15 +112,17 @@ class FreeRuns:
         return [NO_PUSH] * len(self.unseen.tracks)
 
     @cached_property
-    def _sensors_and_starts(self) -> tuple[Floats, list[Floats]]:
-        own = with_errors_of(self.unseen, self.sensors)
-        same = np.array_equal(own, self.unseen.rows)
-        return own, list(self.unseen.starts) if same else starts_of(self.unseen.tracks, own)
+    def _counting(self) -> Floats:
+        return with_errors_of(self.unseen, self.sensors)
 
     def errors(self, rows: Floats) -> Floats:
-        """Mean squared errors (windows, channels) of a model with these rows (tracks, columns)."""
-        sensors, starts = self._sensors_and_starts
-        return self._of(Model(rows, sensors, starts, self._no_push))
+        """Mean squared errors (windows, channels) of a model with these rows (tracks, columns), from its own starts."""
+        starts = own_starts(self.unseen, rows, self._counting)
+        return self._of(Model(rows, self._counting, starts, self._no_push))
+
+    def errors_from_given_starts(self, rows: Floats) -> Floats:
+        """Mean squared errors (windows, channels) of a model that begins as the recalibrated one does."""
+        return self._of(Model(rows, self.unseen.rows, self.unseen.starts, self._no_push))
 
     def gain(self, before: Floats, after: Floats) -> Gain:
         """Gain from one model's mean squared errors (windows, channels) to another's."""

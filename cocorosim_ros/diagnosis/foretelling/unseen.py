@@ -1,10 +1,11 @@
 """Parts of the recordings that no fit sees, the measure that is made there of the recalibrated model, and free runs.
 
-Every model starts from one state: what the recalibrated model's filter had made of the readings up to that moment,
-without later ones and without the named effects. (The errors of readings that count, `fixed_errors`, are taken off the
-readings first.) From there it takes no readings and no random force, and is measured against the readings that come. A
-smoothed course is no measure: it is bent by the model that made it. Where no reading shows a channel, the recalibrated
-model's smoothed course stands in, which no named effect has bent.
+A model starts from the state that its own filter had made of the readings up to that moment, without later ones: one
+that lacks a current takes what a log shows for speed over ground, and another that has it would begin with this error.
+(The errors of readings that count, `fixed_errors`, are taken off the readings first.) The platform as given, whose
+noise is not known, starts as the recalibrated model does. From there a model takes no readings and no random force, and
+is measured against the readings that come. A smoothed course is no measure: it is bent by the model that made it. Where
+no reading shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
-from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
+from cocorosim_ros.diagnosis.foretelling.fixed_errors import OF_READINGS, with_fixed_errors
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks, whole
 from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
@@ -122,6 +123,16 @@ def with_errors_of(unseen: Unseen, rows: Floats) -> Floats:
             for track, plain, row in zip(unseen.tracks, unseen.rows, rows, strict=True)
         ]
     )
+
+
+def own_starts(unseen: Unseen, rows: Floats, sensors: Floats) -> list[Floats]:
+    """States (points, 8) by track, at each grid point given the readings up to it, under a model of its own.
+
+    rows (tracks, columns): the model. sensors (tracks, columns): errors of readings and stamps as far as they count.
+    """
+    started = rows.copy()
+    started[:, OF_READINGS] = sensors[:, OF_READINGS]
+    return list(unseen.starts) if np.array_equal(started, unseen.rows) else starts_of(unseen.tracks, started)
 
 
 def starts_of(tracks: Sequence[Track], rows: Floats) -> list[Floats]:
