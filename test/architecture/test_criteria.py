@@ -36,6 +36,7 @@ NO_THRESHOLDS = {
     "filter/smoother.py": {"WIDE": "columns of a state", "HIGH": "columns of a state"},
     "fitting/climbing.py": {"STEP_HALVINGS": "length of a search, which ends earlier by itself"},
     "fitting/starts.py": {"SPACING_HALVINGS": "length of a search, each step of which is half as long"},
+    "naming/single_thrusters.py": {"SIDES": "left and right"},
     "tracks/columns.py": {"MOST_THRUSTERS": "columns of a row"},
     "report/figure_style.py": {"WIDTH": "inches of a page", "_STYLE": "sizes of letters"},
     "report/manoeuvre_scenario.py": {

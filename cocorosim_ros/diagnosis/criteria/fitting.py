@@ -67,6 +67,9 @@ class VehicleNeedsCriteria:
     tall: float = 0.1
     """[m] height of a hull whose bobbing the filter's steps just follow. Reckoned from its rate: such a one bobs at the
     surface by one radian in 0.1 s."""
+    slender: float = 4.0
+    """[1] length over width of a hull, from which it lifts at an angle of drift as a wing does. Chosen, not measured:
+    ships have 5 to 7, torpedoes and gliders 6 to 10, frames of thrusters and round robots 1 to 2."""
     pushes: float = 1e-6
     """[of a unit of force] to the side; less is rounding in a direction. Reckoned from the digits of directions in
     files."""

@@ -46,6 +46,7 @@ HAS: Mapping[str, Callable[[VehicleModel], bool]] = {
     "thrusters": lambda vehicle: bool(vehicle.is_thruster.any()),
     "side_thrusters": _has_side_thrusters,
     "thruster_in_a_jet": _has_thruster_in_a_jet,
+    "slender_hull": lambda vehicle: vehicle.hull >= VEHICLE_NEEDS.slender * vehicle.width,
     "tall_hull": lambda vehicle: vehicle.height >= VEHICLE_NEEDS.tall,
 }
 """Tell by name whether a vehicle has something that effects need."""

@@ -63,6 +63,7 @@ class VehicleModel:
     hull: float  # length of the hull [m]
     arm: float  # mean distance of the thrusters before the centre [m]
     height: float  # of the hull [m]
+    width: float  # of the hull [m]
     weight: float  # in air [N]
     surroundings: RecordedSurroundings = OPEN_WATER
     tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
@@ -188,6 +189,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         platform.hull.length,
         float(np.mean(thrusters)) if thrusters else 0.0,
         platform.hull.height,
+        platform.hull.width,
         platform.mass * platform.gravity,
         fin_normal=fin_normals(platform),
         cable=(platform.hull.cable_diameter or 0.0, platform.hull.cable_length or 0.0),

@@ -2,7 +2,8 @@
 
 A ship's hull is a wing of little span: forces across grow with the speed ahead, where drag by its own speed across
 would be small. Assumes: small angles of drift. The moment that turns a drifting hull further, Munk's, is of added mass;
-c is what is left beside that.
+c is what is left beside that. Of a slender hull a and c are looked for; what turns do, b and d, is that of fins and
+drag too, and only fitted where a platform gives it with a range.
 Source: the first-order terms of Blanke's model of a ship, Fossen (2021), section 7.1; Y_uv, Y_ur, N_uv, N_ur there.
 """
 
@@ -12,7 +13,9 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
+from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
+from cocorosim_ros.world.terms.search import Search, Strength
 
 
 @kernel
@@ -31,7 +34,8 @@ HULL_LIFT = Effect(
     parameters=(
         Number(
             "sway_by_drift", "kg/m", "a, force across by the speed across",
-            multiplies="m^2/s^2", gives="N", example=Example(2.0, "towing"),
+            multiplies="m^2/s^2", gives="N", part="Y = -a |u| v",
+            search=Strength(large=5.0, least=-0.2), example=Example(2.0, "towing"),
         ),
         Number(
             "sway_by_turn", "kg", "b, force across by the yaw rate",
@@ -39,11 +43,15 @@ HULL_LIFT = Effect(
         ),
         Number(
             "yaw_by_drift", "kg", "c, moment by the speed across",
-            multiplies="m^2/s^2", gives="N m", example=Example(0.0, "towing"),
+            multiplies="m^2/s^2", gives="N m", part="N = -c |u| v", search=Strength(large=0.04),
+            example=Example(0.0, "towing"),
         ),
         Number(
             "yaw_by_turn", "kg m", "d, moment by the yaw rate",
             multiplies="m/s^2", gives="N m", example=Example(0.01, "towing in circles"),
         ),
     ),
+    needs=("slender_hull",),
+    search=Search(channel="sway", group=DRAG, manoeuvre="zig_zag"),
+    check="Tow the vehicle at a few angles of drift and weigh the force across; compare with a wing of that outline.",
 )  # fmt: skip
