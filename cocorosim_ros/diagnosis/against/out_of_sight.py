@@ -72,6 +72,9 @@ def _smallest(screened: Sequence[Screened]) -> Mapping[str, Mapping[str, Size]]:
 
 
 def _sizes(screened: Screened) -> Iterator[tuple[str, Size]]:
+    """Name and smallest size of each number; none of a model that runs away along its slopes."""
+    if not np.isfinite(screened.information).all():
+        return
     matrix = felt_share(screened) * screened.information
     whole = matrix + np.eye(len(matrix))
     odds = float(np.linalg.slogdet(whole)[1])

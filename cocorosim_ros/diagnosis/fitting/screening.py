@@ -101,10 +101,10 @@ class Screen:
         """Evidence of a candidate at further starts of its fit, where that is more than its slope promises.
 
         The likelihood of a delay is so rough that its slope at zero may promise nothing of a delay of many steps. It is
-        also broad, so that every second start is enough.
+        also broad, so that every second start is enough. Where the model runs away along the slope, nothing is told.
         """
         candidate, grid = screened.candidate, _starts(screened)[1::2]
-        if not grid:
+        if not grid or not np.isfinite(screened.information).all():
             return screened
         gains = [self._gain_at(screened, point) - 0.5 * float(point @ point) for point in grid]
         best = int(np.argmax(gains))

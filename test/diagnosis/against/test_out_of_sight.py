@@ -81,3 +81,10 @@ def test_a_factor_is_told_as_a_share_and_within_its_bounds() -> None:
     assert seen["thruster_gain:left"]["left"] == pytest.approx(math.exp(0.3 * share) - 1.0)
     bound = number("left", 0.3, (-0.1, 0.1), logarithmic=True)
     assert sizes_seen([screened("thruster_gain:left", [bound], [information])]) == {"thruster_gain:left": {}}
+
+
+def test_a_model_that_runs_away_along_its_slopes_tells_no_size() -> None:
+    """Information that is no number: nothing is seen at any size, and no warning comes of it."""
+    away = screened("tether", [number("stiffness", 1.0), number("x", 1.0)], [math.nan, 1e4])
+    assert sizes_seen([away]) == {"tether": {}}
+    assert numbers_not_shown([away]) == ()
