@@ -239,21 +239,22 @@ def _told(
 def _beyond_doubt(naming: Naming, effects: tuple[FoundEffect, ...]) -> tuple[tuple[FoundEffect, ...], tuple[str, ...]]:
     """Differences whose size is more than nothing, and the names of those whose size may as well be nothing.
 
-    One whose interval holds nothing in each amplitude may explain readings by what stands beside it in the fit.
+    One whose 99 % interval holds nothing in each amplitude may explain readings by what stands beside it in the fit.
     """
     entries = {(each.candidate.entry.id, each.candidate.entry.topic): each.candidate.entry for each in naming.named}
 
     def is_doubted(effect: FoundEffect) -> bool:
         entry = entries.get((effect.id, effect.topic))
-        return entry is not None and entry.may_be_nothing(effect.parameters)
+        surer = {name: each.wider(COMPARISON.surer) for name, each in effect.parameters.items()}
+        return entry is not None and entry.may_be_nothing(surer)
 
     doubted = dict.fromkeys(name_of(effect.id, effect.topic) for effect in effects if is_doubted(effect))
     return tuple(effect for effect in effects if not is_doubted(effect)), tuple(doubted)
 
 
 def _clearly_moved(numbers: Sequence[Recalibrated]) -> tuple[tuple[Recalibrated, ...], tuple[str, ...]]:
-    """Numbers that are not what they were before, and the names of those whose interval holds that value."""
-    vague = [each for each in numbers if each.estimate.low <= each.nominal <= each.estimate.high]
+    """Numbers that are not what they were before, and the names of those whose 99 % interval holds that value."""
+    vague = [each for each in numbers if each.estimate.wider(COMPARISON.surer).holds(each.nominal)]
     return tuple(each for each in numbers if each not in vague), tuple(each.parameter for each in vague)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
 from cocorosim_ros.world.state.state import SURGE, YAW, YAW_RATE, X
@@ -48,6 +48,11 @@ class Estimate:
     between: tuple[float, float] = field(default=(-math.inf, math.inf), compare=False)
     limits: tuple[float, float] = (-math.inf, math.inf)
     at_limit: bool = False
+
+    def wider(self, times: float) -> Estimate:
+        """Copy it with an interval that reaches so many times as far to either side."""
+        return replace(self, low=self.value - times * (self.value - self.low),
+                       high=self.value + times * (self.high - self.value))  # fmt: skip
 
     def holds(self, value: float) -> bool:
         """Tell whether a value lies in the interval."""

@@ -10,6 +10,7 @@ import pytest
 from cocorosim_ros.diagnosis import diagnose_against
 from cocorosim_ros.diagnosis.against import doubt_sentences
 from cocorosim_ros.diagnosis.against.differences import _louder
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 
 WEAK, LAG = "thruster_gain:right", "thruster_lag"
@@ -40,6 +41,17 @@ def test_what_may_be_nothing_is_kept_apart(doubted: tuple[str, ...], kept: tuple
     assert diagnose_against._verdict((*left, *names), (), (), "") == "mismatch"
 
 
+@pytest.mark.parametrize(("low", "high", "is_named"), [(0.03, 0.17, True), (0.02, 0.18, False), (-0.01, 0.21, False)])
+def test_the_best_of_many_needs_more_than_the_usual_sureness(low: float, high: float, is_named: bool) -> None:
+    """Around 0.1: what is 2.8 standard deviations from nothing has a name, what is 2.45 or less has not."""
+    (entry,) = (each for each in ENTRIES if each.id == "thruster_misalignment")
+    naming: Any = SimpleNamespace(named=[SimpleNamespace(candidate=SimpleNamespace(entry=entry))])
+    numbers = {"angle": Estimate(0.1, low, high, "rad")}
+    askew = FoundEffect(entry.id, "", "", ("boat",), "suspected", numbers, 25.0)
+    left, names = diagnose_against._beyond_doubt(naming, (askew,))
+    assert (left, names) == (((askew,), ()) if is_named else ((), (entry.id,)))
+
+
 def test_an_error_of_readings_that_was_passed_over_as_a_trace_is_in_doubt() -> None:
     """By effect and stream, once each; laws outside the catalogue, and what is named after all, are left out."""
 
@@ -56,12 +68,13 @@ def test_an_error_of_readings_that_was_passed_over_as_a_trace_is_in_doubt() -> N
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "is_clear"), [(0.7, 0.9, True), (1.1, 1.4, True), (0.4, 6.0, False), (0.5, 1.0, False)]
+    ("low", "high", "is_clear"),
+    [(0.7, 0.9, True), (1.1, 1.4, True), (0.4, 6.0, False), (0.5, 1.0, False), (0.7, 0.94, True), (0.6, 0.97, False)],
 )
 def test_a_number_whose_interval_holds_what_it_was_has_not_clearly_moved(
     low: float, high: float, is_clear: bool
 ) -> None:
-    """It is kept apart by its name."""
+    """It is kept apart by its name; the interval is that of 99 %, 2.576 / 1.96 times as wide as that of 95 %."""
     number = Recalibrated("drag", 1.0, Estimate(0.8, low, high, "kg/m"), ("boat",))
     clear, vague = diagnose_against._clearly_moved([number])
     assert (clear, vague) == (((number,), ()) if is_clear else ((), ("drag",)))
