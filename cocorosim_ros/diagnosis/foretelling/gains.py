@@ -152,9 +152,10 @@ def rows_without_held_out(fit: Fit, splits: Collection[Split], kept: Collection[
     matrix, gone = known.matrix.copy(), np.zeros(len(fit.unknowns))
     for track, split, passed, slope in zip(fit.tracks, splits, fit.passes, known.slopes, strict=True):
         held = _held(track, split)
-        weighted = slope[held] / passed.variance[held, None]
-        matrix -= slope[held].T @ weighted
-        gone += weighted.T @ passed.innovation[held]
+        with np.errstate(over="ignore", invalid="ignore"):  # a model that runs away makes no step
+            weighted = slope[held] / passed.variance[held, None]
+            matrix -= slope[held].T @ weighted
+            gone += weighted.T @ passed.innovation[held]
     # The fit is taken as finished: what is left of the score would move it as no likelihood did.
     unknowns, q = [fit.unknowns[place] for place in loose], fit.q.copy()
     free = np.array(loose)[not_held((known.score + gone)[loose], unknowns, q[loose])]

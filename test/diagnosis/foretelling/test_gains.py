@@ -12,10 +12,11 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.fitting.candidate import expand
-from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, information
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.fitting.screening import Screen
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.foretelling import gains
 from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, Gain, gain, rows_without_held_out
 from cocorosim_ros.diagnosis.foretelling.unseen import unseen_parts
 from cocorosim_ros.diagnosis.naming.residual import scene_of
@@ -105,6 +106,14 @@ def test_one_step_forgets_what_is_held_out(swum: Fit) -> None:
     assert (np.abs(once - whole) > 0.05 * known).any()
     kept = rows_without_held_out(swum, unseen.splits, [each.column for each in swum.unknowns])
     np.testing.assert_array_equal(kept, swum.filled)
+
+
+def test_a_model_that_runs_away_makes_no_step(swum: Fit, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Slopes whose squares no number holds: the numbers stay, and no warning comes of it."""
+    known = information(swum)
+    away = replace(known, slopes=tuple(1e200 * each for each in known.slopes))
+    monkeypatch.setattr(gains, "information", lambda fit: away)
+    np.testing.assert_array_equal(rows_without_held_out(swum, unseen_parts(swum).splits), swum.filled)
 
 
 def _columns(fit: Fit) -> list[int]:
