@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -95,3 +96,5 @@ def test_a_comparison_names_nothing_that_free_runs_do_not_gain_by() -> None:
     assert not of_diagnosis.refuses(candidate, likely_chance)
     assert of_comparison.refuses(candidate, likely_chance)
     assert not of_comparison.refuses(candidate, likely_chance._replace(mean=0.1))
+    assert not of_comparison.refuses(candidate, likely_chance._replace(mean=-1e-4))  # free runs do not feel it
+    assert of_comparison.refuses(candidate, Gain(0.0, math.inf, 0))  # there are none

@@ -12,17 +12,13 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.shown_by import is_shown, own_state
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, READING_LAWS, TIMING
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
-OF_READINGS = np.array(
-    [*sorted(COLUMN[name] for name in (*ERROR_COLUMNS, *READING_LAWS)), *range(*TIMING.indices(len(COLUMN)))]
-)
-"""Columns of errors of readings and stamps."""
 STATE_OF_FORCE = {"accel_x": "u", "accel_y": "v", "accel_z": "w"}
 """The state of which an accelerometer shows the rate."""
 

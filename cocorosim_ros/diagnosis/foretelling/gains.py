@@ -116,7 +116,7 @@ class FreeRuns:
         return with_errors_of(self.unseen, self.sensors)
 
     def errors(self, rows: Floats) -> Floats:
-        """Mean squared errors (windows, channels) of a model with these rows (tracks, columns), from its own starts."""
+        """Mean squared errors (windows, channels) of a model, rows (tracks, columns), from starts as it reads them."""
         starts = own_starts(self.unseen, rows, self._counting)
         return self._of(Model(rows, self._counting, starts, self._no_push))
 

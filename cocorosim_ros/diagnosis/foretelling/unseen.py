@@ -1,11 +1,11 @@
 """Parts of the recordings that no fit sees, the measure that is made there of the recalibrated model, and free runs.
 
-A model starts from the state that its own filter had made of the readings up to that moment, without later ones: one
-that lacks a current takes what a log shows for speed over ground, and another that has it would begin with this error.
-(The errors of readings that count, `fixed_errors`, are taken off the readings first.) The platform as given, whose
-noise is not known, starts as the recalibrated model does. From there a model takes no readings and no random force, and
-is measured against the readings that come. A smoothed course is no measure: it is bent by the model that made it. Where
-no reading shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
+Every model starts from one state: what the recalibrated model's filter had made of the readings up to that moment,
+without later ones and without the named effects, so that what is compared differs by the models alone. Two things make
+exceptions, since with them the readings of one state are others: the errors of readings that count (`fixed_errors`),
+and water that moves, where a log shows the speed through it. From there a model takes no readings and no random force,
+and is measured against the readings that come. A smoothed course is no measure: it is bent by the model that made it.
+Where no reading shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
 """
 
 from __future__ import annotations
@@ -19,17 +19,19 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
-from cocorosim_ros.diagnosis.foretelling.fixed_errors import OF_READINGS, with_fixed_errors
+from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks, whole
 from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
 from cocorosim_ros.diagnosis.foretelling.regimes import regimes_along
+from cocorosim_ros.diagnosis.tracks.columns import MOVING_WATER
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import coasting_time
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.state.state import STATE_SIZE
 
 
@@ -126,12 +128,15 @@ def with_errors_of(unseen: Unseen, rows: Floats) -> Floats:
 
 
 def own_starts(unseen: Unseen, rows: Floats, sensors: Floats) -> list[Floats]:
-    """States (points, 8) by track, at each grid point given the readings up to it, under a model of its own.
+    """States (points, 8) by track, at each grid point given the readings up to it, as a model reads them.
 
-    rows (tracks, columns): the model. sensors (tracks, columns): errors of readings and stamps as far as they count.
+    rows (tracks, columns): the model. sensors (tracks, columns): the recalibrated one, with those errors of readings
+    and stamps of the model that count.
     """
-    started = rows.copy()
-    started[:, OF_READINGS] = sensors[:, OF_READINGS]
+    started = sensors.copy()
+    for number, track in enumerate(unseen.tracks):
+        if any(track.timeline.sees(name) for name, kind in KINDS.items() if kind.of_water):
+            started[number, MOVING_WATER] = rows[number, MOVING_WATER]
     return list(unseen.starts) if np.array_equal(started, unseen.rows) else starts_of(unseen.tracks, started)
 
 

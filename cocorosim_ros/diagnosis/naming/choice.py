@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS
+from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit
@@ -28,6 +29,11 @@ from cocorosim_ros.foundation.arrays import Floats
 def moves(candidate: Candidate) -> bool:
     """Tell whether a candidate acts on the motion, and not on readings alone."""
     return candidate.entry.channel not in SENSOR_CHANNELS
+
+
+def _is_no_loss(gain: Gain) -> bool:
+    """Tell whether free runs gain, or do not feel an effect at all."""
+    return gain.mean > 0.0 or (gain.windows > 0 and gain.mean > -FREE_RUN_GAINS.felt)
 
 
 def can_be_law(candidate: Candidate, lasting: Collection[str]) -> bool:
@@ -83,7 +89,7 @@ class Choice:
 
     def refuses(self, candidate: Candidate, gain: Gain) -> bool:
         """Tell whether free runs are against naming a candidate that moves."""
-        return harms(candidate, gain) or (self.must_gain and gain.mean <= 0.0)
+        return harms(candidate, gain) or (self.must_gain and not _is_no_loss(gain))
 
     def may_be_trace(self, candidate: Candidate, nats: float) -> bool:
         """Tell whether an error of readings may be what a motion leaves there that free runs refused a name."""

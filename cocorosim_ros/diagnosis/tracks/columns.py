@@ -66,6 +66,7 @@ ACTUATING = np.flatnonzero(
     ((bits("command") | bits("thrust") | bits("response")) & BIT != 0)
     | np.isin(NAMES, (*GAINS, *OWN_GAINS, *OWN_EXPONENTS, COMMAND_DELAY))
 )
+MOVING_WATER = np.flatnonzero(bits("water") & BIT != 0)
 NEUTRAL = np.zeros(len(NAMES))  # (columns,) values under which no effect, law or error acts
 NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
