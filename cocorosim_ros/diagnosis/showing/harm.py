@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.findings import HeldOut, PassedOver
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.foretelling.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.foretelling.free_runs import HeldOutFreeRuns, held_out_free_runs
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS
@@ -16,6 +17,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.pruning import without_least
 from cocorosim_ros.diagnosis.showing.doubt import NOT_FORETOLD
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
+from cocorosim_ros.world.sensors.errors import ERRORS
 
 WORSE_BESIDE_KEPT = (
     "Beside the numbers that are kept as the file gives them, unseen data are foretold worse with it than by the "
@@ -55,19 +57,26 @@ def harmful(before: Naming, after: Naming) -> tuple[PassedOver, ...]:
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:
     """Tell whether free runs with all effects are worse than without, in all or clearly in a channel.
 
-    In all is not asked of errors of the catalogue that act on readings alone. Of a law of readings it is asked without
-    any doubt in its favour: there are many, and they follow effects of motion. A course that stands in for the readings
-    of a channel is bent by errors of other readings, and tells nothing where such an error is named.
+    In all is not asked of errors of the catalogue that act on readings alone, but for those that are told in terms of
+    what other readings show, as an antenna off the centre is: free runs have these. Of a law of readings it is asked
+    without any doubt in its favour: there are many, and they follow effects of motion. A course that stands in for the
+    readings of a channel is bent by errors of other readings, and tells nothing where such an error is named.
     """
     in_all = False
     if free.gain is not None and not is_exact(free.table):
         named = [effect.candidate for effect in naming.named]
         of_reading = any(each.entry.law is not None and not moves(each) for each in named)
         worse = free.gain.mean < -FREE_RUN_GAINS.material
-        in_all = (of_reading and worse) or (free.gain.is_loss and any(moves(each) for each in named))
+        in_all = (of_reading and worse) or (free.gain.is_loss and any(map(_is_foretold, named)))
     bent = any(not moves(effect.candidate) for effect in naming.named)
     asked = {channel: row for channel, row in free.table.items() if not (bent and _is_by_course(channel, row))}
     return in_all or any(_is_worse(channel, row) for channel, row in asked.items())
+
+
+def _is_foretold(candidate: Candidate) -> bool:
+    """Tell whether free runs foretell readings otherwise with a candidate of the catalogue."""
+    error = ERRORS.get(candidate.entry.id)
+    return moves(candidate) or (error is not None and bool(error.told_by))
 
 
 def _is_by_course(channel: str, row: HeldOut) -> bool:

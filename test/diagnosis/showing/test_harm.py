@@ -7,7 +7,9 @@ from typing import Any
 
 import pytest
 
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import harm
 from cocorosim_ros.diagnosis.showing.harm import _is_worse
 
@@ -19,6 +21,20 @@ def test_one_free_run_takes_no_name_back(spread: float, taken_back: bool) -> Non
     intervals = {name: (error - spread, error + spread) for name, error in errors.items()}
     row = HeldOut(**errors, noise_floor=0.015, unit="rad", intervals=intervals)
     assert _is_worse("heading", row) == taken_back
+
+
+@pytest.mark.parametrize(
+    ("effect", "mean", "taken_back"),
+    [("pose_lever", -0.3, True), ("pose_lever", -0.05, False), ("pressure_offset", -0.3, False), ("wind", -0.3, True)],
+)
+def test_a_loss_in_all_takes_back_what_free_runs_have(effect: str, mean: float, taken_back: bool) -> None:
+    """Effects of motion and an antenna off the centre, if the loss is clear; not an offset, which moves nothing."""
+    entry = next(each for each in ENTRIES if each.id == effect)
+    named: Any = SimpleNamespace(named=[SimpleNamespace(candidate=SimpleNamespace(entry=entry))])
+    intervals = {name: (0.1, 0.2) for name in ("nominal", "recalibrated", "augmented")}
+    row = HeldOut(0.15, 0.15, 0.15, 0.1, "m", intervals)
+    free: Any = SimpleNamespace(table={"position": row}, gain=Gain(mean, 0.1, 9))
+    assert harm._is_harmed(named, free) is taken_back
 
 
 def naming(count: int) -> Any:
