@@ -15,6 +15,7 @@ import pytest
 from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
+from cocorosim_ros.diagnosis.report.words import check_words
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 
 CHOPPY = 0.3  # N
@@ -40,6 +41,7 @@ def test_one_weak_thruster_of_four(tmp_path: Path, seed: int, weak: str, share: 
     told = found(drive(boat, seed, weak, share))
     (effect,) = told.effects
     assert effect.id == "thruster_gain"
+    assert effect.name == f"thrust of {weak} unlike that of the others" and check_words(effect.id)
     assert set(effect.parameters) == {weak}
     assert effect.parameters[weak].holds(share) and effect.parameters[weak].value == pytest.approx(share, abs=0.03)
     path = tmp_path / "model.yaml"

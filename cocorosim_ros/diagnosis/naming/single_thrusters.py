@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,7 +22,12 @@ SIDES = 2
 
 def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
     """Make the entries beside the catalogue's: gains of single thrusters, where there are more than two."""
-    return thruster_entries(tracks) if np.count_nonzero(tracks[0].vehicle.is_thruster) > SIDES else []
+    if np.count_nonzero(tracks[0].vehicle.is_thruster) <= SIDES:
+        return []
+    return [
+        replace(entry, name=f"{number_words(entry.id)} unlike that of the others", equation="T = factor * T_model")
+        for entry in thruster_entries(tracks)
+    ]
 
 
 def thruster_entries(tracks: Sequence[Track]) -> list[Entry]:

@@ -7,6 +7,7 @@ import math
 from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words, short_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Comparison
+from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
 from cocorosim_ros.diagnosis.tracks.columns import NOISE_WORDS
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law
@@ -32,6 +33,7 @@ NOISES = {
 }
 
 CHECKS = {
+    ONE_THRUSTER: "Weigh its thrust and that of another one at the same command; look for weed and a damaged blade.",
     **{name: effect.check for name, effect in EFFECTS.items() if effect.check},
     **{name: error.check for name, error in ERRORS.items()},
 }

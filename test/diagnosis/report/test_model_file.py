@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, Fo
 from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.scenario.parts.platform import DragForm, Platform, load_platform
+from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
 from cocorosim_ros.scenario.reading.quantity import Quantity
 from cocorosim_ros.scenario.reading.yaml_file import parse_yaml
 from cocorosim_ros.world.laws.law import Law
@@ -330,6 +331,30 @@ effects:
     assert model.effects["added_mass"]["sway_minus_surge"] == pytest.approx(0.42)
     assert model.effects["linear_drag"]["surge"] == pytest.approx(0.01)
     assert model.effects["torque_bias"]["torque"] == 1e-5
+
+
+@pytest.mark.parametrize(("learned", "gain"), [((), 0.8), ((0.9,), 0.72)])
+def test_a_weak_thruster_is_written_as_the_gain_of_its_actuator(
+    example: Example, tmp_path: Path, learned: tuple[float, ...], gain: float
+) -> None:
+    """On top of the file's own gain, 1 where it says none, or of the one that was learned."""
+    lily = load_platform("lily")
+    name = next(each.name for each in lily.actuators if isinstance(each, Thruster))
+    factor = Estimate(0.8, 0.78, 0.82, "1")
+    weak = FoundEffect("thruster_gain", "", "", ("lily_01",), "confirmed", {name: factor}, 50.0)
+    before = tuple(
+        Recalibrated(f"actuators.{name}.gain", 1.0, Estimate(each, each, each, "1"), ("lily_01",)) for each in learned
+    )
+    found = replace(
+        example("mismatch"), effects=(weak,), recalibrated=(), all_recalibrated=(),
+        against=Comparison(("good",), (), (), before=before),
+    )  # fmt: skip
+    plain = replace(found, against=None, all_recalibrated=before)
+    for told in (found, plain):
+        model = written(tmp_path, as_platform(told, lily), origin(lily))
+        assert {each.name: each.gain for each in model.actuators if isinstance(each, Thruster)}[name] == pytest.approx(
+            gain
+        )
 
 
 def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
