@@ -14,17 +14,26 @@ from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.conversion import attitude
-from cocorosim_ros.wire.conversion.conversion_map import CommandValue, RobotMap, StreamMap, TableMap, TravelValue
+from cocorosim_ros.wire.conversion.conversion_map import (
+    CommandValue,
+    RobotMap,
+    StreamMap,
+    TableMap,
+    TravelValue,
+    UnknownValue,
+)
 from cocorosim_ros.wire.conversion.doubts import doubtful_angles
 from cocorosim_ros.wire.conversion.rows import Rows, Stamps, in_si
 from cocorosim_ros.wire.conversion.streams import (
     StreamRows,
     angles_among,
+    has_no_heading,
     heading_of_travel,
     is_made_of_depth,
     named_rows,
     stream_rows,
     travels,
+    without_heading,
 )
 from cocorosim_ros.wire.topics.actuator_feedback import FEEDBACK
 
@@ -54,7 +63,9 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
     robots = _robots(table.robot, rows, named)
     for mapped in table.streams:
         columns = {
-            name: in_si(value, rows) for name, value in mapped.values.items() if not isinstance(value, TravelValue)
+            name: in_si(value, rows)
+            for name, value in mapped.values.items()
+            if not isinstance(value, TravelValue | UnknownValue)
         }
         usable, unset = _usable(mapped, columns, timed, rows)
         for robot, mine in robots.items():
@@ -95,7 +106,7 @@ def _usable(mapped: StreamMap, columns: Mapping[str, Floats], timed: Flags, rows
     if mapped.topic == "pose" and timed.any() and unset[timed].all():
         raise mapped.place.problem(
             f"has an attitude that is four zeros in all rows of {rows.origin}, so that it was never known; give 'yaw' "
-            "instead, which '{travel: true}' takes from the track."
+            "instead: '{unknown: true}', or '{travel: true}', which takes it from the track."
         )
     usable &= ~unset
     attitude.check_normalised(columns, usable, rows, mapped.place)
@@ -171,7 +182,8 @@ def _content(mapped: StreamMap, columns: Mapping[str, Floats], place: str, findi
     if mapped.topic == FEEDBACK:
         return named_rows("value", tuple(columns), np.column_stack(list(columns.values())))
     if mapped.topic != COMMAND:
-        return stream_rows(mapped.topic, columns, north_east_down=mapped.north_east_down)
+        rows = stream_rows(mapped.topic, columns, north_east_down=mapped.north_east_down)
+        return without_heading(rows) if has_no_heading(mapped.values) else rows
     values = np.column_stack(list(columns.values()))
     beyond = np.count_nonzero((np.abs(values) > 1.0).any(axis=1))
     if beyond:

@@ -59,6 +59,15 @@ class TravelValue:
 
 
 @dataclass(frozen=True)
+class UnknownValue:
+    """A heading that was not recorded."""
+
+    def for_recording(self, recording: str) -> UnknownValue:
+        """Settle what depends on the recording: nothing."""
+        return self
+
+
+@dataclass(frozen=True)
 class CommandValue:
     """A thruster command: the fraction of the maximum that lies between `stop` and `forward` or `reverse` [SI].
 
@@ -76,7 +85,7 @@ class CommandValue:
         return replace(self, column=self.column.for_recording(recording))
 
 
-Value = ColumnValue | FixedValue | MixedValue | TravelValue | CommandValue
+Value = ColumnValue | FixedValue | MixedValue | TravelValue | UnknownValue | CommandValue
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion import axes
 from cocorosim_ros.wire.conversion.attitude import QUATERNION
-from cocorosim_ros.wire.conversion.conversion_map import StreamMap, TravelValue, Value
+from cocorosim_ros.wire.conversion.conversion_map import StreamMap, TravelValue, UnknownValue, Value
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE, SURFACE_PRESSURE
 
 Columns = Mapping[str, Floats]
@@ -56,6 +56,8 @@ class StreamRows:
 def check_stream(topic: str, given: Mapping[str, Value], place: Entry) -> None:
     """Nothing, if the numbers given suffice for a message and do not contradict each other."""
     problem = _CHECKS[topic](set(given))
+    if has_no_heading(given) and {"roll", "pitch"} & set(given):
+        problem = "has 'roll' or 'pitch' beside a 'yaw' that was not recorded; give these as 'imu'."
     if problem:
         raise place.problem(problem)
 
@@ -82,6 +84,18 @@ def travels(given: Mapping[str, Value]) -> bool:
     return isinstance(given.get("yaw"), TravelValue)
 
 
+def has_no_heading(given: Mapping[str, Value]) -> bool:
+    """Whether the heading was not recorded."""
+    return isinstance(given.get("yaw"), UnknownValue)
+
+
+def without_heading(rows: StreamRows) -> StreamRows:
+    """Poses with an attitude of four zeros, which says that it was not recorded."""
+    values = rows.values.copy()
+    values[:, 3:] = 0.0
+    return replace(rows, values=values)
+
+
 def heading_of_travel(position: Floats) -> Floats:
     """(n,) direction from each of (n, 3) places in order to the next other one, the last one's from before [rad]."""
     step = np.diff(position[:, :2], axis=0)
@@ -101,7 +115,11 @@ def _check_pose(given: set[str]) -> str:
     mixed = _check_turns(given)
     if mixed:
         return mixed
-    return "" if {"yaw", "qw"} & given else "lacks 'yaw' or a quaternion; unknown headings are '{travel: true}'."
+    return (
+        ""
+        if {"yaw", "qw"} & given
+        else "lacks 'yaw' or a quaternion; a heading that was not recorded is '{unknown: true}'."
+    )
 
 
 def _check_turns(given: set[str]) -> str:

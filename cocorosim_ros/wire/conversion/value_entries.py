@@ -14,6 +14,7 @@ from cocorosim_ros.wire.conversion.conversion_map import (
     FixedValue,
     MixedValue,
     TravelValue,
+    UnknownValue,
     Value,
 )
 from cocorosim_ros.wire.conversion.run_wise import Number, read_number
@@ -21,6 +22,7 @@ from cocorosim_ros.wire.conversion.run_wise import Number, read_number
 COMMAND_DIMENSIONS = ("pure number", "time", "voltage", "force", "torque", "angle", "angular velocity")
 _COLUMN_KEYS = ("column", "formula", "unit", "scale", "offset")
 _LIMITS = ("stop", "forward", "reverse")
+_HEADINGS: dict[str, Value] = {"travel": TravelValue(), "unknown": UnknownValue()}
 
 
 @dataclass(frozen=True)
@@ -43,12 +45,13 @@ class ValueReader:
         return self.column(entry, (dimension,))
 
     def heading(self, entry: Entry) -> Value:
-        """As `value`, or {travel: true}: the direction of travel."""
-        if "travel" not in entry.mapping():
-            return self.value(entry, "angle")
-        if not entry.section(("travel",))["travel"].flag():
-            raise entry.problem("has 'travel: false'; name a column, a fixed angle, or 'travel: true'.")
-        return TravelValue()
+        """As `value`, {travel: true} for the direction of travel, or {unknown: true} where none was recorded."""
+        for word, value in _HEADINGS.items():
+            if word in entry.mapping():
+                if not entry.section((word,))[word].flag():
+                    raise entry.problem(f"has '{word}: false'; name a column, a fixed angle, or '{word}: true'.")
+                return value
+        return self.value(entry, "angle")
 
     def command(self, entry: Entry) -> CommandValue:
         """A thruster's column with the cells that stand for stop, full ahead and full astern."""

@@ -56,6 +56,32 @@ def test_an_attitude_that_was_never_known(convert_csv: Convert) -> None:
     assert "2 rows with an attitude of four zeros, which was not known, were left out" in result.findings[0]
 
 
+PLACE = "x: {column: x, unit: m}, y: {column: x, unit: m}, z: {fixed: 0 m}"
+
+
+@pytest.mark.parametrize("axes", ["enu_flu", "ned_frd"])
+def test_a_place_without_a_heading(convert_csv: Convert, axes: str) -> None:
+    """Poses of a GPS are there, with an attitude of four zeros: it was not recorded, and no direction stands in."""
+    streams = f"pose: {{axes: {axes}, {PLACE}, yaw: {{unknown: true}}}}"
+    poses = convert_csv(table(streams), {"a.csv": "t,x\n0,1\n1,2\n"}).topics["/boat/pose"]
+    assert [message.content.pose.position.x for message in poses] == [1, 2]
+    assert all(getattr(message.content.pose.orientation, axis) == 0.0 for message in poses for axis in "xyzw")
+
+
+@pytest.mark.parametrize(
+    ("yaw", "sentence"),
+    [
+        ("{unknown: false}", "has 'unknown: false'; name a column, a fixed angle, or 'unknown: true'"),
+        ("{unknown: true, travel: true}", "travel"),
+        ("{unknown: true}, roll: {column: x, unit: deg}", "has 'roll' or 'pitch' beside a 'yaw' that was not recorded"),
+    ],
+)
+def test_an_unknown_heading_stands_alone(convert_csv: Convert, yaw: str, sentence: str) -> None:
+    """With nothing beside it that says something of it, or that would be lost."""
+    with pytest.raises(CocorosimError, match=sentence):
+        convert_csv(table(f"pose: {{{PLACE}, yaw: {yaw}}}"), {"a.csv": "t,x\n0,1\n"})
+
+
 def test_pitch_alone(convert_csv: Convert) -> None:
     """A glider's pitch, without position or heading: an attitude of which the other axes are marked as unknown."""
     result = convert_csv(table("imu: {pitch: {column: p, unit: deg}}"), {"a.csv": "t,p\n1,60\n"})
