@@ -126,5 +126,8 @@ def _complete(guess: Guess) -> Guess:
         doubts.append("There is no height and no depth: the vehicle is taken to stay at the surface.")
     if not {"yaw", "qw"} & guess.numbers.keys():
         fixed["yaw"] = {"travel": True}
-        doubts.append("There is no heading: the direction of travel is taken for it.")
+        doubts.append(
+            "There is no heading: the direction of travel is taken for it. Of a vehicle that drifts, write "
+            "'yaw: {unknown: true}' and give its compass."
+        )
     return replace(guess, fixed=fixed).doubting(*doubts)
