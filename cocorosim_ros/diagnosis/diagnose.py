@@ -44,7 +44,7 @@ from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, rec
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
-from cocorosim_ros.diagnosis.showing.harm import fewer_until, harmful, that_helps
+from cocorosim_ros.diagnosis.showing.harm import FORETOLD_WORSE, WORSE_BESIDE_KEPT, fewer_until, harmful, that_helps
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -164,7 +164,7 @@ def _steadily_searched(base: Fit, progress: Progress) -> tuple[Restrained, Searc
         before = found.free.table
         naming, free = fewer_until(lambda table: mends(table, before), again.naming, again.unseen, again.free)
         if mends(free.table, before):
-            passed = (*again.passed, *harmful(again.naming, naming))
+            passed = (*again.passed, *harmful(again.naming, naming, WORSE_BESIDE_KEPT))
             return steady, again._replace(naming=naming, free=free, passed=passed)
     return Restrained(base), found
 
@@ -234,7 +234,10 @@ def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRu
     passed: tuple[PassedOver, ...] = ()
     forms: tuple[TakenBack, ...] = ()
     while True:
+        before = naming
         naming, free = that_helps(naming, unseen)
+        if not is_exact(free.table):
+            passed = (*passed, *harmful(before, naming, FORETOLD_WORSE))
         naming, bent = without_other_forms(naming)
         naming, more = beyond_doubt(naming)
         if not (bent or more):

@@ -15,10 +15,11 @@ from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.pruning import without_least
-from cocorosim_ros.diagnosis.showing.doubt import NOT_FORETOLD
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.world.sensors.errors import ERRORS
 
+FORETOLD_WORSE = "Unseen data are foretold worse by the model with it than by the recalibrated one."
+HARMS = "free runs become worse with it"
 WORSE_BESIDE_KEPT = (
     "Beside the numbers that are kept as the file gives them, unseen data are foretold worse with it than by the "
     "platform as given."
@@ -46,12 +47,12 @@ def _fewer(
     return naming, free
 
 
-def harmful(before: Naming, after: Naming) -> tuple[PassedOver, ...]:
-    """Effects that were taken back from one naming to another, as they would have been told."""
+def harmful(before: Naming, after: Naming, because: str) -> tuple[PassedOver, ...]:
+    """Effects that were taken back from one naming to another, as they would have been told; because: a sentence."""
     left = {effect.candidate.key for effect in after.named}
     gone = [effect for effect in before.named if effect.candidate.key not in left]
     told = found_effects(before.fit, gone, fitted(before.fit)) if gone else ()
-    return tuple(PassedOver(each, False, (WORSE_BESIDE_KEPT,), NOT_FORETOLD) for each in told)
+    return tuple(PassedOver(each, False, (because,), HARMS) for each in told)
 
 
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:

@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 
+from cocorosim_ros.diagnosis import diagnose
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.findings import HeldOut
+from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import harm
 from cocorosim_ros.diagnosis.showing.harm import _is_worse
@@ -59,3 +60,25 @@ def test_effects_are_taken_back_until_unseen_data_are_foretold_well(
         lambda table: table["position"].augmented <= most, naming(3), nothing, free_runs(nothing, 3)
     )
     assert (len(kept.named), runs.table["position"].augmented) == (left, left)
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_what_is_taken_back_is_told(monkeypatch: pytest.MonkeyPatch, exact: bool) -> None:
+    """With its nats and the reason, as something that is not missing; of an exact fit rounding alone was judged."""
+    lever, lag = (SimpleNamespace(candidate=SimpleNamespace(key=name)) for name in ("pose_lever", "thruster_lag"))
+    before, after = (SimpleNamespace(named=named, fit=None) for named in ((lever, lag), (lag,)))
+
+    def told(_fit: Any, gone: Any, _numbers: Any) -> list[FoundEffect]:
+        return [FoundEffect(each.candidate.key, "", "", ("boat",), "confirmed", {}, 1770.0) for each in gone]
+
+    monkeypatch.setattr(harm, "found_effects", told)
+    monkeypatch.setattr(harm, "fitted", lambda fit: ())
+    monkeypatch.setattr(diagnose, "that_helps", lambda naming, unseen: (after, SimpleNamespace(table={})))
+    monkeypatch.setattr(diagnose, "without_other_forms", lambda naming: (naming, ()))
+    monkeypatch.setattr(diagnose, "beyond_doubt", lambda naming: (naming, ()))
+    monkeypatch.setattr(diagnose, "told_at_last", lambda naming, forms: ())
+    monkeypatch.setattr(diagnose, "is_exact", lambda table: exact)
+    given: Any = before
+    _, _, passed = diagnose._beyond_doubt(given, given)
+    assert [each.found.id for each in passed] == ([] if exact else ["pose_lever"])
+    assert all(not each.stands and each.because == (harm.FORETOLD_WORSE,) for each in passed)
