@@ -14,7 +14,8 @@ from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
-from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
+from cocorosim_ros.diagnosis.fitting.beside_noise import variances_beside_noise
+from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_between_parts
@@ -56,7 +57,7 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
     values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     other = [spread_of_other_forms(unknown, float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)]
-    variance = np.diag(covariance(fit)) + variances_between_parts(fit).between + np.square(other)
+    variance = variances_beside_noise(fit) + variances_between_parts(fit).between + np.square(other)
     spread = np.hypot(np.sqrt(variance), ESTIMATES.numerical * np.abs(values / slopes))
     return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist()))
 

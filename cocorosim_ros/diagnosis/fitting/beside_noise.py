@@ -1,0 +1,73 @@
+"""Variances of fitted numbers whose random force is not known either.
+
+A vehicle that is turned by twice the moment, with twice the inertia and twice the drag, turns alike: only the random
+moment then has to be twice as large too, and that is fitted. With the noise held, as fits hold it, such a common factor
+looks well known; here it is as unknown as it is. The information on numbers and random forces together follows from
+full passes of the filter with each of them a step off.
+Source: Fisher information of Gaussian innovations, Ljung, System Identification (1999), chapter 9.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.fitting import STEPS
+from cocorosim_ros.diagnosis.filter.products import weighted_products
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
+from cocorosim_ros.diagnosis.fitting.solving import solve
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_precision
+from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
+from cocorosim_ros.diagnosis.tracks.passes import Pass
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.foundation.arrays import Floats
+
+
+def variances_beside_noise(fit: Fit) -> Floats:
+    """Variances (unknowns,) of q, that of the random forces being unknown; never less than those with the noise held.
+
+    Less they would be where the likelihood is rough, as over delays, and its slopes are too steep.
+    """
+    held = np.diag(covariance(fit))
+    forces = [place for place, each in enumerate(fit.noise) if each.column in WATER_NOISE]
+    if not forces or not fit.unknowns:
+        return held
+    every = [*fit.unknowns, *(fit.noise[place] for place in forces)]
+    q = np.concatenate([fit.q, fit.q_noise[forces]])
+    deviations = np.concatenate([np.sqrt(held), np.ones(len(forces))])
+    steps = STEPS.beside_noise * np.minimum(deviations, 1.0)
+    filled = fit.filled
+
+    def of_track(number: int) -> Floats:
+        mine = [place for place, each in enumerate(every) if number in each.tracks]
+        own = _information(
+            fit.tracks[number],
+            fit.passes[number],
+            filled[number],
+            [every[place] for place in mine],
+            q[mine],
+            steps[mine],
+        )
+        whole = np.zeros((len(every), len(every)))
+        whole[np.ix_(mine, mine)] = own
+        return whole
+
+    matrix = np.diag(prior_precision(every)) + sum(of_each_track(of_track, len(fit.tracks)))
+    found = np.diag(solve(matrix, np.eye(len(matrix))))[: len(fit.unknowns)]
+    return np.maximum(held, np.where(np.isfinite(found), found, held))
+
+
+def _information(
+    track: Track, passed: Pass, row: Floats, unknowns: Sequence[Unknown], q: Floats, steps: Floats
+) -> Floats:
+    """Information (n, n) of one track on its unknowns at q (n,), by steps (n,) off them, without priors."""
+    moved, swollen = np.zeros((2, len(unknowns), len(passed.innovation)))
+    for place, (unknown, at, size) in enumerate(zip(unknowns, q.tolist(), steps.tolist(), strict=True)):
+        step = unknown.inward_step(at, size)
+        other = track.filter.full(nudged(row, unknown, at, step), with_gains=False)
+        moved[place] = passed.change_to(other, track.timeline.is_angle) / step
+        swollen[place] = (other.variance - passed.variance) / (step * passed.variance)
+    found = weighted_products(moved.T, moved.T, passed.variance)
+    return found + 0.5 * weighted_products(swollen.T, swollen.T, np.ones_like(passed.variance))
