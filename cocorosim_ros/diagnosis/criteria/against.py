@@ -78,8 +78,8 @@ class ComparisonCriteria:
     numbers, an offset for a drift, is named in its place. The usual 95 %. Chosen, not measured."""
     surer: float = 1.3143
     """[of the reach of 95 % intervals] within which a difference may be nothing, and is not named: that of 99 %, since
-    the best of many is taken. Measured in two draws of altered logs: of four differences between the two, delays aside,
-    two were something else, of 32 beyond them four."""
+    the best of many is taken. Measured: in two draws of altered logs, of four differences between the two, delays
+    aside, two were something else, of 32 beyond them four."""
     runaway: float = 1e6
     """[standard deviations of an innovation per unit of a number] from which a model does not follow recordings but
     runs away from them. Measured in six recordings of a hovercraft: at most 74 where the model follows, and 1e85 where

@@ -270,7 +270,7 @@ class StepCriteria:
     """[logarithm] of a noise for its slopes: far above rounding, and small beside 1. Chosen, not measured."""
     beside_noise: float = 1e-4
     """[standard deviations; logarithm of a noise] for slopes of numbers and noise together: small, since a reading that
-    is believed before the step alone bends all behind it. Measured of a hovercraft: with 0.01 one was, and a common
+    is believed before the step alone bends all behind it. Measured: of a hovercraft, with 0.01 one was, and a common
     factor seemed known to a tenth; 0.001 and less give its width."""
     dampings: tuple[float, ...] = (0.0, 0.3, 3.0, 30.0, 300.0)
     """[of the curvature of each noise] that are tried one after the other. Chosen, not measured."""

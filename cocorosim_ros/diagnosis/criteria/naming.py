@@ -114,6 +114,9 @@ class FactorCriteria:
     """[logarithm] of a number in a bad case: a third more or less. Chosen, not measured."""
     bounds: tuple[float, float] = (-10.0, 5.0)
     """[of `large`] a factor of a twentieth, a dead thruster nearly, up to four and a half. Chosen, not measured."""
+    most_alone: float = 1.35
+    """[of `large`] a factor of one and a half, beyond which one thruster is not stronger than all the others of a
+    vehicle. Chosen, not measured: a ferry's halves asked for 1.8, 2.1 and 1.7 of three different ones."""
     alone: float = 0.05
     """[of its rms] a thruster's command that the others do not share, so that its own gain shows. Chosen, not
     measured."""

@@ -21,11 +21,19 @@ SIDES = 2
 
 
 def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
-    """Make the entries beside the catalogue's: gains of single thrusters, where there are more than two."""
+    """Make the entries beside the catalogue's: gains of single thrusters, where there are more than two.
+
+    A thruster that is much stronger than all the others is none: such a gain stands in for something else.
+    """
     if np.count_nonzero(tracks[0].vehicle.is_thruster) <= SIDES:
         return []
     return [
-        replace(entry, name=f"{number_words(entry.id)} unlike that of the others", equation="T = factor * T_model")
+        replace(
+            entry,
+            name=f"{number_words(entry.id)} unlike that of the others",
+            equation="T = factor * T_model",
+            amplitudes=tuple(replace(each, most=FACTORS.most_alone) for each in entry.amplitudes),
+        )
         for entry in thruster_entries(tracks)
     ]
 

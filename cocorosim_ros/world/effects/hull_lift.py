@@ -15,7 +15,7 @@ from cocorosim_ros.foundation.compiling.unpacking import unpack
 from cocorosim_ros.world.terms.effect import Effect, Example, Number
 from cocorosim_ros.world.terms.groups import DRAG
 from cocorosim_ros.world.terms.moment import Moment
-from cocorosim_ros.world.terms.search import Search, Strength
+from cocorosim_ros.world.terms.search import Given, Search, Strength
 
 
 @kernel
@@ -39,7 +39,7 @@ HULL_LIFT = Effect(
         ),
         Number(
             "sway_by_turn", "kg", "b, force across by the yaw rate",
-            multiplies="m/s^2", gives="N", example=Example(0.0, "towing in circles"),
+            multiplies="m/s^2", gives="N", search=Given(lambda scene: 0.0), example=Example(0.0, "towing in circles"),
         ),
         Number(
             "yaw_by_drift", "kg", "c, moment by the speed across",
@@ -48,7 +48,8 @@ HULL_LIFT = Effect(
         ),
         Number(
             "yaw_by_turn", "kg m", "d, moment by the yaw rate",
-            multiplies="m/s^2", gives="N m", example=Example(0.01, "towing in circles"),
+            multiplies="m/s^2", gives="N m", search=Given(lambda scene: 0.0),
+            example=Example(0.01, "towing in circles"),
         ),
     ),
     needs=("slender_hull",),
