@@ -95,7 +95,9 @@ def test_a_law_needs_another_reading(reading: str, product: str, present: frozen
         ("pose_heading", POSE | {"gyro_z"}, False),
         ("pose_heading", POSE | {"compass"}, True),
         ("pose_heading", POSE | {"velocity_u", "velocity_v"}, True),
-        ("pose_lever", POSE, True),
+        ("pose_lever", POSE, False),  # cameras alone
+        ("pose_lever", POSE | {"compass"}, True),
+        ("pose_lever", POSE | {"gyro_z"}, True),
         ("pose_lever", frozenset({"pose_x", "pose_y"}), False),
         ("motor_field", frozenset({"compass"}), True),
     ],

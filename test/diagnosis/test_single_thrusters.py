@@ -5,6 +5,7 @@ The courses are SciPy's, of formulas written out in made/boats.py.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.diagnosis.report.words import check_words
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
+from cocorosim_ros.scenario.parts.steering import Azimuth
 
 CHOPPY = 0.3  # N
 DRAG = boats.KNOWN.replace(boats.KNOWN[boats.KNOWN.index("  thruster_lag") :], "")  # known, thrusters follow at once
@@ -65,3 +67,23 @@ def test_a_pair_is_an_asymmetry(tmp_path: Path) -> None:
     pair = first_fit(boats.recorded(boats.platform(tmp_path), boats.Truth(), 60.0, 1)).tracks
     assert looked_for_alone(pair) == []
     assert [each.id for each in thruster_entries(pair)] == ["thruster_gain:left", "thruster_gain:right"]
+
+
+def test_thrusters_that_turn_are_not_looked_for_alone(tmp_path: Path) -> None:
+    """Of four aslant all are; with an azimuth at the first one the three others alone."""
+    from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+    from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone
+
+    boat = boats.platform(tmp_path, DRAG, boats.with_four())
+    assert [each.id for each in looked_for_alone(first_fit(drive(boat, 1)).tracks)] == [
+        f"thruster_gain:{name}" for name in boats.NAMES
+    ]
+    turned = replace(boat, actuators=(*boat.actuators, Azimuth("turn", boats.NAMES[0], 1.0)))
+    evidence = drive(turned, 1)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    angles = np.column_stack([log.command, 0.3 * np.sin(log.command_time)])
+    evidence = replace(evidence, recordings=(replace(recording, robots=(replace(log, command=angles),)),))
+    assert [each.id for each in looked_for_alone(first_fit(evidence).tracks)] == [
+        f"thruster_gain:{name}" for name in boats.NAMES[1:]
+    ]

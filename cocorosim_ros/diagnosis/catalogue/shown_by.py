@@ -11,8 +11,9 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
-from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.sensors import KINDS, SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.sensors.sensor_error import SensorError
 
 Kinds = Collection[str]
 _LOGS = (("velocity_u", "velocity_v"), ("ground_velocity_u", "ground_velocity_v"))
@@ -74,10 +75,17 @@ def told_by(entry: Entry) -> tuple[Told, ...]:
     if entry.id not in ERRORS:
         return ()
     error, changes = ERRORS[entry.id], ERRORS[entry.id].changes
-    wrong = tuple(change.kind for change in changes)
+    wrong = erring(error)
     if error.told_by:
         return (Told(wrong, error.told_by),)
     return tuple(Told(wrong, own_state(change.kind)) for change in changes if change.slope)
+
+
+def erring(error: SensorError) -> tuple[str, ...]:
+    """Kinds of readings that do not tell an error: those that it changes, or all of its instrument."""
+    if error.by_another:
+        return tuple(kind.name for kind in SENSORS[error.sensor].kinds)
+    return tuple(change.kind for change in error.changes)
 
 
 def can_be_told(entry: Entry, recordings: Sequence[Kinds], known: Collection[str] = ()) -> bool:

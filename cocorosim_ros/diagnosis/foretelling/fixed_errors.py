@@ -11,8 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.catalogue.shown_by import is_shown, own_state
-from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
+from cocorosim_ros.diagnosis.catalogue.shown_by import erring, is_shown, own_state
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
@@ -45,19 +44,9 @@ def _kinds_of(column: str) -> list[str]:
 
 
 def _is_told_by_others(column: str, timeline: Timeline) -> bool:
-    """Tell whether another instrument shows what an error, by a column of it, says that it is told in terms of.
-
-    Of a body that cameras alone show, place and heading, a point off the centre is told from the way it drifts by the
-    model alone: with such levers, halves of a blimp's flights contradicted each other by 0.2 m.
-    """
+    """Tell whether readings that do not err show what an error, by a column of it, says that it is told in terms of."""
     error = ERRORS[column.partition(".")[0]]
-    changed = {change.kind for change in error.changes}
-    wrong = tuple(
-        KIND_NAMES[kind]
-        for kinds in KINDS_OF_STREAM.values()
-        if any(KIND_NAMES[kind] in changed for kind in kinds)
-        for kind in kinds
-    )
+    wrong = erring(error)
     return bool(error.told_by) and all(is_shown(state, wrong, timeline.kinds) for state in error.told_by)
 
 

@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.tracks.columns import MOST_THRUSTERS, OWN_GAINS
 from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.world.terms.curve import AZIMUTH, FORM, NUMBER
 from cocorosim_ros.world.terms.groups import TURN
 
 ONE_THRUSTER = "thruster_gain"
@@ -23,10 +24,13 @@ SIDES = 2
 def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
     """Make the entries beside the catalogue's: gains of single thrusters, where there are more than two.
 
-    A thruster that is much stronger than all the others is none: such a gain stands in for something else.
+    A thruster that is much stronger than all the others is none: such a gain stands in for something else. Of one that
+    an azimuth turns, the angle by which it is off, or late, looks like a gain.
     """
-    if np.count_nonzero(tracks[0].vehicle.is_thruster) <= SIDES:
+    vehicle = tracks[0].vehicle
+    if np.count_nonzero(vehicle.is_thruster) <= SIDES:
         return []
+    fixed = [number for number, _ in told_alone(tracks) if not _is_turned(vehicle, number)]
     return [
         replace(
             entry,
@@ -34,8 +38,16 @@ def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
             equation="T = factor * T_model",
             amplitudes=tuple(replace(each, most=FACTORS.most_alone) for each in entry.amplitudes),
         )
-        for entry in thruster_entries(tracks)
+        for (number, _), entry in zip(told_alone(tracks), thruster_entries(tracks), strict=True)
+        if number in fixed
     ]
+
+
+def _is_turned(vehicle: VehicleModel, number: int) -> bool:
+    """Tell whether an azimuth turns a thruster, by its number from 1 on."""
+    curve = vehicle.actuator_curve
+    place = int(np.flatnonzero(vehicle.is_thruster)[number - 1])
+    return bool(curve.shape[1] and ((curve[:, FORM] == AZIMUTH) & (curve[:, NUMBER] == place)).any())
 
 
 def thruster_entries(tracks: Sequence[Track]) -> list[Entry]:

@@ -60,9 +60,9 @@ class SensorError(Description):
     it, because the one does not come without the other. against: the regressor, or |its amount|, along which the report
     draws it.
     told_by: states that other readings have to show for the error to be told (diagnosis.catalogue.shown_by), where its
-    slopes do not say it. most_error: of this very error, where that is more than whatever law such an instrument may
-    follow. where_recorded: of an instrument that few robots have, so that a recording without its topic is not said to
-    leave the error unseen.
+    slopes do not say it. by_another: these have to be readings of another instrument. most_error: of this very error,
+    where that is more than whatever law such an instrument may follow. where_recorded: of an instrument that few robots
+    have, so that a recording without its topic is not said to leave the error unseen.
     """
 
     sensor: str = ""
@@ -71,6 +71,7 @@ class SensorError(Description):
     beside: tuple[str, ...] = ()
     against: str = "t"
     told_by: tuple[str, ...] = ()
+    by_another: bool = False
     most_error: MostError | None = None
     where_recorded: bool = False
 

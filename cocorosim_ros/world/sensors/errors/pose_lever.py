@@ -72,6 +72,7 @@ POSE_LEVER = SensorError(
     ),
     against="yaw",
     told_by=("yaw",),
+    by_another=True,  # of what cameras alone show, the model alone tells it from the way in which a vehicle drifts
     search=Search(channel="pose", topic="pose", manoeuvre="slow_turns"),
     check="Where the marker or the antenna sits on the hull; turn the vehicle on the spot and watch the pose.",
 )
