@@ -29,7 +29,6 @@ def hull_lift(row: Floats, relative: Floats, moment: Moment, parameters: Floats,
 
 HULL_LIFT = Effect(
     summary="lift of the hull",
-    equation="Y = -a |u| v - b |u| r, N = -c |u| v - d |u| r",
     wrench=hull_lift,
     parameters=(
         Number(
@@ -39,7 +38,8 @@ HULL_LIFT = Effect(
         ),
         Number(
             "sway_by_turn", "kg", "b, force across by the yaw rate",
-            multiplies="m/s^2", gives="N", search=Given(lambda scene: 0.0), example=Example(0.0, "towing in circles"),
+            multiplies="m/s^2", gives="N", part="Y = -b |u| r", search=Given(lambda scene: 0.0),
+            example=Example(0.0, "towing in circles"),
         ),
         Number(
             "yaw_by_drift", "kg", "c, moment by the speed across",
@@ -48,7 +48,7 @@ HULL_LIFT = Effect(
         ),
         Number(
             "yaw_by_turn", "kg m", "d, moment by the yaw rate",
-            multiplies="m/s^2", gives="N m", search=Given(lambda scene: 0.0),
+            multiplies="m/s^2", gives="N m", part="N = -d |u| r", search=Given(lambda scene: 0.0),
             example=Example(0.01, "towing in circles"),
         ),
     ),
