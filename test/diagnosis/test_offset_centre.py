@@ -14,6 +14,7 @@ import pytest
 from boats import KNOWN, Truth, platform, recorded
 
 from cocorosim_ros.diagnosis.diagnose import diagnose
+from cocorosim_ros.diagnosis.evidence.streams.log import Stream
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.diagnosis.tracks.vehicle_size import sizes
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -24,6 +25,7 @@ from cocorosim_ros.world.terms.search import Strength
 from cocorosim_ros.world.vehicle_model.platform_effects import check_platform
 
 AHEAD, SECONDS, SEED = 0.1, 150.0, 5
+COMPASS_NOISE = 0.02  # rad
 SWELL = 0.3  # N, at random: 0.015 of a thruster's full force
 RANGED = """  offset_centre:
     ahead: {value: 0, unit: m, range: [-0.3, 0.3], source: made}
@@ -54,12 +56,16 @@ def test_a_declared_one_is_a_number_of_the_base(tmp_path: Path) -> None:
     assert ahead.estimate.holds(AHEAD) and ahead.estimate.high - ahead.estimate.low < 0.1 * AHEAD
 
 
-@pytest.mark.parametrize("lever", [0.0, 0.1])
-def test_a_boat_without_one_is_not_said_to_have_it(tmp_path: Path, lever: float) -> None:
-    """As its file says nothing is named, and where its marker sits 0.1 m ahead of the origin, the marker alone."""
+@pytest.mark.parametrize(
+    ("lever", "with_compass", "named"), [(0.0, False, []), (0.1, False, []), (0.1, True, ["pose_lever"])]
+)
+def test_a_boat_without_one_is_not_said_to_have_it(
+    tmp_path: Path, lever: float, with_compass: bool, named: list[str]
+) -> None:
+    """As its file says nothing is named; a marker 0.1 m ahead of the origin is, alone, where there is a compass."""
     evidence = recorded(platform(tmp_path, KNOWN), Truth(choppy=SWELL), SECONDS, SEED)
-    found = diagnosed(_marked(evidence, lever))
-    assert [each.id for each in found.effects] == (["pose_lever"] if lever else [])
+    found = diagnosed(_marked(evidence, lever, with_compass=with_compass))
+    assert [each.id for each in found.effects] == named
 
 
 @pytest.mark.parametrize("name", config_names("platforms"))
@@ -76,13 +82,17 @@ def test_what_is_looked_for_can_be_read_back(name: str) -> None:
             check_platform(replace(vehicle, effect_quantities=there))
 
 
-def _marked(evidence: Any, lever: float) -> Any:
-    """The evidence of a marker that sits so far ahead of the origin [m]."""
+def _marked(evidence: Any, lever: float, *, with_compass: bool) -> Any:
+    """The evidence of a marker that sits so far ahead of the origin [m], and perhaps of a compass."""
     (recording,) = evidence.recordings
     (log,) = recording.robots
     pose = log.streams["pose"]
     value = pose.value.copy()
     value[:, 0] += lever * np.cos(value[:, 3])
     value[:, 1] += lever * np.sin(value[:, 3])
-    robots = (replace(log, streams={"pose": replace(pose, value=value)}),)
+    streams = {"pose": replace(pose, value=value)}
+    if with_compass:
+        noise = COMPASS_NOISE * np.random.default_rng([20261127, 5]).standard_normal((len(value), 1))
+        streams["compass"] = Stream(pose.time, value[:, 3:] + noise, np.array([COMPASS_NOISE]))
+    robots = (replace(log, streams=streams),)
     return replace(evidence, recordings=(replace(recording, robots=robots),))
