@@ -20,7 +20,14 @@ from cocorosim_ros.diagnosis.foretelling.gains import Gain, gain
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, fitted_to_the_rest
 from cocorosim_ros.diagnosis.foretelling.held_out_streams import HeldOutPart, held_out_streams
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, Errors, against, errors_of_course, errors_of_readings
-from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, own_starts, path_of, with_errors_of
+from cocorosim_ros.diagnosis.foretelling.unseen import (
+    Model,
+    Unseen,
+    path_of,
+    rows_at_start,
+    starts_under,
+    with_errors_of,
+)
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
@@ -90,7 +97,7 @@ def _models(unseen: Unseen, augmented: Floats) -> dict[str, Model]:
     return {
         "nominal": Model(unseen.base.rows, unseen.rows, starts, none),
         "recalibrated": Model(unseen.rows, unseen.rows, starts, none),
-        "augmented": Model(augmented, sensors, own_starts(unseen, augmented, sensors), none),
+        "augmented": Model(augmented, sensors, starts_under(unseen, rows_at_start(unseen, augmented, sensors)), none),
         FLOOR: Model(unseen.rows, unseen.rows, starts, unseen.learnt),
     }
 

@@ -26,7 +26,14 @@ from cocorosim_ros.diagnosis.fitting.solving import clipped, not_held, solve
 from cocorosim_ros.diagnosis.fitting.unknowns import write_values
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Split
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS, against, errors_of_readings
-from cocorosim_ros.diagnosis.foretelling.unseen import Model, Unseen, own_starts, path_of, with_errors_of
+from cocorosim_ros.diagnosis.foretelling.unseen import (
+    Model,
+    Unseen,
+    path_of,
+    rows_at_start,
+    starts_under,
+    with_errors_of,
+)
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.foundation.arrays import Flags, Floats
@@ -100,7 +107,7 @@ class FreeRuns:
     @cached_property
     def floor(self) -> Floats:
         """Mean squared errors (channels,) of the noise floor, never above those of the recalibrated model."""
-        plain = self._of(Model(self.unseen.rows, self.unseen.rows, self.unseen.starts, self._no_push))
+        plain = self.errors_from_given_starts(self.unseen.rows)
         learnt = self._of(Model(self.unseen.rows, self.unseen.rows, self.unseen.starts, self.unseen.learnt))
         told = np.isfinite(plain).any(axis=0)
         means = np.zeros((2, len(self.channels)))
@@ -115,9 +122,15 @@ class FreeRuns:
     def _counting(self) -> Floats:
         return with_errors_of(self.unseen, self.sensors)
 
+    @cached_property
+    def _starts(self) -> list[Floats]:
+        """Those of all models in which no other water moves."""
+        return starts_under(self.unseen, self._counting)
+
     def errors(self, rows: Floats) -> Floats:
         """Mean squared errors (windows, channels) of a model, rows (tracks, columns), from starts as it reads them."""
-        starts = own_starts(self.unseen, rows, self._counting)
+        started = rows_at_start(self.unseen, rows, self._counting)
+        starts = self._starts if np.array_equal(started, self._counting) else starts_under(self.unseen, started)
         return self._of(Model(rows, self._counting, starts, self._no_push))
 
     def errors_from_given_starts(self, rows: Floats) -> Floats:

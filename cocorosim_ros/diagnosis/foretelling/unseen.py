@@ -127,8 +127,8 @@ def with_errors_of(unseen: Unseen, rows: Floats) -> Floats:
     )
 
 
-def own_starts(unseen: Unseen, rows: Floats, sensors: Floats) -> list[Floats]:
-    """States (points, 8) by track, at each grid point given the readings up to it, as a model reads them.
+def rows_at_start(unseen: Unseen, rows: Floats, sensors: Floats) -> Floats:
+    """Rows (tracks, columns) by which a model reads what comes before its free runs.
 
     rows (tracks, columns): the model. sensors (tracks, columns): the recalibrated one, with those errors of readings
     and stamps of the model that count.
@@ -137,6 +137,11 @@ def own_starts(unseen: Unseen, rows: Floats, sensors: Floats) -> list[Floats]:
     for number, track in enumerate(unseen.tracks):
         if any(track.timeline.sees(name) for name, kind in KINDS.items() if kind.of_water):
             started[number, MOVING_WATER] = rows[number, MOVING_WATER]
+    return started
+
+
+def starts_under(unseen: Unseen, started: Floats) -> list[Floats]:
+    """States (points, 8) by track, at each grid point given the readings up to it, under rows of `rows_at_start`."""
     return list(unseen.starts) if np.array_equal(started, unseen.rows) else starts_of(unseen.tracks, started)
 
 

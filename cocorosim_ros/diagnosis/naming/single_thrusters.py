@@ -30,7 +30,7 @@ def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
     vehicle = tracks[0].vehicle
     if np.count_nonzero(vehicle.is_thruster) <= SIDES:
         return []
-    fixed = [number for number, _ in told_alone(tracks) if not _is_turned(vehicle, number)]
+    entries = [_gain_entry(*each) for each in told_alone(tracks) if not _is_turned(vehicle, each[0])]
     return [
         replace(
             entry,
@@ -38,8 +38,7 @@ def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
             equation="T = factor * T_model",
             amplitudes=tuple(replace(each, most=FACTORS.most_alone) for each in entry.amplitudes),
         )
-        for (number, _), entry in zip(told_alone(tracks), thruster_entries(tracks), strict=True)
-        if number in fixed
+        for entry in entries
     ]
 
 
@@ -52,10 +51,11 @@ def _is_turned(vehicle: VehicleModel, number: int) -> bool:
 
 def thruster_entries(tracks: Sequence[Track]) -> list[Entry]:
     """Make an entry of the gain of every single thruster whose commands differ from those of the others."""
-    return [
-        factor_entry(f"{ONE_THRUSTER}:{name}", f"own_gain.{number}", "yaw", TURN, name)
-        for number, name in told_alone(tracks)
-    ]
+    return [_gain_entry(*each) for each in told_alone(tracks)]
+
+
+def _gain_entry(number: int, name: str) -> Entry:
+    return factor_entry(f"{ONE_THRUSTER}:{name}", f"own_gain.{number}", "yaw", TURN, name)
 
 
 def told_alone(tracks: Sequence[Track]) -> list[tuple[int, str]]:

@@ -115,11 +115,9 @@ def _check_pose(given: set[str]) -> str:
     mixed = _check_turns(given)
     if mixed:
         return mixed
-    return (
-        ""
-        if {"yaw", "qw"} & given
-        else "lacks 'yaw' or a quaternion; a heading that was not recorded is '{unknown: true}'."
-    )
+    if {"yaw", "qw"} & given:
+        return ""
+    return "lacks 'yaw' or a quaternion; a heading that was not recorded is '{unknown: true}'."
 
 
 def _check_turns(given: set[str]) -> str:
