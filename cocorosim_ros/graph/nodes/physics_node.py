@@ -128,6 +128,7 @@ def run_physics(node: Node, supervision: Supervision | None = None) -> None:
     finally:
         shell.end()
         shell.linger()
+        control.let_answers_arrive()
 
 
 def _ready(scenario: Scenario, rate: float) -> str:

@@ -7,6 +7,7 @@ waits for. Simulated time stands still meanwhile, so that a run in lock-step tha
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable
@@ -17,6 +18,7 @@ from rclpy.node import Node
 from std_srvs.srv import SetBool, Trigger
 
 LOOK = 0.05  # s of wall clock between looks at what is asked for while paused
+ON_ITS_WAY = 0.5  # s of wall clock that an answer gets to arrive before the node may end
 
 
 class RunControl:
@@ -32,6 +34,7 @@ class RunControl:
         self._stepped = False
         self._reset = False
         self._seconds = 0.0
+        self._answered_at = -math.inf
         self._changed = threading.Condition()
         node.create_service(SetBool, "~/pause", self._on_pause)
         node.create_service(Trigger, "~/step", self._on_step)
@@ -61,6 +64,14 @@ class RunControl:
                     break
                 self._changed.wait(LOOK)
         return time.monotonic() - begin
+
+    def let_answers_arrive(self) -> None:
+        """Return when the last answer has had its time.
+
+        A short run may be over before the answer that frees the run has arrived, and a node that ends takes with it
+        what others have not yet received.
+        """
+        time.sleep(max(0.0, self._answered_at + ON_ITS_WAY - time.monotonic()))
 
     def _on_pause(self, request: SetBool.Request, response: Any) -> Any:
         with self._changed:
@@ -100,5 +111,6 @@ class RunControl:
 
     def _answered(self, response: Any, success: bool, words: str) -> Any:
         self._log.info(words)
+        self._answered_at = time.monotonic()
         response.success, response.message = success, words
         return response

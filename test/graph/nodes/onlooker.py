@@ -21,17 +21,25 @@ from std_msgs.msg import String
 from std_srvs.srv import SetBool, Trigger
 
 LIMIT = 120.0  # s
+AGAIN = 10.0  # s until a question without an answer is asked again
 NAMELESS = "_NODE_NAME_UNKNOWN_"
+clients = {}
 
 
 def ask(node, service, kind, request):
-    """The answer of a service."""
-    client = node.create_client(kind, service)
+    """The answer of a service, asked through one client for each.
+
+    An answer to a client that the server has not discovered yet is lost, however long it is waited for.
+    """
+    client = clients.get(service) or clients.setdefault(service, node.create_client(kind, service))
     if not client.wait_for_service(LIMIT):
         sys.exit(f"no service {service}")
-    future = client.call_async(request)
-    rclpy.spin_until_future_complete(node, future, timeout_sec=LIMIT)
-    return future.result()
+    for _ in range(int(LIMIT / AGAIN)):
+        future = client.call_async(request)
+        rclpy.spin_until_future_complete(node, future, timeout_sec=AGAIN)
+        if future.result() is not None:
+            return future.result()
+    return sys.exit(f"no answer from {service}")
 
 
 def describe(node, name):

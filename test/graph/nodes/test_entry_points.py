@@ -139,9 +139,9 @@ def test_three_shells_give_the_bag_of_the_command(
     assert stepped.finish() == 0, stepped.output
     assert [success for success, _ in answers(stepped)] == [True, True]
     physics.wait_for("a step is done: at 1 s now")
-    freed = start(ONLOOKER, "do", "/physics_node/pause=false", env=shell)
+    freed = start(ONLOOKER, "do", "/physics_node/pause=true", "/physics_node/pause=false", env=shell)
     assert freed.finish() == 0, freed.output
-    assert answers(freed) == [[True, "going on at 1 s"]]
+    assert answers(freed) == [[True, "paused at 1 s"], [True, "going on at 1 s"]]
     assert metrics.finish() == 0, metrics.output
     for node, words in (
         (physics, "ready: 2 robots of 'small'"),

@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
+
+import pytest
+from std_srvs.srv import SetBool
+
+from cocorosim_ros.graph.nodes import run_control
 
 ONLOOKER = Path(__file__).with_name("onlooker.py")
 Begin = Callable[..., tuple[Any, Path]]
@@ -41,3 +48,24 @@ def test_every_node_has_parameters_and_refuses_in_sentences(begin: Begin, start:
     run.find_nodes()
     run.interrupt()
     assert run.finish() == 130, run.output
+
+
+def test_a_node_that_has_answered_stays_until_the_answer_has_arrived(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run of a few ticks is over before the answer that frees the run; without an answer nothing is waited for."""
+    slept: list[float] = []
+    monkeypatch.setattr(run_control, "time", SimpleNamespace(monotonic=time.monotonic, sleep=slept.append))
+    answer: dict[str, Any] = {}
+
+    def create_service(kind: type, name: str, called: Callable[..., Any]) -> None:
+        answer[name] = called
+
+    log = SimpleNamespace(info=lambda words: None)
+    node: Any = SimpleNamespace(
+        get_logger=lambda: log, create_service=create_service, add_on_set_parameters_callback=lambda called: None
+    )
+    control = run_control.RunControl(node, 0.0, recorded=False)
+    control.let_answers_arrive()
+    assert slept == [0.0]
+    assert answer["~/pause"](SetBool.Request(data=False), SetBool.Response()).success
+    control.let_answers_arrive()
+    assert 0.0 < slept[1] <= run_control.ON_ITS_WAY
