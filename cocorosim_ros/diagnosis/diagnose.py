@@ -45,7 +45,7 @@ from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
 from cocorosim_ros.diagnosis.showing.harm import FORETOLD_WORSE, WORSE_BESIDE_KEPT, fewer_until, harmful, that_helps
-from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks
+from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks, wander_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.other_forms import TakenBack, told_at_last, without_other_forms
@@ -142,7 +142,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
 
 def noise_remarks(fit: Fit) -> tuple[str, ...]:
     """Sentences on noise that is not plain: a random force that grows, errors of readings that last."""
-    return (*growth_remarks(fit), *memory_remarks(fit))
+    return (*growth_remarks(fit), *memory_remarks(fit), *wander_remarks(fit))
 
 
 class Search(NamedTuple):

@@ -19,7 +19,7 @@ from cocorosim_ros.diagnosis.fitting.fit import evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, MEMORY_COLUMNS, READING_MEMORY
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, MEMORY_COLUMNS, READING_MEMORY, WANDER
 from cocorosim_ros.diagnosis.tracks.last_of_kind import last_of_kind
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
 from cocorosim_ros.scenario.parts.platform import load_platform
@@ -27,6 +27,7 @@ from cocorosim_ros.scenario.parts.platform import load_platform
 MASS, STEP, TAU, SMOOTHNESS = 0.44, 0.1, 2.5, 0.6
 FORCE_RMS, Z_NOISE, MEMORY = 3e-4, 0.004, 0.8
 DURATION = 180.0  # s, of a swim
+PLACE_NOISE, WANDERED = 0.004, 0.01  # m, and m in a second
 NOISE = {"pose": (0.002, 0.002, 0.002, 0.01), "compass": (0.02,), "pressure": (8.0,), "imu": (0.004,)}
 
 
@@ -123,6 +124,57 @@ def test_a_reading_far_behind_the_last_one_is_taken_as_it_is() -> None:
     before, gap = last_of_kind(kind, moment, 0.5)
     assert before.tolist() == [-1, -1, 0, -1, 2]
     np.testing.assert_allclose(gap, [0.0, 0.0, 0.3, 0.0, 0.1])
+
+
+def wandering(rng: np.random.Generator, time: Any, step: float) -> Any:
+    """A random walk of `step` [m] in a second."""
+    return step * math.sqrt(float(time[1] - time[0])) * rng.standard_normal(len(time)).cumsum()
+
+
+def drifting(place: Any, spread: Any, step: float) -> float:
+    """Log-likelihood of places along one axis by a textbook filter: speed without force, and a random walk from 0."""
+    transition, process = np.array([[1.0, STEP], [0.0, 1.0]]), np.diag([step**2 * STEP, 0.0])
+    mean, covariance = np.zeros(2), np.diag([spread[0] ** 2, spread[1] ** 2])
+    row, total = np.array([1.0, 0.0]), 0.0
+    for index, value in enumerate(place):
+        if index:
+            mean, covariance = transition @ mean, transition @ covariance @ transition.T + process
+        innovation, variance = value - row @ mean, row @ covariance @ row + PLACE_NOISE**2
+        total -= 0.5 * (innovation**2 / variance + math.log(2.0 * math.pi * variance))
+        gain = covariance @ row / variance
+        mean, covariance = mean + gain * innovation, covariance - np.outer(gain, row @ covariance)
+    return total
+
+
+def test_the_likelihood_of_wandering_places_is_that_of_a_textbook_filter() -> None:
+    """A Lily without drag or forces, which a compass shows to point along x for good; places are white and wander."""
+    rng = np.random.default_rng(8)
+    time = np.arange(0.0, 60.0, STEP)
+    pose = np.full((len(time), 4), np.nan)
+    pose[:, 3] = 1e-5 * rng.standard_normal(len(time))
+    for column in range(2):
+        pose[:, column] = wandering(rng, time, WANDERED) + PLACE_NOISE * rng.standard_normal(len(time))
+    streams = {"pose": Stream(time, pose, np.array([PLACE_NOISE, PLACE_NOISE, np.nan, 1e-5]))}
+    log = RobotLog("lily_01", 0.5 * np.arange(120.0), np.zeros((120, 3)), streams)
+    still = replace(load_platform("lily"), drag=0.0, yaw_drag=0.0)
+    (track,) = make_tracks(Evidence(still, (RecordingLog("drifting", 60.0, (log,)),)))
+    row = base_rows([track])[0]
+    for name in ("random.force", "random.heave_force", "random.moment"):
+        row[COLUMN[name]] = math.log(1e-12)
+    row[COLUMN["reading.pose_xy"]], row[COLUMN["reading.pose_yaw"]] = math.log(PLACE_NOISE), math.log(1e-5)
+    start, found, exact = track.filter.beginning.start, {}, {}
+    for step in (0.5 * WANDERED, WANDERED):
+        row[COLUMN[WANDER]] = math.log(step)
+        passed = track.filter.full(row)
+        assert passed.believed.all()
+        found[step] = passed.log_likelihood
+        exact[step] = sum(
+            drifting(pose[:, column] - start.mean[column], start.spread[[column, 4 + column]], step)
+            for column in range(2)
+        )
+    gained = exact[WANDERED] - exact[0.5 * WANDERED]
+    assert gained > 30.0
+    assert found[WANDERED] - found[0.5 * WANDERED] == pytest.approx(gained, abs=0.01)
 
 
 def with_errors(evidence: Any, memory: float) -> Any:
@@ -236,3 +288,38 @@ def test_nothing_is_named_for_lasting_errors(swum: Any) -> None:
     assert diagnosis.verdict in ("consistent", "recalibrate")
     assert diagnosis.noise["memory.pose_z"].value == pytest.approx(0.5, rel=0.3)
     assert any("Errors of the compass of lily_01 last for about 0." in said for said in diagnosis.remarks)
+
+
+def with_wander(evidence: Any, step: float) -> Any:
+    """Let the places of an exact swim with white errors wander by `step` [m] in a second."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    rng, pose = np.random.default_rng(14), log.streams["pose"]
+    value = pose.value.copy()
+    for column in range(2):
+        value[:, column] += wandering(rng, pose.time, step)
+    noise = pose.noise.copy()
+    noise[:2] = [noise_of(pose.time, value[:, column]) for column in range(2)]
+    streams = {**log.streams, "pose": Stream(pose.time, value, noise)}
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
+
+
+def test_places_that_wander_beside_white_errors_are_found_as_they_are(swum: Any) -> None:
+    """As those of a satellite receiver: 2 mm of a single reading, 10 mm in a second, and nothing is named for it.
+
+    Of n = 1800 steps of 3 mm, each seen through white errors of 2 mm at both ends, the variance is known to about
+    sqrt(2 / n) (1 + 2 * 4 / 10), and its root to half of that, 3 %.
+    """
+    diagnosis = diagnose(with_wander(swum(0.0), 0.01), lambda words, share: None)
+    assert diagnosis.noise[WANDER].value == pytest.approx(0.01, rel=0.1)
+    assert diagnosis.noise["reading.pose_xy"].value == pytest.approx(0.002, rel=0.2)
+    assert diagnosis.effects == ()
+    assert any("wanders as that of a satellite receiver, by about" in said for said in diagnosis.remarks)
+
+
+def test_places_whose_errors_have_one_memory_do_not_wander(swum: Any) -> None:
+    """Nor do those with white errors, see above."""
+    fit = base_fit(swum(0.4))
+    found = with_coloured_readings(fit, fit) or fit
+    columns = {unknown.column for unknown in found.noise}
+    assert "memory.pose_xy" in columns and WANDER not in columns

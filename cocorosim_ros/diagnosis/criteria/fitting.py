@@ -141,6 +141,9 @@ class ColouredReadingsCriteria:
     rounds: int = 2
     """[steps] of memory and noise of a kind, in which its colour has to show. Chosen, not measured: where errors last
     for five readings it gains hundreds of nats in the first."""
+    walk_rounds: int = 6
+    """[steps] of a wander of places and the white errors beside it, which start from errors with a memory. Chosen, not
+    measured: a walk of 10 mm in a second beside 2 mm needs five."""
 
 
 @dataclass(frozen=True)

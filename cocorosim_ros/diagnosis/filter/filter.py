@@ -58,7 +58,14 @@ from cocorosim_ros.diagnosis.filter.records import (
     Start,
     When,
 )
-from cocorosim_ros.diagnosis.filter.spread_of_state import NewVariance, Spread, add_force, make_spread, swollen
+from cocorosim_ros.diagnosis.filter.spread_of_state import (
+    NewVariance,
+    Spread,
+    add_force,
+    let_wander,
+    make_spread,
+    swollen,
+)
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
@@ -144,6 +151,7 @@ def _filter(
         _move(motion, parts, Clock(time, readings.step, fade), drive, point, body)
         if point > 0:
             add_force(parts, noise, swollen(grown, numbers.swell, point - 1))
+            let_wander(parts, noise, readings.step)
         if keep:
             _remember(motion, body, parts, point, belief.history)
         for index in range(readings.first[point], readings.first[point + 1]):

@@ -28,5 +28,6 @@ SENSOR_COLUMNS = (*ERROR_COLUMNS, WATER_WEIGHT)
 NEUTRAL_SENSORS = (*NEUTRAL, PASCAL_PER_METRE)
 """Values of these numbers where nothing is wrong, in the contract's fresh water."""
 
-# The random force of the water: rms of its processes, their correlation time and smoothness.
-RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, CORRELATION, SMOOTHNESS = range(5)
+# The random force of the water: rms of its processes, their correlation time and smoothness; and how far the place that
+# an instrument shows wanders in the root of a second.
+RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, CORRELATION, SMOOTHNESS, WANDERING = range(6)

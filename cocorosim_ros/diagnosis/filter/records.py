@@ -93,7 +93,7 @@ class PassNumbers(NamedTuple):
     """The numbers of a model beside its physics, for a pass of the filter."""
 
     sensor: Floats  # by SENSOR_COLUMNS
-    random_force: Floats  # by WATER_NOISE, no logarithms
+    random_force: Floats  # by WATER_NOISE and WANDER, no logarithms
     reading_variance: Floats  # (KINDS,) of a single reading of each kind
     left: Floats  # (m,) share of the error of the reading before that is still in each, in the order of the grid
     swell: Floats  # (points,) factors of the random force's variance; empty if it is the same at all times
@@ -103,7 +103,7 @@ class SlopeNumbers(NamedTuple):
     """The numbers of a model beside its physics, for a slope by one number."""
 
     sensor: Floats  # by SENSOR_COLUMNS
-    random_force: Floats  # by WATER_NOISE, no logarithms
+    random_force: Floats  # by WATER_NOISE and WANDER, no logarithms
     left: Floats  # (m,) share of the error of the reading before that is still in each, in the order of the grid
     step: float  # by which the number is off
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.filter.layout import RMS_LEVEL, RMS_UPRIGHT, RMS_YAW
+from cocorosim_ros.diagnosis.filter.layout import RMS_LEVEL, RMS_UPRIGHT, RMS_YAW, WANDERING
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import allocating_kernel, kernel
 from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, YAW, YAW_RATE, X, Y, Z
@@ -36,7 +36,7 @@ class NewVariance(NamedTuple):
 
 @allocating_kernel
 def make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
-    """Start the covariance from the standard deviation of the state (8,) and from the random force (WATER_NOISE)."""
+    """Start the covariance from the standard deviation of the state (8,) and from the random force (PassNumbers)."""
     wide, high = np.zeros(HORIZONTAL * HORIZONTAL), np.zeros(VERTICAL * VERTICAL)
     places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
     for i in range(6):
@@ -74,6 +74,14 @@ def add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
     _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[RMS_LEVEL], new)
     _add_pair(parts.wide, HN, HORIZONTAL, 3, noise[RMS_YAW], new)
     _add_pair(parts.high, VFZ, VERTICAL, 1, noise[RMS_UPRIGHT], new)
+
+
+@kernel
+def let_wander(parts: Spread, noise: Floats, step: float) -> None:
+    """Let variance of a step [s] into the place, where the one that an instrument shows wanders."""
+    added = noise[WANDERING] * noise[WANDERING] * step
+    parts.wide[X * HORIZONTAL + X] += added
+    parts.wide[Y * HORIZONTAL + Y] += added
 
 
 @kernel

@@ -4,6 +4,12 @@ Errors of an instrument may last for longer than it takes to the next reading, a
 beside iron do. Taken as white they count as often as there are readings, and slow errors of a reading become evidence
 of what acts slowly. Such errors are first-order processes here (`filter.coloured`), with a memory for each number of
 noise.
+
+Places of a satellite receiver err otherwise: little from reading to reading, and by far more over a minute. No single
+memory has both. So the place itself wanders in the filter, as a random walk, beside white errors: what readings show is
+then the place of the vehicle as the instrument has it, which moves alike. Of a wander that stays bounded a walk holds
+all but the bound.
+Source: Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation (2001), section 6.2.
 """
 
 from __future__ import annotations
@@ -19,7 +25,7 @@ from cocorosim_ros.diagnosis.filter.layout import KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.records import Readings
 from cocorosim_ros.diagnosis.fitting.climbing import settled, with_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
-from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import RANDOM_FORCE, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import (
     COLUMN,
@@ -27,12 +33,14 @@ from cocorosim_ros.diagnosis.tracks.columns import (
     READING_MEMORY,
     READING_NOISE,
     READING_NOISE_OF_KIND,
+    WANDER,
 )
 from cocorosim_ros.diagnosis.tracks.vehicle_size import full_forces
 from cocorosim_ros.foundation.arrays import Floats, Integers
 
 MEMORY_OF = dict(zip(READING_NOISE, READING_MEMORY, strict=True))
-NOISE_OF = dict(zip(READING_MEMORY, READING_NOISE, strict=True))
+PLACES = "reading.pose_xy"
+NOISE_OF = {**dict(zip(READING_MEMORY, READING_NOISE, strict=True)), WANDER: PLACES}
 STREAM_OF = {READING_NOISE_OF_KIND[kind]: stream for stream, kinds in KINDS_OF_STREAM.items() for kind in kinds}
 """Stream of a number of noise, by its name without what stands before the point."""
 
@@ -115,6 +123,11 @@ def _streams(noise: Sequence[Unknown]) -> set[str]:
     return {STREAM_OF[name] for name in names}
 
 
+def _are_enough(fit: Fit, robot: str) -> bool:
+    """Tell whether a robot has so many instruments that lasting errors of one can be told from its motion."""
+    return len(_streams([each for each in fit.noise if robot in each.owner.robots])) >= COLOURED.instruments
+
+
 def _all_coloured(fit: Fit, numbers: tuple[int, ...], log_memory: float, columns: Iterable[str] = MEMORY_OF) -> Fit:
     """Add memories, all alike at first, of all readings of one robot in some tracks; the fit is not evaluated.
 
@@ -139,16 +152,21 @@ def with_coloured_readings(fit: Fit, fitted: Fit) -> Fit | None:
     fit: the model; fitted: the same or a richer model, with all effects that are named, by which colour is told, since
     what a model lacks makes innovations alike too.
     """
-    found = _with_suspects(_without_idle(fitted))
-    wanted, present = memories_of(found), memories_of(fit)
+    found = _with_wandering_places(_with_suspects(_without_idle(fitted)))
+    wanted, present = colours_of(found), colours_of(fit)
     if set(wanted) == set(present):
         return None
     return settled(_begun(_without(fit, present), found, wanted), RECALIBRATION.most_rounds)
 
 
-def robots_with_lasting_errors(fit: Fit) -> frozenset[str]:
-    """Names of the robots some of whose readings have errors that last in a fit."""
-    return frozenset(name for unknown in memories_of(fit) for name in unknown.owner.robots)
+def robots_of(colours: Iterable[Unknown]) -> frozenset[str]:
+    """Names of the robots that have these errors."""
+    return frozenset(name for unknown in colours for name in unknown.owner.robots)
+
+
+def colours_of(fit: Fit) -> tuple[Unknown, ...]:
+    """Memories of errors, and how far places wander, among the noise of a model."""
+    return tuple(unknown for unknown in fit.noise if unknown.column in NOISE_OF)
 
 
 def memories_of(fit: Fit) -> tuple[Unknown, ...]:
@@ -176,9 +194,22 @@ def _with_suspects(fit: Fit) -> Fit:
     return fit
 
 
+def _with_wandering_places(fit: Fit) -> Fit:
+    """Let places wander instead of having errors with a memory, where the model gains enough by it.
+
+    As slow errors, a wander cannot be told from slow motion where no other instruments show the motion.
+    """
+    for memory in memories_of(fit):
+        if NOISE_OF[memory.column] == PLACES and _are_enough(fit, memory.owner.robots[0]):
+            trial = _coloured(_exact_again(_without(fit, [memory]), memory), _wander(fit, memory), COLOURED.walk_rounds)
+            if trial.objective > fit.objective + COLOURED.worth:
+                fit = trial
+    return fit
+
+
 def _without_idle(fit: Fit) -> Fit:
     """Take away the memories by which the model gains too little, one after the other."""
-    for unknown in memories_of(fit):
+    for unknown in colours_of(fit):
         less = with_noise(evaluated(_without(fit, [unknown])), COLOURED.rounds, (NOISE_OF[unknown.column],))
         if fit.objective - less.objective < COLOURED.worth:
             fit = less
@@ -192,10 +223,27 @@ def _without(fit: Fit, memories: Sequence[Unknown]) -> Fit:
     return replace(fit, noise=noise, q_noise=fit.q_noise[kept])
 
 
-def _coloured(fit: Fit, memory: Unknown) -> Fit:
+def _exact_again(fit: Fit, memory: Unknown) -> Fit:
+    """Put the noise of the readings of a memory back to the first guess, which differences of neighbours show."""
+    q_noise = [
+        0.0 if unknown.column == NOISE_OF[memory.column] and not set(unknown.tracks).isdisjoint(memory.tracks) else q
+        for unknown, q in zip(fit.noise, fit.q_noise.tolist(), strict=True)
+    ]
+    return replace(fit, q_noise=np.array(q_noise))
+
+
+def _coloured(fit: Fit, memory: Unknown, rounds: int = COLOURED.rounds) -> Fit:
     """Add a memory to a model, and fit it together with the noise of its readings, everything else held."""
     begun = evaluated(replace(fit, noise=(*fit.noise, memory), q_noise=np.append(fit.q_noise, 0.0)))
-    return with_noise(begun, COLOURED.rounds, (NOISE_OF[memory.column], memory.column))
+    return with_noise(begun, rounds, (NOISE_OF[memory.column], memory.column))
+
+
+def _wander(fit: Fit, memory: Unknown) -> Unknown:
+    """Make the wander of places into an unknown, around the walk that errors with a memory are over short times."""
+    row = fit.filled[memory.tracks[0]]
+    owner = replace(memory.owner, effect=RANDOM_FORCE, parameter="place", unit=NOISE_UNITS[WANDER])
+    step = float(row[COLUMN[PLACES]] + 0.5 * (math.log(2.0) - row[COLUMN[memory.column]]))
+    return replace(memory, owner=owner, column=WANDER, base=step)
 
 
 def _suspects(fit: Fit) -> Iterator[Unknown]:
@@ -205,10 +253,11 @@ def _suspects(fit: Fit) -> Iterator[Unknown]:
     """
     fitted = {(unknown.column, number) for unknown in fit.noise for number in unknown.tracks}
     for robot, every in tracks_by_robot(fit.tracks).items():
-        if len(_streams([each for each in fit.noise if robot in each.owner.robots])) < COLOURED.instruments:
+        if not _are_enough(fit, robot):
             continue
         for column, memory in MEMORY_OF.items():
-            numbers = tuple(number for number in every if (column, number) in fitted and (memory, number) not in fitted)
+            kept = {memory, WANDER} if column == PLACES else {memory}
+            numbers = tuple(n for n in every if (column, n) in fitted and not {(each, n) for each in kept} & fitted)
             likeness = _likeness(fit, numbers, column)
             if likeness is not None:
                 yield _memory(robot, numbers, memory, _memory_of(*likeness))

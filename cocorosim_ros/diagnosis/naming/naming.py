@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.catalogue.open_set import open_set
 from cocorosim_ros.diagnosis.criteria.naming import NAMING, SEARCH
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
 from cocorosim_ros.diagnosis.fitting.climbing import settled
-from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lasting_errors
+from cocorosim_ros.diagnosis.fitting.coloured_readings import colours_of, robots_of
 from cocorosim_ros.diagnosis.fitting.declared_numbers import declared_columns
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
@@ -78,7 +78,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
     known = known_effects(base)
     free = unseen is not None and any(True for _ in unseen.windows())
     again = free and any(each.found_before and moves(each.candidate) for each in known)
-    lasting = robots_with_lasting_errors(base)
+    lasting = robots_of(colours_of(base))
     for round_number in range(SEARCH.most_rounds):
         progress("looking for what is missing", round_number / (round_number + SEARCH.pruned_from))
         courses = smoothed_tracks(fit)

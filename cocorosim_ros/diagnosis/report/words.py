@@ -26,6 +26,7 @@ NOISES = {
     "random.moment": "random yaw moment",
     "random.correlation": "memory of the random forces",
     "random.smoothness": "smoothness of the random forces (0 rough, 1 smooth)",
+    "random.place": "wander of the places that readings show (in a second; in a minute eight times as far)",
     "random.with_speed": "random force that comes with speed (at the highest, over that at rest)",
     "random.with_thrust": "random force that comes with thrust (at the highest, over that at rest)",
     **{f"reading.{name}": words for name, words in NOISE_WORDS.items()},

@@ -14,7 +14,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
 from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.findings import FoundEffect
-from cocorosim_ros.diagnosis.fitting.coloured_readings import robots_with_lasting_errors
+from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robots_of
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
@@ -111,7 +111,7 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
     The filter follows such errors from reading to reading by the rates at grid points, so that a part of a step may
     pass for a delay.
     """
-    robots = robots_with_lasting_errors(case.final)
+    robots = robots_of(memories_of(case.final))
     for found, named in effects_of(case):
         is_delay = any(each.column in OF_TIME for each in named.candidate.entry.amplitudes)
         if not robots.isdisjoint(found.robots) and (is_delay or _is_below_a_step(case, found)):

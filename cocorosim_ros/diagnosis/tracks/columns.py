@@ -14,6 +14,8 @@ from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, GAINS, PARAME
 
 # Logarithms of numbers in N, N, N m, s and 1.
 WATER_NOISE = ("random.force", "random.heave_force", "random.moment", "random.correlation", "random.smoothness")
+# Logarithm of how far the place that an instrument shows wanders in the root of a second [m/s^0.5].
+WANDER = "random.place"
 # Logarithms of how many times as strong as at rest what the random force gains at the highest speed or thrust is.
 WATER_GROWTH = ("random.with_speed", "random.with_thrust")
 WATER_RANDOM = (*WATER_NOISE, *WATER_GROWTH)
@@ -29,7 +31,8 @@ NOISE_WORDS = {
 # Units of the noise itself; a row holds logarithms.
 NOISE_UNITS = {
     "random.force": "N", "random.heave_force": "N", "random.moment": "N m", "random.correlation": "s",
-    "random.smoothness": "1", **dict.fromkeys(WATER_GROWTH, "1"), **dict.fromkeys(READING_MEMORY, "s"),
+    "random.smoothness": "1", WANDER: "m/s^0.5",
+    **dict.fromkeys(WATER_GROWTH, "1"), **dict.fromkeys(READING_MEMORY, "s"),
     **{f"reading.{name}": kind.unit for name, kind in zip(READING_NOISE_OF_KIND, KINDS.values(), strict=True)},
 }  # fmt: skip
 LATENCY = tuple(f"sensor_latency.{stream}" for stream in KINDS_OF_STREAM)
@@ -45,15 +48,15 @@ OWN_EXPONENTS = tuple(f"own_exponent.{number}" for number in range(1, MOST_THRUS
 
 COLUMN: dict[str, int] = numbered(
     [
-        *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, *READING_NOISE, *READING_LAWS, *OWN_GAINS,
-        *OWN_EXPONENTS, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
+        *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, WANDER, *READING_NOISE, *READING_LAWS,
+        *OWN_GAINS, *OWN_EXPONENTS, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
     ]
 )  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
 NAMES: tuple[str, ...] = tuple(COLUMN)
 PHYSICS = stretch_of(COLUMN, list(PARAMETER_COLUMNS))
 SENSORS = stretch_of(COLUMN, SENSOR_COLUMNS)
-WATER = stretch_of(COLUMN, WATER_NOISE)
+WATER = stretch_of(COLUMN, (*WATER_NOISE, WANDER))
 READING_COLUMNS = np.array([COLUMN[f"reading.{name}"] for name in READING_NOISE_OF_KIND])
 MEMORY_COLUMNS = np.array([COLUMN[f"memory.{name}"] for name in READING_NOISE_OF_KIND])
 ALWAYS_ACTIVE = EFFECT_BIT["quadratic_drag"] | EFFECT_BIT["net_buoyancy"] | EFFECT_BIT["patch_force"]
@@ -74,6 +77,7 @@ NEUTRAL[THRUSTERS] = 1.0
 NEUTRAL[EXPONENTS] = 1.0
 NEUTRAL[[COLUMN[column] for column in WATER_GROWTH]] = NO_GROWTH
 NEUTRAL[MEMORY_COLUMNS] = WHITE
+NEUTRAL[COLUMN[WANDER]] = WHITE
 for _name, _value in READING_LAWS.items():
     NEUTRAL[COLUMN[_name]] = _value
 
