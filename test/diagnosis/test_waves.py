@@ -37,6 +37,20 @@ def test_a_train_of_waves_is_named_with_its_numbers(swim: Any) -> None:
         assert estimate.high - estimate.low < 0.5
 
 
+def test_waves_over_a_floor_are_waves(swim: Any) -> None:
+    """Which hardly go up and down: on deep water they would be a current that swings within seven seconds."""
+    from cocorosim_ros.diagnosis.diagnose import diagnose
+
+    train = {"speed": 0.008, "period": 6.9, "direction": 2.0, "phase": 0.5, "floor": 2.5}
+    diagnosis = diagnose(swum(swim, {"surface_waves": train}, 11), lambda words, share: None)
+    (found,) = diagnosis.effects
+    assert found.id == "surface_waves"
+    for name, truth in train.items():
+        estimate = found.parameters[name]
+        assert abs(estimate.value - truth) <= estimate.high - estimate.low
+    assert found.parameters["floor"].high < 5.0
+
+
 def test_a_swing_of_all_the_water_is_no_wave(swim: Any) -> None:
     """Of twelve seconds, as a wave may have: without its motion up and down it is a current that swings."""
     from cocorosim_ros.diagnosis.diagnose import diagnose

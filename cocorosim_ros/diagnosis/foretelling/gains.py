@@ -124,7 +124,7 @@ class FreeRuns:
 
     @cached_property
     def _starts(self) -> list[Floats]:
-        """Those of all models in which no other water moves."""
+        """Starts of all models in which no other water moves."""
         return starts_under(self.unseen, self._counting)
 
     def errors(self, rows: Floats) -> Floats:

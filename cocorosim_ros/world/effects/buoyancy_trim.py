@@ -23,7 +23,15 @@ BUOYANCY_TRIM = Effect(
     equation="Z = const",
     wrench=buoyancy_trim,
     parameters=(
-        Number("force", "N", "up positive", gives="N", search=Strength(large=1e-3), example=Example(-5e-4, "drift")),
+        Number(
+            "force",
+            "N",
+            "up positive",
+            gives="N",
+            other_form=0.06,  # a trim that differs from place to place
+            search=Strength(large=1e-3),
+            example=Example(-5e-4, "drift"),
+        ),
     ),
     search=Search(channel="heave", group=WEIGHT, manoeuvre="depth_staircase"),
     check="Weigh the robot in the water: add or take away ballast.",

@@ -44,6 +44,7 @@ STRATIFICATION = Effect(
             "of the layer, positive down",
             needed=True,
             gives="m",
+            other_form=0.015,  # where the middle of a layer is that has a width
             search=Grid(_depths),
             example=Example(1.0, "thermometer"),
         ),
@@ -52,6 +53,7 @@ STRATIFICATION = Effect(
             "N",
             "below against above, up positive",
             gives="N",
+            other_form=0.1,  # layers that are thick, or come late
             search=Strength(large=2e-3),
             example=Example(1e-3, "thermometer"),
         ),

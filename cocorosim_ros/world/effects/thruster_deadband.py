@@ -40,6 +40,7 @@ THRUSTER_DEADBAND = Effect(
             "fraction of the largest command",
             sign="not negative",
             gives="1",
+            other_form=0.04,  # thresholds that are rounded
             search=Strength(large=0.1, step=0.5, least=0.0),
             between=SHARE,
             example=Example(0.05, "slow ramp"),

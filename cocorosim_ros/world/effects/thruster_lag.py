@@ -44,6 +44,7 @@ THRUSTER_LAG = Effect(
             sign="not negative",
             multiplies="N/s",
             gives="N",
+            other_form=0.02,  # motors whose current lags too
             search=Strength(large=0.3, least=0.0, negligible=(-AT_ONCE, AT_ONCE), searched=DELAYS),
             example=Example(0.3, "step response"),
         ),
