@@ -44,7 +44,14 @@ from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, rec
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
-from cocorosim_ros.diagnosis.showing.harm import FORETOLD_WORSE, WORSE_BESIDE_KEPT, fewer_until, harmful, that_helps
+from cocorosim_ros.diagnosis.showing.harm import (
+    FORETOLD_WORSE,
+    WORSE_BESIDE_KEPT,
+    fewer_until,
+    harmful,
+    harmful_to_others,
+    that_helps,
+)
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks, wander_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
@@ -231,7 +238,7 @@ def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRu
 
     All is asked again until nothing is taken back.
     """
-    passed: tuple[PassedOver, ...] = ()
+    passed = harmful_to_others(naming)
     forms: tuple[TakenBack, ...] = ()
     while True:
         before = naming

@@ -104,8 +104,8 @@ def name_differences(joint: Fit, judged: Judged, progress: Callable[[str, float]
             break
         fit, named = settled(found.fit, SEARCH.settling), (*named, found.effect)
         if len(named) >= SEARCH.pruned_from:
-            fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
-    fit, named = pruned(Stage(fit, named), joint, unseen=judged.unseen)
+            fit, named, _ = pruned(Stage(fit, named), joint, unseen=judged.unseen)
+    fit, named, _ = pruned(Stage(fit, named), joint, unseen=judged.unseen)
     candidates = _candidates(joint, judged, _entries(joint, judged)) if named else []
     named = tuple(with_twin(effect, candidates, joint.tracks) for effect in named)
     return Naming(joint, fit, named, first, first_laws, nameless, refused=refused, traces=traces, unsettled=unsettled)

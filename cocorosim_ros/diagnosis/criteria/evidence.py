@@ -268,6 +268,11 @@ class TiltCriteria:
     """[readings] of roll and pitch, and of heights beside them, below which they tell nothing. Chosen, not measured."""
     rate_span: float = 0.2
     """[s] over which pitch is differenced. Chosen, not measured."""
+    smoothed: float = 0.4
+    """[s] of the parabola through neighbours of a roll or pitch. Chosen, not measured: a hull that swings within 1.5 s
+    loses a hundredth."""
+    fewest_smoothed: int = 5
+    """[readings] in that time, below which they stay as they are. Chosen, not measured."""
     climb_span: float = 1.0
     """[s] over which heights are differenced. Chosen, not measured."""
     contradicted: float = 1.5

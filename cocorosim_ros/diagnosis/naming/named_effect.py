@@ -43,18 +43,22 @@ def onsets_of(named: Sequence[NamedEffect]) -> frozenset[str]:
     return frozenset(column for effect in named for column in effect.candidate.onset_columns)
 
 
-class Stage(NamedTuple):
-    """A fit of a contest, and the effects that it has been named with or had before."""
-
-    fit: Fit
-    named: tuple[NamedEffect, ...]
-
-
 class Refused(NamedTuple):
     """A candidate with evidence enough that free runs were against, and the fit with it."""
 
     fit: Fit
     effect: NamedEffect
+
+
+class Stage(NamedTuple):
+    """A fit of a contest, and the effects that it has been named with or had before.
+
+    harmful: effects with evidence enough that were named, and taken back for free runs that became worse.
+    """
+
+    fit: Fit
+    named: tuple[NamedEffect, ...]
+    harmful: tuple[Refused, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -64,7 +68,8 @@ class Naming:
     base: the recalibrated fit; fit: the one with all named effects; screened, laws: the first screening, best first.
     known: effects that the base has already, with their evidence. refused: candidates with evidence enough that free
     runs were against when nothing more could be named; traces: errors of readings that may be what these leave there;
-    unsettled: one that could be named, and those for which the readings speak louder, though alike recordings differ.
+    unsettled: one that could be named, and those for which the readings speak louder, though alike recordings differ;
+    harmful: effects that were named, and taken back for free runs that became worse.
     """
 
     base: Fit
@@ -77,6 +82,7 @@ class Naming:
     refused: tuple[Refused, ...] = ()
     traces: tuple[Candidate, ...] = ()
     unsettled: tuple[Candidate, ...] = ()
+    harmful: tuple[Refused, ...] = ()
 
     def may_be_rest(self, effect: NamedEffect) -> bool:
         """Tell whether the base has an effect that a diagnosis found, of whose form another one may be a rest.

@@ -74,6 +74,7 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
     first: tuple[Screened, ...] = ()
     first_laws: tuple[Screened, ...] = ()
     refused: tuple[Refused, ...] = ()
+    harmful: tuple[Refused, ...] = ()
     entries_of_catalogue = _undeclared(base)
     known = known_effects(base)
     free = unseen is not None and any(True for _ in unseen.windows())
@@ -105,9 +106,13 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
             break
         fit, named = settled(best[0], SEARCH.settling, WITHOUT_MEMORY), (*named, best[1])
         if len(named) >= SEARCH.pruned_from:
-            fit, named = pruned(Stage(fit, named), base, known, unseen)
-    fit, named = pruned(Stage(fit, named), base, known, unseen)
-    return Naming(base, polished(fit) if named else fit, named, first, first_laws, known=known, refused=refused)
+            fit, named, harmful = pruned(Stage(fit, named, harmful), base, known, unseen)
+    fit, named, harmful = pruned(Stage(fit, named, harmful), base, known, unseen)
+    left = {effect.candidate.key for effect in named}
+    harmful = tuple(each for each in harmful if each.effect.candidate.key not in left)
+    return Naming(
+        base, polished(fit) if named else fit, named, first, first_laws, known=known, refused=refused, harmful=harmful
+    )
 
 
 def _undeclared(base: Fit) -> list[Entry]:

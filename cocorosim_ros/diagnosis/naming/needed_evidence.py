@@ -8,11 +8,16 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS, Amplitude
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
+from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.fitting.fit import Fit, information
+from cocorosim_ros.diagnosis.fitting.fit import Fit, information, slopes
 from cocorosim_ros.diagnosis.naming.contest import Refined
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
+from cocorosim_ros.foundation.arrays import Floats
+
+BY_THE_CLOCK = {"sin_t", "cos_t"}
+"""Regressors of the clock alone."""
 
 
 def held_against(candidate: Candidate, without: Fit, fit: Fit) -> float:
@@ -65,12 +70,13 @@ def is_negligible(candidate: Candidate, amplitude: Amplitude, value: float) -> b
 def is_like(candidate: Candidate, other: Candidate) -> bool:
     """Tell whether a candidate may stand for another one.
 
-    A law outside the catalogue may stand for what acts on the same side of the motion, or on the same sensor. An entry
-    of the catalogue may stand for those of its confusable group in the same stream.
+    A law outside the catalogue may stand for what acts on the same side of the motion, or on the same sensor; one that
+    swings by the clock, whatever the robot does, for no entry of the catalogue. An entry of the catalogue may stand for
+    those of its confusable group in the same stream.
     """
     entry = candidate.entry
     if entry.law is not None:
-        return _side(candidate) == _side(other)
+        return _side(candidate) == _side(other) and not (_swings(candidate) and other.entry.law is None)
     return bool(entry.group) and (entry.group, entry.topic) == (other.entry.group, other.entry.topic)
 
 
@@ -92,44 +98,63 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
     of_sensor, is_law = candidate.entry.channel in SENSOR_CHANNELS, candidate.entry.law is not None
     if of_sensor and not is_law:
         return NAMING.threshold
-    shares = [
-        _share_left_over(fit, candidate, each) * each.nats
-        for each in others
-        if _side(each.candidate) == _side(candidate)
-    ]
+    rests = [_rest_of(fit, candidate, each) for each in others if _side(each.candidate) == _side(candidate)]
     if of_sensor:
-        shares += [
+        rests += [
             NAMING.law_share * each.nats for each in others if each.candidate.entry.channel not in SENSOR_CHANNELS
         ]
-    return max([NAMING.threshold, *shares])
+    return max([NAMING.threshold, *rests])
 
 
-def _share_left_over(fit: Fit, candidate: Candidate, named: NamedEffect) -> float:
-    """Share of the nats of a named effect that a candidate on the same side may explain without being there.
+def _rest_of(fit: Fit, candidate: Candidate, named: NamedEffect) -> float:
+    """Nats that a candidate on the same side as a named effect may explain without being there."""
+    most = _share_left_over(candidate, named) * named.nats
+    law = candidate.entry.law is not None
+    if most <= NAMING.threshold or named.found_before or (law and not _swings(candidate)):
+        return most
+    return min(most, likeness(fit, candidate, named.candidate) * named.nats)
 
-    Of an effect that was found before nothing is fitted, so that no likeness is known: laws, and entries that are
-    confused with it, then count as alike.
+
+def _share_left_over(candidate: Candidate, named: NamedEffect) -> float:
+    """Share of the nats of a named effect that its law may leave over for a candidate on the same side.
+
+    Beside an effect that was found before, laws, and entries that are confused with it, count as alike.
     """
     entry, other = candidate.entry, named.candidate
     is_confused = bool(entry.group) and entry.group == other.entry.group
     if named.found_before and (entry.law is not None or is_confused):
         return NAMING.law_form
-    if entry.law is not None:
-        return NAMING.law_rest
-    is_fitted = bool(other.places_among(fit.unknowns))
-    return min(NAMING.form_share, likeness(fit, candidate, other)) if is_fitted else NAMING.form_share
+    return NAMING.law_rest if entry.law is not None else NAMING.form_share
+
+
+def _swings(candidate: Candidate) -> bool:
+    """Tell whether a candidate is a law that swings by the clock alone, whatever the robot does."""
+    form = candidate.entry.form
+    return form is not None and {factor.name for factor in form.product.factors} <= BY_THE_CLOCK
 
 
 def likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
     """Likeness of two candidates (0 to 1): the greatest squared cosine between a slope of one and a slope of the other.
 
-    Slopes are those of the innovations by their unknowns; the information matrix of the fit holds their products.
+    Slopes are those of the innovations by their unknowns; the information matrix of the fit holds their products. Of an
+    effect that the model has and does not fit they are those by its amplitudes, as these are.
     """
     matrix = information(fit).matrix
     size = np.diag(matrix)
     mine, theirs = (each.places_among(fit.unknowns) for each in (candidate, other))
-    scale = np.outer(size[mine], size[theirs])
-    return float((matrix[np.ix_(mine, theirs)] ** 2 / np.maximum(scale, 1e-300)).max())
+    products, its = (matrix[np.ix_(mine, theirs)], size[theirs]) if theirs else _with_fixed(fit, mine, other)
+    return float((products**2 / np.maximum(np.outer(size[mine], its), 1e-300)).max())
+
+
+def _with_fixed(fit: Fit, mine: Sequence[int], other: Candidate) -> tuple[Floats, Floats]:
+    """Products (mine, amplitudes) of slopes by unknowns and by amplitudes that are not fitted, and squares of these."""
+    amplitudes = other.amplitudes()
+    products, squares = np.zeros((len(mine), len(amplitudes))), np.zeros(len(amplitudes))
+    theirs = slopes(fit, amplitudes, np.zeros(len(amplitudes)))
+    for own, its, passed in zip(information(fit).slopes, theirs, fit.passes, strict=True):
+        products += weighted_products(own[:, mine], its, passed.variance)
+        squares += np.diag(weighted_products(its, its, passed.variance))
+    return products, squares
 
 
 def _side(candidate: Candidate) -> str:

@@ -15,7 +15,7 @@ from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns, rows_without_hel
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen
 from cocorosim_ros.diagnosis.naming.choice import harms, moves
 from cocorosim_ros.diagnosis.naming.contest import log_evidence
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Stage, onsets_of
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Refused, Stage, onsets_of
 from cocorosim_ros.diagnosis.naming.needed_evidence import held_against, needed_nats
 from cocorosim_ros.diagnosis.tracks.columns import WATER_RANDOM
 
@@ -42,7 +42,7 @@ def pruned(stage: Stage, base: Fit, known: tuple[NamedEffect, ...] = (), unseen:
     base: the recalibrated fit, before any effect was named; known: the effects that it has already. unseen: parts on
     which no effect may make free runs worse; the one that harms most is taken back before any other.
     """
-    fit, named = stage
+    fit, named, gone = stage
     while len(named) > 1:
         whole = log_evidence(fit)
         smaller = {effect.candidate.key: without(fit, effect.candidate, base) for effect in named}
@@ -53,8 +53,10 @@ def pruned(stage: Stage, base: Fit, known: tuple[NamedEffect, ...] = (), unseen:
         weakest = harmful or min(named, key=lambda effect: effect.nats / needed[effect.candidate.key])
         if harmful is None and weakest.nats >= needed[weakest.candidate.key]:
             break
+        if weakest.nats >= needed[weakest.candidate.key]:
+            gone = (*gone, Refused(fit, weakest))
         fit, named = smaller[weakest.candidate.key], _others(named, weakest)
-    return Stage(fit, named)
+    return Stage(fit, named, gone)
 
 
 def _run_freely(

@@ -20,6 +20,7 @@ from cocorosim_ros.world.sensors.errors import ERRORS
 
 FORETOLD_WORSE = "Unseen data are foretold worse by the model with it than by the recalibrated one."
 HARMS = "free runs become worse with it"
+WORSE_BESIDE_OTHERS = "Beside the other effects, unseen data are foretold worse with it than without it."
 WORSE_BESIDE_KEPT = (
     "Beside the numbers that are kept as the file gives them, unseen data are foretold worse with it than by the "
     "platform as given."
@@ -53,6 +54,16 @@ def harmful(before: Naming, after: Naming, because: str) -> tuple[PassedOver, ..
     gone = [effect for effect in before.named if effect.candidate.key not in left]
     told = found_effects(before.fit, gone, fitted(before.fit)) if gone else ()
     return tuple(PassedOver(each, False, (because,), HARMS) for each in told)
+
+
+def harmful_to_others(naming: Naming) -> tuple[PassedOver, ...]:
+    """Effects that were taken back beside others, one for each name, as they would have been told."""
+    last = {each.effect.candidate.key: each for each in naming.harmful}
+    return tuple(
+        PassedOver(told, False, (WORSE_BESIDE_OTHERS,), HARMS)
+        for each in last.values()
+        for told in found_effects(each.fit, [each.effect], fitted(each.fit))
+    )
 
 
 def _is_harmed(naming: Naming, free: HeldOutFreeRuns) -> bool:

@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.tracks.columns import ACTUATING, COLUMN, COMMAND_DE
 from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.diagnosis.tracks.lateness import clocks_of, common_lateness
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.tilted_hull import TAKEN, TiltedHull
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
@@ -33,6 +34,8 @@ class Actuation:
         self.vehicle, self.grid = vehicle, grid
         self._log, self._before, self._clocks = log, before, clocks_of(log)
         self._lately: Lately[tuple[Floats, Floats]] = Lately()
+        self._hull = TiltedHull(log, grid)
+        self._with_hull: Lately[Floats] = Lately()
 
     def drive(self, row: Floats, with_rates: bool = False) -> Drive:
         """Forces and neighbours that act on the robot from each grid point to the next, under a row (columns,).
@@ -43,10 +46,11 @@ class Actuation:
         body = self.vehicle.actuating_body(row)
         if with_rates:
             body = body._replace(active=body.active | LAW_BITS)
-        force, rate = self._lately.once(
-            (body.active & ACTUATION_BITS, row[ACTUATING].tobytes(), self._delay(row)),
-            lambda: self._tilted(*self._forces(row, body)),
-        )
+        acting = (body.active & ACTUATION_BITS, row[ACTUATING].tobytes(), self._delay(row))
+        force, rate = self._lately.once(acting, lambda: self._tilted(*self._forces(row, body)))
+        if self._hull.is_known:
+            own = force
+            force = self._with_hull.once((acting, row[TAKEN].tobytes()), lambda: self._on_hull(own, row))
         return Drive(force, rate, self.vehicle.surroundings.around)
 
     def _forces(self, row: Floats, body: Body) -> tuple[Floats, Floats]:
@@ -72,6 +76,11 @@ class Actuation:
         if self.vehicle.fin_normal.any():
             force = force + self._angles_to_level(self._turns)
         return np.hstack([force, added[0]]), np.hstack([rate, added[1]])
+
+    def _on_hull(self, force: Floats, row: Floats) -> Floats:
+        """Forces (points, acting) with what roll and pitch add to those of the hull, under a row (columns,)."""
+        commanded = len(self.vehicle.actuator_wrench)  # what the tilt adds stands behind the actuators
+        return np.hstack([force[:, :commanded], force[:, commanded:] + self._hull.force(row)])
 
     def _angles_to_level(self, turns: Floats) -> Floats:
         """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.

@@ -75,7 +75,7 @@ class VehicleModel:
     def acting_wrench(self) -> Floats:
         """Wrench per newton (acting, 4) of all columns of a track's forces [1, 1, 1, m; level axes].
 
-        A robot that tilts has three more than actuators: what the tilt adds to the thrust along x, y and z.
+        A robot that tilts has three more than actuators: what the tilt adds to thrust and hull along x, y and z.
         """
         return np.vstack([self.actuator_wrench, np.eye(4)[:3]]) if self.tilts else self.actuator_wrench
 

@@ -11,15 +11,28 @@ import pytest
 
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
+from cocorosim_ros.diagnosis.naming import needed_evidence
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
-from cocorosim_ros.diagnosis.naming.needed_evidence import needed_nats
+from cocorosim_ros.diagnosis.naming.needed_evidence import is_like, needed_nats
+from cocorosim_ros.world.laws.law import Law, Product
 
 LARGE = 2000.0
 
 
+ALIKE = 0.01
+"""Likeness of any two candidates here."""
+
+
+@pytest.fixture(autouse=True)
+def hardly_alike(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No fit has slopes here."""
+    monkeypatch.setattr(needed_evidence, "likeness", lambda fit, candidate, other: ALIKE)
+
+
 def candidate(name: str, group: str | None, channel: str, law: str | None = None) -> Any:
     """A candidate of which a fit has no unknowns."""
-    entry = SimpleNamespace(id=name, group=group, channel=channel, law=law, topic=None)
+    form = Law(channel, Product.parse(name.partition("~")[2])) if law else None
+    entry = SimpleNamespace(id=name, group=group, channel=channel, law=law, form=form, topic=None)
     return SimpleNamespace(entry=entry, key=(name, None, ("a",)), places_among=lambda unknowns: [])
 
 
@@ -27,14 +40,27 @@ def candidate(name: str, group: str | None, channel: str, law: str | None = None
     ("asked", "of_found", "of_declared"),
     [
         (candidate("unknown:sway~v", None, "sway", "sway"), NAMING.law_form, NAMING.law_rest),
-        (candidate("linear_drag", "drag", "surge"), NAMING.law_form, NAMING.form_share),
-        (candidate("torque_bias", "turning", "yaw"), NAMING.form_share, NAMING.form_share),
+        (candidate("unknown:sway~sin_t", None, "sway", "sway"), NAMING.law_form, ALIKE),
+        (candidate("linear_drag", "drag", "surge"), NAMING.law_form, ALIKE),
+        (candidate("torque_bias", "turning", "yaw"), NAMING.form_share, ALIKE),
         (candidate("buoyancy_trim", "drag", "heave"), 0.0, 0.0),
     ],
 )
 def test_what_may_be_a_rest_of_a_known_effect_needs_more(asked: Any, of_found: float, of_declared: float) -> None:
-    """A law, or an entry confused with it, needs more if a diagnosis found that; what acts upright is no rest of it."""
+    """A law, or an entry confused with it, needs more if a diagnosis found that; what acts upright is no rest of it.
+
+    Beside numbers that the file has from elsewhere, likeness counts, but for laws of motion, which fill what any form
+    leaves: a force that swings by the clock does not.
+    """
     declared = NamedEffect(candidate("anisotropic_drag", "drag", "sway"), LARGE, (), HeldOutGain(np.zeros(0), 1.0))
     fit: Any = SimpleNamespace(unknowns=())
     for known, share in ((declared, of_declared), (replace(declared, found_before=True), of_found)):
         assert needed_nats((known,), asked, fit) == pytest.approx(max(NAMING.threshold, share * LARGE))
+
+
+def test_a_force_that_swings_by_the_clock_stands_for_no_entry_of_the_catalogue() -> None:
+    """Other laws of the same side may; and one that swings may stand for another law there."""
+    lag, swing = candidate("thruster_lag", "late", "surge"), candidate("unknown:sway~sin_t", None, "sway", "sway")
+    law = candidate("unknown:sway~v", None, "sway", "sway")
+    assert is_like(law, lag) and not is_like(swing, lag)
+    assert is_like(swing, law) and not is_like(swing, candidate("unknown:heave~w", None, "heave", "heave"))

@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis import diagnose
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.findings import FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
+from cocorosim_ros.diagnosis.naming.named_effect import Refused
 from cocorosim_ros.diagnosis.showing import harm
 from cocorosim_ros.diagnosis.showing.harm import _is_worse
 
@@ -66,7 +67,7 @@ def test_effects_are_taken_back_until_unseen_data_are_foretold_well(
 def test_what_is_taken_back_is_told(monkeypatch: pytest.MonkeyPatch, exact: bool) -> None:
     """With its nats and the reason, as something that is not missing; of an exact fit rounding alone was judged."""
     lever, lag = (SimpleNamespace(candidate=SimpleNamespace(key=name)) for name in ("pose_lever", "thruster_lag"))
-    before, after = (SimpleNamespace(named=named, fit=None) for named in ((lever, lag), (lag,)))
+    before, after = (SimpleNamespace(named=named, fit=None, harmful=()) for named in ((lever, lag), (lag,)))
 
     def told(_fit: Any, gone: Any, _numbers: Any) -> list[FoundEffect]:
         return [FoundEffect(each.candidate.key, "", "", ("boat",), "confirmed", {}, 1770.0) for each in gone]
@@ -82,3 +83,19 @@ def test_what_is_taken_back_is_told(monkeypatch: pytest.MonkeyPatch, exact: bool
     _, _, passed = diagnose._beyond_doubt(given, given)
     assert [each.found.id for each in passed] == ([] if exact else ["pose_lever"])
     assert all(not each.stands and each.because == (harm.FORETOLD_WORSE,) for each in passed)
+
+
+def test_what_is_taken_back_beside_others_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each once, though the search may have taken it back twice, with the fit that last had it."""
+    sag = SimpleNamespace(candidate=SimpleNamespace(key="battery_sag"))
+    naming: Any = SimpleNamespace(harmful=(Refused("first", sag), Refused("last", sag)))  # type: ignore[arg-type]
+
+    def told(fit: Any, gone: Any, _numbers: Any) -> list[FoundEffect]:
+        return [FoundEffect(each.candidate.key, fit, "", ("rov",), "confirmed", {}, 232.0) for each in gone]
+
+    monkeypatch.setattr(harm, "found_effects", told)
+    monkeypatch.setattr(harm, "fitted", lambda fit: ())
+    (passed,) = harm.harmful_to_others(naming)
+    assert (passed.found.id, passed.stands) == ("battery_sag", False)
+    assert passed.because == (harm.WORSE_BESIDE_OTHERS,)
+    assert "last" in vars(passed.found).values()

@@ -1,0 +1,132 @@
+"""Forces that roll and pitch add to those of a hull, along level axes of the same heading.
+
+What a hull resists with stands along its own axes: with the matrix M of mass and added mass its momentum is M v, and
+its drag D(v), of the velocity v in body axes. The models of a diagnosis have both along level axes. With the rotation R
+from body axes to level ones and the velocity V = R v there, what is missing is
+
+    -(d/dt + psi_dot z x) (R M R^T - M) V - (R D(R^T V) - D(V)).
+
+A tilt of two degrees that swings within two seconds moves an ROV upwards by as much as random forces do. Velocity and
+attitude are those recorded: known inputs, as the tilt of the thrust is. All is linear in masses and drags along the
+axes, so that each has a template, which is made once. What a tilt does to the yaw moment is left out.
+Source: Fossen (2021), sections 6.3 and 6.4; levelled axes as in `streams.attitude`.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+from scipy.signal import savgol_filter
+
+from cocorosim_ros.diagnosis.criteria.evidence import TILT
+from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
+from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, TURN_RATE, U, W
+from cocorosim_ros.diagnosis.filter.records import Grid
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME
+
+TOTAL_SPEED = FORM_BY_NAME["total_speed"]
+_MASS, _SWAY, _HEAVE = (
+    COLUMN[name] for name in ("mass", "added_mass.sway_minus_surge", "added_mass.heave_minus_surge")
+)
+_LINEAR = [COLUMN[f"linear_drag.{axis}"] for axis in ("surge", "sway", "heave")]
+_DRAG, _FORM = COLUMN["drag"], COLUMN["anisotropic_drag.form"]
+_RATIOS = [COLUMN["anisotropic_drag.sway_ratio"], COLUMN["anisotropic_drag.heave_ratio"]]
+_AXES = np.eye(3)[:, :, None] * np.eye(3)[:, None, :]  # E_k = e_k e_k^T
+TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, _FORM, *_RATIOS]
+"""Columns of the numbers that these forces depend on."""
+
+
+class TiltedHull:
+    """Forces that the tilt of one robot adds between the grid points of its track."""
+
+    def __init__(self, log: RobotLog, grid: Grid) -> None:
+        self._log, self._grid = log, grid
+
+    @property
+    def is_known(self) -> bool:
+        """Attitude and velocity were both recorded."""
+        return self._log.attitude is not None and self._velocity is not None
+
+    def force(self, row: Floats) -> Floats:
+        """Force (points, 3) [N; level axes] under the numbers of a model, row (columns,)."""
+        mass = row[_MASS] + np.array([0.0, row[_SWAY], row[_HEAVE]])
+        drag = row[_DRAG] * np.array([1.0, *row[_RATIOS]])
+        inertia, linear, along, each = self._templates
+        quadratic = along if row[_FORM] == TOTAL_SPEED else each
+        return np.asarray(
+            np.tensordot(mass, inertia, 1) + np.tensordot(row[_LINEAR], linear, 1) + np.tensordot(drag, quadratic, 1)
+        )
+
+    @cached_property
+    def _templates(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """Force (3, points, 3) of a unit of each axis: of mass, linear drag, drag with |V| and drag with each |v_k|."""
+        moments = np.asarray(self._grid.begin + (np.arange(self._grid.points) + 0.5) * self._grid.step)
+        half = 0.5 * self._span
+        level = self._seen(moments)
+        turns = self._attitude.turns(moments)
+        swing = (self._turned_less_level(moments + half) - self._turned_less_level(moments - half)) / (2.0 * half)
+        now = self._turned_less_level(moments)
+        around = np.cross(np.array([0.0, 0.0, 1.0]), now) * self._turn_rate(moments)[:, None]
+        body = np.einsum("nji,nj->ni", turns, level)
+        own = np.einsum("nik,nk->kni", turns, np.abs(body) * body) - np.einsum(
+            "nk,ki->kni", np.abs(level) * level, np.eye(3)
+        )
+        speed = np.linalg.norm(level, axis=1)[:, None]
+        return -(swing + around), -now, -speed * now, -own
+
+    def _turned_less_level(self, moments: Floats) -> Floats:
+        """(R E_k R^T - E_k) V (3, m, 3) of each axis k."""
+        turns, level = self._attitude.turns(moments), self._seen(moments)
+        turned = np.einsum("nik,njk,nj->kni", turns, turns, level)
+        return np.asarray(turned - np.einsum("nk,ki->kni", level, np.eye(3)))
+
+    @cached_property
+    def _velocity(self) -> tuple[Floats, Floats] | None:
+        """Times (m,) [s] and level velocities (m, 3) [m/s], through the water if that is known; None without."""
+        for topic in (THROUGH_WATER, OVER_GROUND):
+            if topic in self._log.streams:
+                stream = self._log.streams[topic]
+                known = np.isfinite(stream.value[:, U : W + 1]).all(axis=1)
+                if np.count_nonzero(known) >= TILT.fewest:
+                    return stream.time[known], stream.value[known, U : W + 1]
+        return None
+
+    def _seen(self, moments: Floats) -> Floats:
+        """Level velocity (m, 3) [m/s]."""
+        assert self._velocity is not None
+        time, value = self._velocity
+        return np.column_stack([np.interp(moments, time, value[:, axis]) for axis in range(3)])
+
+    def _turn_rate(self, moments: Floats) -> Floats:
+        """Rate of the heading (m,) [rad/s]; 0 where none was recorded."""
+        imu = self._log.streams.get("imu")
+        known = np.zeros(0, dtype=bool) if imu is None else np.isfinite(imu.value[:, TURN_RATE])
+        if imu is None or not known.any():
+            return np.zeros(len(moments))
+        return np.asarray(np.interp(moments, imu.time[known], imu.value[known, TURN_RATE]))
+
+    @cached_property
+    def _gap(self) -> float:
+        """Time between readings of the attitude [s]."""
+        assert self._log.attitude is not None
+        return float(np.median(np.diff(self._log.attitude.time)))
+
+    @property
+    def _span(self) -> float:
+        """Time [s] over which momentum is differenced: no less than two readings of the attitude."""
+        return max(TILT.rate_span, 2.0 * self._gap)
+
+    @cached_property
+    def _attitude(self) -> Attitude:
+        """The attitude without the noise of single readings, by a parabola through its neighbours."""
+        attitude = self._log.attitude
+        assert attitude is not None
+        width = 2 * int(0.5 * TILT.smoothed / self._gap) + 1
+        if width < TILT.fewest_smoothed or len(attitude.time) < width:
+            return attitude
+        roll, pitch = (savgol_filter(angle, width, 2) for angle in (attitude.roll, attitude.pitch))
+        return Attitude(attitude.time, roll, pitch)
