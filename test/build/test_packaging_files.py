@@ -179,7 +179,7 @@ def test_what_may_be_believed_is_said_in_ten_lines() -> None:
     """The commits that are told are those of the reports, each of them."""
     lines = believed()
     assert [line.split(".")[0] for line in lines] == [str(number) for number in range(1, 11)]
-    newest = [figures(name)["source"]["commit"] for name in ("trial", "trial_families")]
+    newest = [figures(name)["source"]["commit"] for name in ("trial", "trial_families", "trial_rov")]
     newest += [re.findall(r"at commit `(\w+)`", report(name))[-1] for name in ("against", "tampered", "real")]
     assert set(re.findall(r"`([0-9a-f]{7,})`", "\n".join(lines))) == {commit[:7] for commit in newest}
 
@@ -200,6 +200,17 @@ def test_intervals_of_effects_are_told_beside_all_intervals() -> None:
     for rate in (*summed, named, rates["outside the catalogue: flagged"]):
         assert hits(rate) in text
     assert f"free runs err {families['held_out']['position: augmented / oracle']['median']:.2f} times" in text
+
+
+def test_figures_of_the_second_vehicle_are_those_of_its_page() -> None:
+    """Names, false alarms of both kinds, swinging forces and intervals."""
+    rov, text = figures("trial_rov"), "\n".join(believed())
+    rates = rov["table"]["rates"]
+    alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
+    assert f"right {hits(rates['names told as confirmed that are right, in all recordings'])}, false alarm" in text
+    assert f"false alarm {sum(each['hits'] for each in alarms)} of {sum(each['of'] for each in alarms)}," in text
+    assert f"swinging forces flagged {hits(rates['outside the catalogue: flagged'])}" in text
+    assert f"intervals hold {hits(rov['intervals']['coverage'])}" in text
 
 
 def test_figures_of_real_recordings_are_those_of_their_page() -> None:

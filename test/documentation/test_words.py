@@ -83,6 +83,8 @@ def test_no_courtroom_in_the_proof() -> None:
         "trial.json",
         "trial_families.md",
         "trial_families.json",
+        "trial_rov.md",
+        "trial_rov.json",
         "tampered.md",
         "real.md",
         "against.md",
