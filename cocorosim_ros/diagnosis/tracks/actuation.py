@@ -49,8 +49,7 @@ class Actuation:
         acting = (body.active & ACTUATION_BITS, row[ACTUATING].tobytes(), self._delay(row))
         force, rate = self._lately.once(acting, lambda: self._tilted(*self._forces(row, body)))
         if self._hull.is_known:
-            own = force
-            force = self._with_hull.once((acting, row[TAKEN].tobytes()), lambda: self._on_hull(own, row))
+            force = self._with_hull.once((acting, row[TAKEN].tobytes()), lambda: self._on_hull(force, row))
         return Drive(force, rate, self.vehicle.surroundings.around)
 
     def _forces(self, row: Floats, body: Body) -> tuple[Floats, Floats]:

@@ -35,7 +35,6 @@ _MASS, _SWAY, _HEAVE = (
 _LINEAR = [COLUMN[f"linear_drag.{axis}"] for axis in ("surge", "sway", "heave")]
 _DRAG, _FORM = COLUMN["drag"], COLUMN["anisotropic_drag.form"]
 _RATIOS = [COLUMN["anisotropic_drag.sway_ratio"], COLUMN["anisotropic_drag.heave_ratio"]]
-_AXES = np.eye(3)[:, :, None] * np.eye(3)[:, None, :]  # E_k = e_k e_k^T
 TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, _FORM, *_RATIOS]
 """Columns of the numbers that these forces depend on."""
 
@@ -79,7 +78,7 @@ class TiltedHull:
         return -(swing + around), -now, -speed * now, -own
 
     def _turned_less_level(self, moments: Floats) -> Floats:
-        """(R E_k R^T - E_k) V (3, m, 3) of each axis k."""
+        """(R E_k R^T - E_k) V (3, m, 3) of each axis k, with E_k = e_k e_k^T."""
         turns, level = self._attitude.turns(moments), self._seen(moments)
         turned = np.einsum("nik,njk,nj->kni", turns, turns, level)
         return np.asarray(turned - np.einsum("nk,ki->kni", level, np.eye(3)))
