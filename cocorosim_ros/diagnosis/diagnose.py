@@ -238,7 +238,8 @@ def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRu
 
     All is asked again until nothing is taken back.
     """
-    passed = harmful_to_others(naming)
+    beside = harmful_to_others(naming)
+    passed: tuple[PassedOver, ...] = ()
     forms: tuple[TakenBack, ...] = ()
     while True:
         before = naming
@@ -248,7 +249,7 @@ def _beyond_doubt(naming: Naming, unseen: Unseen) -> tuple[Naming, HeldOutFreeRu
         naming, bent = without_other_forms(naming)
         naming, more = beyond_doubt(naming)
         if not (bent or more):
-            return naming, free, (*told_at_last(naming, forms), *passed)
+            return naming, free, (*told_at_last(naming, forms), *(() if is_exact(free.table) else beside), *passed)
         passed, forms = (*passed, *more), (*forms, *bent)
 
 

@@ -24,7 +24,7 @@ def better_foretelling(first: Naming, again: Naming, unseen: Unseen) -> Naming:
     unseen: parts and free runs of the search `again`, by which the effects of `first` are pruned before. They are taken
     if they have more evidence and free runs likely gain by them; what `again` screened and refused stays.
     """
-    kept = pruned(Stage(first.fit, first.named), first.base, first.known, unseen)
+    kept = pruned(Stage(first.fit, first.named, first.harmful), first.base, first.known, unseen)
     if not kept.named or log_evidence(kept.fit) <= log_evidence(again.fit):
         return again
     runs = FreeRuns(unseen, first.base.filled)
@@ -34,4 +34,4 @@ def better_foretelling(first: Naming, again: Naming, unseen: Unseen) -> Naming:
 
     if not runs.gain(errors(Stage(again.fit, again.named)), errors(kept)).is_likely:
         return again
-    return replace(again, fit=polished(kept.fit), named=kept.named)
+    return replace(again, fit=polished(kept.fit), named=kept.named, harmful=kept.harmful)

@@ -10,7 +10,7 @@ import pytest
 from cocorosim_ros.diagnosis.fitting.fit import evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
 from cocorosim_ros.diagnosis.foretelling.unseen import Unseen, seconds_of_free_runs, unseen_parts
-from cocorosim_ros.diagnosis.naming.named_effect import Naming
+from cocorosim_ros.diagnosis.naming.named_effect import Naming, Refused
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 
@@ -62,3 +62,13 @@ def test_what_longer_runs_lose_by_does_not_stay(searched: Searched) -> None:
     turned = evaluated(replace(searched.found.fit, q=-searched.found.fit.q))
     wrong = replace(searched.found, fit=turned)
     assert better_foretelling(wrong, searched.nothing, searched.longer) is searched.nothing
+
+
+def test_what_is_named_again_is_not_told_as_taken_back(searched: Searched) -> None:
+    """The search that missed the drag had taken it back; what the other one took back is told with its effects."""
+    (drag,) = searched.found.named
+    lost = replace(searched.nothing, harmful=(Refused(searched.found.fit, drag),))
+    assert better_foretelling(searched.found, lost, searched.longer).harmful == ()
+    other = Refused(searched.found.fit, replace(drag, nats=9.0))
+    kept = better_foretelling(replace(searched.found, harmful=(other,)), searched.nothing, searched.longer)
+    assert kept.harmful == (other,)

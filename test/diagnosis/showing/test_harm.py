@@ -99,3 +99,16 @@ def test_what_is_taken_back_beside_others_is_told(monkeypatch: pytest.MonkeyPatc
     assert (passed.found.id, passed.stands) == ("battery_sag", False)
     assert passed.because == (harm.WORSE_BESIDE_OTHERS,)
     assert "last" in vars(passed.found).values()
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_what_rounding_alone_took_back_beside_others_is_not_told(monkeypatch: pytest.MonkeyPatch, exact: bool) -> None:
+    """As of what is taken back at last: of an exact fit free runs differ by rounding."""
+    naming: Any = SimpleNamespace(named=(), fit=None)
+    monkeypatch.setattr(diagnose, "harmful_to_others", lambda naming: ("beside others",))
+    monkeypatch.setattr(diagnose, "that_helps", lambda naming, unseen: (naming, SimpleNamespace(table={})))
+    monkeypatch.setattr(diagnose, "without_other_forms", lambda naming: (naming, ()))
+    monkeypatch.setattr(diagnose, "beyond_doubt", lambda naming: (naming, ()))
+    monkeypatch.setattr(diagnose, "told_at_last", lambda naming, forms: ())
+    monkeypatch.setattr(diagnose, "is_exact", lambda table: exact)
+    assert diagnose._beyond_doubt(naming, naming)[2] == (() if exact else ("beside others",))
