@@ -68,7 +68,7 @@ class Actuation:
         return float(row[COLUMN[COMMAND_DELAY]]) + common_lateness(row, self._clocks)
 
     def _tilted(self, force: Floats, rate: Floats) -> tuple[Floats, Floats]:
-        """Forces and rates (points, acting): the actuators', then what roll and pitch add to the thrust's x, y, z."""
+        """Forces and rates (points, acting): the actuators', then what roll and pitch add to the thrust's wrench."""
         if self._turns is None:
             return force, rate
         added = [self._added(self._turns, numbers) for numbers in (force, rate)]
@@ -79,7 +79,7 @@ class Actuation:
     def _on_hull(self, force: Floats, row: Floats) -> Floats:
         """Forces (points, acting) with what roll and pitch add to those of the hull, under a row (columns,)."""
         commanded = len(self.vehicle.actuator_wrench)  # what the tilt adds stands behind the actuators
-        return np.hstack([force[:, :commanded], force[:, commanded:] + self._hull.force(row)])
+        return np.hstack([force[:, :commanded], force[:, commanded:] + self._hull.wrench(row)])
 
     def _angles_to_level(self, turns: Floats) -> Floats:
         """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.
@@ -91,10 +91,15 @@ class Actuation:
         return np.asarray(normals[:, X] - np.einsum("nj,aj->na", turns[:, X], normals))
 
     def _added(self, turns: Floats, force: Floats) -> Floats:
-        """Difference (points, 3) of the thrust in level axes and in the robot's own, of forces (points, actuators)."""
+        """Difference (points, 4) of the thrust in level axes and in the robot's own, of forces (points, actuators).
+
+        The moment is that about the robot's own upward axis.
+        """
         thrusters = ~self.vehicle.is_pump
         thrust = force[:, thrusters] @ self.vehicle.actuator_wrench[thrusters, :3]
-        return np.asarray(np.einsum("nij,nj->ni", turns, thrust) - thrust)
+        added = np.zeros((len(force), 4))
+        added[:, :3] = np.einsum("nij,nj->ni", turns, thrust) - thrust
+        return added
 
     @cached_property
     def _turns(self) -> Floats | None:

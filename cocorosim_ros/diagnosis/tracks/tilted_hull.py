@@ -1,4 +1,4 @@
-"""Forces that roll and pitch add to those of a hull, along level axes of the same heading.
+"""Forces and yaw moment that roll and pitch add to those of a hull, along level axes of the same heading.
 
 What a hull resists with stands along its own axes: with the matrix M of mass and added mass its momentum is M v, and
 its drag D(v), of the velocity v in body axes. The models of a diagnosis have both along level axes. With the rotation R
@@ -6,10 +6,16 @@ from body axes to level ones and the velocity V = R v there, what is missing is
 
     -(d/dt + psi_dot z x) (R M R^T - M) V - (R D(R^T V) - D(V)).
 
-A tilt of two degrees that swings within two seconds moves an ROV upwards by as much as random forces do. Velocity and
-attitude are those recorded: known inputs, as the tilt of the thrust is. All is linear in masses and drags along the
-axes, so that each has a template, which is made once. What a tilt does to the yaw moment is left out.
-Source: Fossen (2021), sections 6.3 and 6.4; levelled axes as in `streams.attitude`.
+About its own upward axis the hull turns at the rate r = psi_dot cos(phi) cos(theta) - theta_dot sin(phi), and the
+thrusters' moment is about that axis. With the moment K(r) of its drag and the added mass A sideways, what is missing is
+
+    I d/dt (psi_dot - r) - (K(r) - K(psi_dot)) - A (u v - U V).
+
+A tilt of two degrees that swings within two seconds moves an ROV upwards by as much as random forces do, and what it
+climbs at a pitch of six turns it by more. Velocity, turn rate and attitude are those recorded: known inputs, as the
+tilt of the thrust is. All is linear in masses and drags, so that each has a template, which is made once. Left out are
+products of the rates of roll and pitch, which need the inertia about other axes.
+Source: Fossen (2021), sections 2.2, 6.3 and 6.4; levelled axes as in `streams.attitude`.
 """
 
 from __future__ import annotations
@@ -27,6 +33,7 @@ from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME
+from cocorosim_ros.world.state.state import X, Y
 
 TOTAL_SPEED = FORM_BY_NAME["total_speed"]
 _MASS, _SWAY, _HEAVE = (
@@ -35,12 +42,15 @@ _MASS, _SWAY, _HEAVE = (
 _LINEAR = [COLUMN[f"linear_drag.{axis}"] for axis in ("surge", "sway", "heave")]
 _DRAG, _FORM = COLUMN["drag"], COLUMN["anisotropic_drag.form"]
 _RATIOS = [COLUMN["anisotropic_drag.sway_ratio"], COLUMN["anisotropic_drag.heave_ratio"]]
-TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, _FORM, *_RATIOS]
+_INERTIA, _ADDED_INERTIA = COLUMN["yaw_inertia"], COLUMN["added_mass.yaw"]
+_YAW_LINEAR, _YAW_DRAG = COLUMN["linear_drag.yaw"], COLUMN["yaw_drag"]
+_AROUND = [_INERTIA, _ADDED_INERTIA, _YAW_LINEAR, _YAW_DRAG]
+TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, _FORM, *_RATIOS, *_AROUND]
 """Columns of the numbers that these forces depend on."""
 
 
 class TiltedHull:
-    """Forces that the tilt of one robot adds between the grid points of its track."""
+    """Forces and moments that the tilt of one robot adds between the grid points of its track."""
 
     def __init__(self, log: RobotLog, grid: Grid) -> None:
         self._log, self._grid = log, grid
@@ -50,7 +60,11 @@ class TiltedHull:
         """Attitude and velocity were both recorded."""
         return self._log.attitude is not None and self._velocity is not None
 
-    def force(self, row: Floats) -> Floats:
+    def wrench(self, row: Floats) -> Floats:
+        """Forces and moment (points, 4) [N, N, N, N m; level axes] under the numbers of a model, row (columns,)."""
+        return np.column_stack([self._force(row), self._moment(row)])
+
+    def _force(self, row: Floats) -> Floats:
         """Force (points, 3) [N; level axes] under the numbers of a model, row (columns,)."""
         mass = row[_MASS] + np.array([0.0, row[_SWAY], row[_HEAVE]])
         drag = row[_DRAG] * np.array([1.0, *row[_RATIOS]])
@@ -60,11 +74,32 @@ class TiltedHull:
             np.tensordot(mass, inertia, 1) + np.tensordot(row[_LINEAR], linear, 1) + np.tensordot(drag, quadratic, 1)
         )
 
+    def _moment(self, row: Floats) -> Floats:
+        """Yaw moment (points,) [N m] under the numbers of a model, row (columns,)."""
+        numbers = np.array([row[_INERTIA] + row[_ADDED_INERTIA], row[_YAW_LINEAR], row[_YAW_DRAG], row[_SWAY]])
+        return np.asarray(numbers @ self._moments)
+
+    @cached_property
+    def _moments(self) -> Floats:
+        """Yaw moment (4, points) of a unit of inertia, linear drag, drag, and added mass sideways less forwards."""
+        moments, half = self._middles, 0.5 * self._span
+        level = self._seen(moments)
+        body = np.einsum("nji,nj->ni", self._attitude.turns(moments), level)
+        heading, own = self._turn_rates(moments)
+        early, late = (np.subtract(*self._turn_rates(moments + shift)) for shift in (-half, half))
+        sways = level[:, X] * level[:, Y] - body[:, X] * body[:, Y]
+        resisted = np.abs(heading) * heading - np.abs(own) * own
+        return np.stack([(late - early) / (2.0 * half), heading - own, resisted, sways])
+
+    @property
+    def _middles(self) -> Floats:
+        """Moments (points,) [s] in the middle between grid points."""
+        return np.asarray(self._grid.begin + (np.arange(self._grid.points) + 0.5) * self._grid.step)
+
     @cached_property
     def _templates(self) -> tuple[Floats, Floats, Floats, Floats]:
         """Force (3, points, 3) of a unit of each axis: of mass, linear drag, drag with |V| and drag with each |v_k|."""
-        moments = np.asarray(self._grid.begin + (np.arange(self._grid.points) + 0.5) * self._grid.step)
-        half = 0.5 * self._span
+        moments, half = self._middles, 0.5 * self._span
         level = self._seen(moments)
         turns = self._attitude.turns(moments)
         swing = (self._turned_less_level(moments + half) - self._turned_less_level(moments - half)) / (2.0 * half)
@@ -107,6 +142,15 @@ class TiltedHull:
         if imu is None or not known.any():
             return np.zeros(len(moments))
         return np.asarray(np.interp(moments, imu.time[known], imu.value[known, TURN_RATE]))
+
+    def _turn_rates(self, moments: Floats) -> tuple[Floats, Floats]:
+        """Rates (m,) [rad/s] of the heading and about the hull's own upward axis; 0 where none was recorded."""
+        heading = self._turn_rate(moments)
+        if not heading.any():
+            return heading, heading
+        roll, pitch = self._attitude.roll_at(moments), self._attitude.pitch_at(moments)
+        nodding = self._attitude.pitch_rate_at(moments)
+        return heading, np.asarray(heading * np.cos(roll) * np.cos(pitch) - nodding * np.sin(roll))
 
     @cached_property
     def _gap(self) -> float:

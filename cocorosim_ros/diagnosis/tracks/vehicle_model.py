@@ -75,9 +75,9 @@ class VehicleModel:
     def acting_wrench(self) -> Floats:
         """Wrench per newton (acting, 4) of all columns of a track's forces [1, 1, 1, m; level axes].
 
-        A robot that tilts has three more than actuators: what the tilt adds to thrust and hull along x, y and z.
+        A robot that tilts has four more than actuators: what the tilt adds to thrust and hull along and about the axes.
         """
-        return np.vstack([self.actuator_wrench, np.eye(4)[:3]]) if self.tilts else self.actuator_wrench
+        return np.vstack([self.actuator_wrench, np.eye(4)]) if self.tilts else self.actuator_wrench
 
     @cached_property
     def acting_pump(self) -> Flags:

@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.tracks.tilted_hull import TiltedHull
 from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME
 
 MASS, LINEAR, QUADRATIC = np.array([17.0, 24.2, 26.1]), np.array([4.0, 6.2, 5.2]), np.array([18.2, 21.7, 37.0])
+INERTIA, YAW_LINEAR, YAW_DRAG = 0.28, 0.07, 1.55
 GRID, READ = Grid(1.0, 0.05, 200), 0.02
 """Steps of the filter, and of the readings [s]."""
 
@@ -92,6 +93,8 @@ def row_of(form: str) -> Any:
     row[COLUMN["added_mass.sway_minus_surge"]], row[COLUMN["added_mass.heave_minus_surge"]] = MASS[1:] - MASS[0]
     for axis, value in zip(("surge", "sway", "heave"), LINEAR, strict=True):
         row[COLUMN[f"linear_drag.{axis}"]] = value
+    row[COLUMN["yaw_inertia"]], row[COLUMN["linear_drag.yaw"]] = INERTIA, YAW_LINEAR
+    row[COLUMN["yaw_drag"]] = YAW_DRAG
     row[COLUMN["drag"]], row[COLUMN["anisotropic_drag.form"]] = QUADRATIC[0], FORM_BY_NAME[form]
     row[COLUMN["anisotropic_drag.sway_ratio"]] = QUADRATIC[1] / QUADRATIC[0]
     row[COLUMN["anisotropic_drag.heave_ratio"]] = QUADRATIC[2] / QUADRATIC[0]
@@ -108,11 +111,55 @@ def test_a_level_model_with_these_forces_has_the_momentum_of_the_tilted_hull(for
     t, h = GRID.begin + (np.arange(GRID.points) + 0.5) * GRID.step, 1e-3
     rate = {kind: (momentum(t + h, tilted=kind) - momentum(t - h, tilted=kind)) / (2.0 * h) for kind in (True, False)}
     missing = -(rate[True] - rate[False]) + in_world(t, drag(t, form, tilted=True) - drag(t, form, tilted=False))
-    added = in_world(t, TiltedHull(log_of(), GRID).force(row_of(form)))
+    added = in_world(t, TiltedHull(log_of(), GRID).wrench(row_of(form))[:, :3])
     scale = np.sqrt(np.mean(missing**2, axis=0))
     assert (scale > 0.2).all()
     off = np.sqrt(np.mean((added - missing) ** 2, axis=0))
     assert (off < 0.04 * scale).all()
+
+
+def own_turn_rate(t: Any) -> Any:
+    """Rate (n,) about the hull's own upward axis: an element of R^T dR/dt, with a difference over 2 ms."""
+    h = 1e-3
+    before, now, behind = (in_world_axes(moment) for moment in (t - h, t, t + h))
+    return np.einsum("nji,njk->nik", now, (behind - before) / (2.0 * h))[:, 1, 0]
+
+
+def in_world_axes(t: Any) -> Any:
+    """Rotations (n, 3, 3) from the hull's axes to those of the world."""
+    turns = to_level(t)
+    return np.stack([in_world(t, turns[:, :, axis]) for axis in range(3)], axis=2)
+
+
+def test_a_level_model_with_this_moment_turns_as_the_tilted_hull_does() -> None:
+    """To three hundredths of the moment, as forces do.
+
+    Along its own axes the hull has I dr/dt = N - K(r) - A u v; a level model has the rate of the heading in place of r,
+    and level velocities.
+    """
+    t, h = GRID.begin + (np.arange(GRID.points) + 0.5) * GRID.step, 5e-3
+    heading_rate, own = (lambda at: 0.4 + 0.24 * np.cos(0.8 * at)), own_turn_rate
+    gained = [(rate(t + h) - rate(t - h)) / (2.0 * h) for rate in (heading_rate, own)]
+    resisted = [(YAW_LINEAR + YAW_DRAG * np.abs(rate(t))) * rate(t) for rate in (heading_rate, own)]
+    u, v, _ = body_velocity(t).T
+    level = np.einsum("nij,nj->ni", to_level(t), body_velocity(t))
+    munk = (MASS[1] - MASS[0]) * (u * v - level[:, 0] * level[:, 1])
+    missing = INERTIA * (gained[0] - gained[1]) - (resisted[1] - resisted[0]) - munk
+    added = TiltedHull(log_of(), GRID).wrench(row_of("own_speed"))[:, 3]
+    scale = math.sqrt(np.mean(missing**2))
+    assert scale > 0.05
+    assert math.sqrt(np.mean((added - missing) ** 2)) < 0.04 * scale
+
+
+def test_without_a_gyro_the_moment_is_that_of_the_added_mass_alone() -> None:
+    """Of rates that no stream shows, nothing is said."""
+    log = log_of()
+    del log.streams["imu"]  # type: ignore[attr-defined]
+    row = row_of("own_speed")
+    row[[COLUMN["yaw_inertia"], COLUMN["linear_drag.yaw"], COLUMN["yaw_drag"]]] *= 10.0
+    moment = TiltedHull(log, GRID).wrench(row)[:, 3]
+    assert np.array_equal(moment, TiltedHull(log, GRID).wrench(row_of("own_speed"))[:, 3])
+    assert np.abs(moment).max() > 0.05
 
 
 def test_nothing_is_known_without_attitude_or_velocity() -> None:
@@ -134,5 +181,5 @@ def test_noise_of_single_attitudes_hardly_counts() -> None:
         Attitude(noisy.attitude.time, noisy.attitude.roll + noise[0], noisy.attitude.pitch + noise[1]),
     )
     row = row_of("own_speed")
-    off = TiltedHull(noisy, GRID).force(row) - TiltedHull(exact, GRID).force(row)
+    off = TiltedHull(noisy, GRID).wrench(row) - TiltedHull(exact, GRID).wrench(row)
     assert float(np.sqrt(np.mean(off**2))) < 0.1
