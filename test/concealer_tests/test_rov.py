@@ -234,7 +234,7 @@ def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
     from concealer.rov.oracle import free_run
     from concealer.rov.programme import drive
 
-    plan, time = np.array([[0.0, 0.0, 0.0, 0.0, 2.0]]), np.arange(51) * at.ROW_TIME
+    plan, time = np.array([[0.0, 0.0, 0.0, 0.0, 2.0]]), np.arange(0.0, 1.0 + 0.5 * at.ROW_TIME, at.ROW_TIME)
     for push in (0.0, 1.7):
         knots = np.zeros((81, 4))
         knots[:, 0] = push
@@ -262,8 +262,8 @@ def test_the_noise_of_the_pose_is_that_of_its_readings() -> None:
     from concealer.rov.oracle import noise
     from concealer.sensors import Stream
 
-    clock = np.arange(1001) * at.ROW_TIME
-    rows, time = np.zeros((1001, at.ROW)), np.arange(2.0, 20.0, 0.25)
+    clock = np.arange(0.0, 20.0 + 0.5 * at.ROW_TIME, at.ROW_TIME)
+    rows, time = np.zeros((len(clock), at.ROW)), np.arange(2.0, 20.0, 0.25)
     rows[:, at.X], yaw = 0.5 * clock, 0.3 * (time - 0.4)
     rows[:, at.QUATERNION], rows[:, at.QUATERNION + 3] = np.cos(0.15 * clock), np.sin(0.15 * clock)
     sign = np.where(np.arange(time.size) % 2, 1.0, -1.0)

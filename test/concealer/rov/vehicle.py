@@ -15,7 +15,7 @@ import numpy as np
 from concealer.layout import FloatArray
 
 GRAVITY, RHO, SURFACE_PRESSURE = 9.81, 1000.0, 101325.0
-STEP, STEPS_PER_TICK, STEPS_PER_ROW = 0.005, 20, 4  # s; commands change every 0.1 s, rows are kept every 0.02 s
+STEP, STEPS_PER_TICK, STEPS_PER_ROW = 0.005, 20, 1  # s; commands change every 0.1 s, and forces jump with them
 TICK, ROW_TIME = STEP * STEPS_PER_TICK, STEP * STEPS_PER_ROW
 
 # --- state: position, quaternion (w, x, y, z), velocity and turn rate in body axes, thrust level of each thruster
