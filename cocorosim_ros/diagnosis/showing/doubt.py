@@ -11,9 +11,11 @@ fits the parts gains nats. So two questions are asked of each amplitude, with th
   gain by the effect.
 
 The second keeps an effect of many nats whose law has another form than the catalogue's: its number differs from slow to
-fast, but is there in all parts, and foretells them. Beside effects that another diagnosis found only the first
-is asked: what is left of those has numbers that differ too. That other laws of the kind have other numbers, which
-widens the told interval as well, is not asked: it says how large an effect is, not whether it is.
+fast, but is there in all parts, and foretells them. Beside effects that another diagnosis found only the first is
+asked: what is left of those has numbers that differ too. So it is of delays among readings whose errors last: a filter
+that follows such errors gains by a delay in held-out parts too, which in each part is another. That other laws of the
+kind have other numbers, which widens the told interval as well, is not asked: it says how large an effect is, not
+whether it is.
 Source: DerSimonian and Laird, Controlled Clinical Trials 7 (1986) 177, for the mean of parts that differ; Higgins,
 Thompson and Spiegelhalter, J. R. Statist. Soc. A 172 (2009) 137, for the part that was not seen.
 """
@@ -28,6 +30,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import PassedOver
+from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robots_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.unknowns import Z95
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
@@ -36,6 +39,7 @@ from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
 from cocorosim_ros.diagnosis.showing.hard_stops import FORETELLS_NOTHING
 from cocorosim_ros.diagnosis.showing.withdrawn import withdrawn
+from cocorosim_ros.diagnosis.tracks.columns import OF_TIME
 from cocorosim_ros.foundation.arrays import Flags
 
 MAY_BE_NOTHING = (
@@ -57,12 +61,13 @@ class Clear(NamedTuple):
     in_parts: Flags
     in_mean: Flags
 
-    def of(self, effect: NamedEffect, *, found_before: bool = False) -> Flags:
+    def of(self, effect: NamedEffect, *, in_all_parts: bool = False) -> Flags:
         """Flags (unknowns,) as they count for an effect: the mean where unseen data clearly gain by it.
 
-        found_before: others were, of whose forms it may be a rest; the mean is then not enough.
+        in_all_parts: the mean is not enough, since others were found before, of whose forms it may be a rest, or since
+        errors of readings last.
         """
-        foretells = effect.held_out.p < ESTIMATES.held_out_p and not found_before
+        foretells = effect.held_out.p < ESTIMATES.held_out_p and not in_all_parts
         return np.asarray(self.in_parts | self.in_mean) if foretells else self.in_parts
 
 
@@ -75,7 +80,7 @@ def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
     while (weakest := _weakest(naming)) is not None:
         left, gone, told = withdrawn(naming, *weakest)
         because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
-        stands = stands_without_name(gone) and not naming.may_be_rest(gone)
+        stands = stands_without_name(gone) and not _must_be_in_all_parts(naming, gone)
         passed += [PassedOver(found, stands, because, SIZE_MAY_BE_NOTHING) for found in told]
         naming = left
     return naming, tuple(passed)
@@ -132,11 +137,19 @@ def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
         return None
     clear = _clear(naming.fit)
     asked = (
-        (each, doubtful_robots(each, naming.fit, clear.of(each, found_before=naming.may_be_rest(each))))
+        (each, doubtful_robots(each, naming.fit, clear.of(each, in_all_parts=_must_be_in_all_parts(naming, each))))
         for each in naming.named
     )
     doubted = [(each, robots) for each, robots in asked if robots]
     return min(doubted, key=lambda pair: pair[0].nats) if doubted else None
+
+
+def _must_be_in_all_parts(naming: Naming, effect: NamedEffect) -> bool:
+    """Tell whether the mean of an effect over parts that differ says nothing of it: see the head of this file."""
+    if naming.may_be_rest(effect):
+        return True
+    is_delay = any(each.column in OF_TIME for each in effect.candidate.entry.amplitudes)
+    return is_delay and not robots_of(memories_of(naming.fit)).isdisjoint(effect.candidate.robots)
 
 
 def doubtful_robots(effect: NamedEffect, fit: Fit, clear: Flags) -> tuple[str, ...]:

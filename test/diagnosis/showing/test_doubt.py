@@ -79,6 +79,33 @@ def test_numbers_are_asked_with_the_scatter_of_parts(monkeypatch: pytest.MonkeyP
     assert clear.of(foretold).tolist() == [True, True, False, True]
 
 
+@pytest.mark.parametrize("lasting", ["a", None])
+def test_a_delay_among_errors_that_last_has_to_be_in_all_parts(
+    monkeypatch: pytest.MonkeyPatch, lasting: str | None
+) -> None:
+    """Though its mean is clear, and held-out parts gain: it is taken back, and says nothing of what is missing.
+
+    Where errors are white it stays. By hand: 0.7 is known to 0.03, scatters by 0.4 between parts and 0.2 in the mean.
+    """
+    late = candidate("sensor_latency", "velocity")
+    unknowns = tuple(late.amplitudes())
+    count = len(unknowns)
+    differing = Heterogeneity(np.full(count, 0.16), np.full(count, 0.04))
+    monkeypatch.setattr(doubt, "variances_between_parts", lambda fit: differing)
+    monkeypatch.setattr(doubt, "covariance", lambda fit: np.diag(np.full(count, 0.03**2)))
+    memory = SimpleNamespace(column="memory.velocity", owner=SimpleNamespace(robots=(lasting,)))
+    fit: Any = SimpleNamespace(unknowns=unknowns, q=np.full(count, 0.7), noise=(memory,) if lasting else ())
+    named = replace(effect(late, 137.0), held_out=HeldOutGain(np.zeros(1), 0.1 * ESTIMATES.held_out_p))
+
+    def withdrawn(naming: Any, weakest: Any, robots: Any) -> Any:
+        return Withdrawn(replace(naming, named=()), weakest, _told(weakest))
+
+    monkeypatch.setattr(doubt, "withdrawn", withdrawn)
+    left, passed = beyond_doubt(Naming(fit, fit, (named,), (), ()))
+    assert len(left.named) == (lasting is None)
+    assert [each.stands for each in passed] == ([False] if lasting else [])
+
+
 def _told(effect: NamedEffect) -> Any:
     return (effect.candidate.entry.id,)
 
