@@ -85,6 +85,9 @@ class NamingCriteria:
     law_rest: float = 0.1
     """[of an effect's nats] the same for laws outside the catalogue, which fill what any form leaves. Chosen, not
     measured."""
+    declared_off: float = 0.3
+    """[of a number of the platform's file] standard deviation of its error, where the file holds it. Chosen, not
+    measured: published added masses of one small vehicle differ by as much."""
     law_form: float = 0.4
     """[of an effect's nats] below which a law that changes the readings much as the effect does is another form of it,
     and below which a law, or an entry that is confused with it, is a rest of an effect that was found before. Known of

@@ -12,9 +12,11 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information, slopes
 from cocorosim_ros.diagnosis.naming.contest import Refined
+from cocorosim_ros.diagnosis.naming.declared_errors import nats_of_declared_errors
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.effects import EFFECTS
 
 BY_THE_CLOCK = {"sin_t", "cos_t"}
 """Regressors of the clock alone."""
@@ -88,7 +90,8 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
 
     - of each named effect on the same side of the motion, or the same sensor; for an entry of the catalogue no more
       than the likeness of the two, since an effect that changes other readings than the named one cannot be its rest;
-      beside one that was found before more, for what may be another form of it;
+      beside one that was found before more, for what may be another form of it; beside added mass of the platform's
+      file, which has one form, what errors of its numbers may explain;
     - of every named effect of motion, if it is a law of readings.
 
     A second fault of one sensor is not a rest of the first; only a law outside the catalogue may be.
@@ -109,10 +112,19 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
 def _rest_of(fit: Fit, candidate: Candidate, named: NamedEffect) -> float:
     """Nats that a candidate on the same side as a named effect may explain without being there."""
     most = _share_left_over(candidate, named) * named.nats
+    if most > NAMING.threshold and _may_be_off_alone(named, fit):
+        return min(most, NAMING.threshold + nats_of_declared_errors(fit, candidate, named.candidate))
     law = candidate.entry.law is not None
     if most <= NAMING.threshold or named.found_before or (law and not _swings(candidate)):
         return most
     return min(most, likeness(fit, candidate, named.candidate) * named.nats)
+
+
+def _may_be_off_alone(named: NamedEffect, fit: Fit) -> bool:
+    """Tell whether an effect is of inertia, which has one form, with numbers of the file that the fit holds."""
+    effect = EFFECTS.get(named.candidate.entry.id)
+    held = not named.found_before and not named.candidate.places_among(fit.unknowns)
+    return held and effect is not None and effect.inertia is not None
 
 
 def _share_left_over(candidate: Candidate, named: NamedEffect) -> float:
