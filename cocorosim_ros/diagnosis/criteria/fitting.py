@@ -275,12 +275,18 @@ class StepCriteria:
     """[standard deviations; logarithm of a noise] for slopes of numbers and noise together: small, since a reading that
     is believed before the step alone bends all behind it. Measured: of a hovercraft, with 0.01 one was, and a common
     factor seemed known to a tenth; 0.001 and less give its width."""
+    jumping: float = 0.4
+    """[of q] slopes over so long a step say that what the number changes comes in jumps, as commands pass a dead band:
+    a smaller step would meet none. Chosen, not measured."""
     dampings: tuple[float, ...] = (0.0, 0.3, 3.0, 30.0, 300.0)
     """[of the curvature of each noise] that are tried one after the other. Chosen, not measured."""
     leaps: tuple[float, ...] = (-2.0, -1.0, 1.0, 2.0)
     """[logarithm] changes of a noise that may land on a higher summit. Chosen, not measured."""
     cautious: float = 0.3
     """[of the promised amplitudes] a second start, where the slope promises too much. Chosen, not measured."""
+    level: float = 1e-5
+    """[of what a search's grid spans in nats] by which two points are equally high. Chosen, not measured: from one
+    command to the next a likelihood of thousands of nats is level to a hundredth of a nat."""
     softest: float = 1000.0
     """[of the noise of a reading] as which readings count at first where a scale's summit is looked for. Chosen, not
     measured: of poses that are exact to a tenth of a millimetre and a tenth too long 300 is enough, and 30 is not."""

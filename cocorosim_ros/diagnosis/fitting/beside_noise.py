@@ -37,7 +37,7 @@ def variances_beside_noise(fit: Fit) -> Floats:
     every = [*fit.unknowns, *(fit.noise[place] for place in forces)]
     q = np.concatenate([fit.q, fit.q_noise[forces]])
     deviations = np.concatenate([np.sqrt(held), np.ones(len(forces))])
-    steps = STEPS.beside_noise * np.minimum(deviations, 1.0)
+    steps = np.array([step_of(*each) for each in zip(every, deviations.tolist(), strict=True)])
     filled = fit.filled
 
     def of_track(number: int) -> Floats:
@@ -57,6 +57,11 @@ def variances_beside_noise(fit: Fit) -> Floats:
     matrix = np.diag(prior_precision(every)) + sum(of_each_track(of_track, len(fit.tracks)))
     found = np.diag(solve(matrix, np.eye(len(matrix))))[: len(fit.unknowns)]
     return np.maximum(held, np.where(np.isfinite(found), found, held))
+
+
+def step_of(unknown: Unknown, deviation: float) -> float:
+    """Step of q: a share of its standard deviation, or that of its slopes where what it changes comes in jumps."""
+    return max(STEPS.beside_noise * min(deviation, 1.0), unknown.step if unknown.step >= STEPS.jumping else 0.0)
 
 
 def _information(

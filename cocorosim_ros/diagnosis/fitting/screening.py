@@ -103,7 +103,7 @@ class Screen:
         The likelihood of a delay is so rough that its slope at zero may promise nothing of a delay of many steps. It is
         also broad, so that every second start is enough. Where the model runs away along the slope, nothing is told.
         """
-        candidate, grid = screened.candidate, _starts(screened)[1::2]
+        candidate, grid = screened.candidate, further_starts(screened)[1::2]
         if not grid or not np.isfinite(screened.information).all():
             return screened
         gains = [self._gain_at(screened, point) - 0.5 * float(point @ point) for point in grid]
@@ -120,7 +120,7 @@ class Screen:
         the recordings have a delay, as `searched` finds it, what is tried is one that is medium larger or smaller. A
         slope that points away from delays says as little: then one twice as large tells how the likelihood is bent.
         """
-        if not _starts(screened):
+        if not further_starts(screened):
             return screened
         medium = np.full(len(screened.q), DETECTABILITY.medium)
         found = self._gain_at(screened, screened.q) if screened.q.any() else 0.0
@@ -160,9 +160,11 @@ class Screen:
         return [own[number] for number in candidate.everybody]
 
 
-def _starts(screened: Screened) -> list[Floats]:
-    """Further starts of the fit of a candidate without shapes; empty for all others."""
-    has_shapes = not screened.values.keys() <= screened.candidate.entry.fixed.keys()
+def further_starts(screened: Screened) -> list[Floats]:
+    """Further starts of the fit of a candidate without shapes that are fitted; empty for all others."""
+    entry = screened.candidate.entry
+    settled = entry.fixed.keys() | {shape.column for shape in entry.shapes if shape.fixed}
+    has_shapes = not screened.values.keys() <= settled
     return [] if has_shapes else screened.candidate.searched()
 
 

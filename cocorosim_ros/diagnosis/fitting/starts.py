@@ -3,7 +3,8 @@
 The slope at zero tells where a small fault leads. The likelihood of a delay is rough, because readings pass from one
 grid point, and from one command, to the next, and so a delay of several steps is seen only from near it. For delays a
 grid of values is tried, then half, a quarter, ... of its spacing around the best (compass search: Kolda, Lewis and
-Torczon, SIAM Review 45 (2003) 385).
+Torczon, SIAM Review 45 (2003) 385). Nor is the likelihood of a dead band smooth: it is level between one command and
+the next larger one. So the search stays where it is unless it gains.
 
 The likelihood of a scale is flat where exact readings lie beyond the filter's gate, and its summit is narrow. It is
 found from readings that count as if they were far less exact, of which none lies beyond the gate, and by degrees more
@@ -55,11 +56,15 @@ def by_softer_readings(fit: Fit, topic: str, first: int, count: int) -> Floats:
 def _found(at: Callable[[Floats], Fit], grid: Sequence[Floats]) -> Fit:
     """Find the best point of an ascending grid, then of steps to both sides of it that are halved each time."""
     fits = [at(point) for point in grid]
-    place = max(range(len(grid)), key=lambda index: fits[index].objective)
+    heights = [fit.objective for fit in fits]
+    place = heights.index(max(heights))
+    level = STEPS.level * np.ptp(heights)
     best, middle = fits[place], grid[place]
     width = middle - grid[place - 1] if place > 0 else middle
     for _ in range(SPACING_HALVINGS):
         width = 0.5 * width
         around = [(at(point), point) for point in (middle - width, middle + width)]
-        best, middle = max([(best, middle), *around], key=lambda pair: pair[0].objective)
+        better, point = max(around, key=lambda pair: pair[0].objective)
+        if better.objective > best.objective + level:
+            best, middle = better, point
     return best

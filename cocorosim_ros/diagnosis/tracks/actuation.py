@@ -97,9 +97,7 @@ class Actuation:
         """
         thrusters = ~self.vehicle.is_pump
         thrust = force[:, thrusters] @ self.vehicle.actuator_wrench[thrusters, :3]
-        added = np.zeros((len(force), 4))
-        added[:, :3] = np.einsum("nij,nj->ni", turns, thrust) - thrust
-        return added
+        return np.column_stack([np.einsum("nij,nj->ni", turns, thrust) - thrust, np.zeros(len(force))])
 
     @cached_property
     def _turns(self) -> Floats | None:

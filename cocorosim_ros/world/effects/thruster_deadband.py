@@ -15,6 +15,12 @@ from cocorosim_ros.world.terms.curve import is_thruster
 from cocorosim_ros.world.terms.effect import SHARE, Effect, Example, Number
 from cocorosim_ros.world.terms.search import Grid, Search, Strength
 
+WIDTHS = (0.1, 0.2, 0.3, 0.5, 0.8, 1.2, 2.0)
+"""Widths from which a search begins, in `large` amounts: each command that a width passes makes a step in likelihood.
+
+A vehicle that hovers with a fortieth of its thrust shows such a width within a few thousandths alone.
+"""
+
 
 @kernel
 def thruster_deadband(fraction: Floats, fitting: Any, time: float, parameters: Floats) -> None:
@@ -41,7 +47,7 @@ THRUSTER_DEADBAND = Effect(
             sign="not negative",
             gives="1",
             other_form=0.04,  # thresholds that are rounded
-            search=Strength(large=0.1, step=0.5, least=0.0),
+            search=Strength(large=0.1, step=0.5, least=0.0, searched=WIDTHS),
             between=SHARE,
             example=Example(0.05, "slow ramp"),
         ),

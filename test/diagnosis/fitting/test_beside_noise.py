@@ -10,9 +10,10 @@ import boats
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.fitting.beside_noise import variances_beside_noise
+from cocorosim_ros.diagnosis.fitting.beside_noise import step_of, variances_beside_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
 
 OF_TURNS = ("yaw_torque_gain", "yaw_drag", "inertia")
 RATED = {"linear": 0.0, "lag": 0.0, "choppy": 0.5}
@@ -46,3 +47,10 @@ def test_other_numbers_stay_about_as_sure(fit: Fit) -> None:
     assert (found >= held).all()
     others = [place for place, unknown in enumerate(fit.unknowns) if unknown.owner.parameter in ("thrust_gain", "drag")]
     assert others and (found[others] < 2.0 * held[others]).all()
+
+
+def test_what_changes_in_jumps_is_tried_by_the_step_of_its_slopes() -> None:
+    """A width that no command is near would else seem unknown: a ten-thousandth of its deviation changes nothing."""
+    smooth, jumping = (Unknown(Owner("a", ("x",), "b", "1"), "drag", (0,), 1.0, step=step) for step in (0.05, 0.5))
+    assert step_of(smooth, 0.01) == pytest.approx(1e-6)
+    assert step_of(jumping, 0.01) == 0.5

@@ -1,9 +1,10 @@
-"""Starts of fits where the likelihood is flat but near the truth: a scale by exact readings."""
+"""Starts of fits where the likelihood is flat but near the truth: a scale by exact readings, a dead band."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,11 +16,13 @@ from cocorosim_ros.diagnosis.fitting.candidate import expand
 from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, first_fit
-from cocorosim_ros.diagnosis.fitting.screening import Screen
+from cocorosim_ros.diagnosis.fitting.screening import Screen, further_starts
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.fitting.starts import best_start
 from cocorosim_ros.diagnosis.naming import contest
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.world.effects.thruster_deadband import WIDTHS
 
 EXACT = 0.05  # of the usual noise: a tenth of a millimetre
 
@@ -57,3 +60,32 @@ def test_a_wrong_scale_is_found_by_exact_readings(wrong: tuple[float, Fit]) -> N
     scale, fit = wrong
     assert np.mean(~fit.passes[0].believed) > 0.1
     assert begun(fit) == pytest.approx(scale, abs=0.003)
+
+
+STAIRS = 0.025  # of q, from one command of a vehicle to the next larger one: a four-hundredth of the largest
+SUMMIT = 10  # stairs below the dead band
+
+
+def staircase(q: Any) -> Any:
+    """A fit whose objective is level between one command and the next, and falls by 800 nats for each one passed."""
+    stairs = np.floor(float(q[0]) / STAIRS + 1e-9)
+    rough = 1e-3 * np.sin(300.0 * float(q[0]))
+    return SimpleNamespace(q=q, objective=max(-800.0 * abs(stairs - SUMMIT), -3000.0) + rough)
+
+
+def test_the_search_of_a_dead_band_ends_between_the_right_commands() -> None:
+    """Though the likelihood is level around its slope at zero, where the fit would begin, and on every stair."""
+    candidate: Any = SimpleNamespace(searched=lambda: [np.array([width]) for width in WIDTHS])
+    found = best_start(staircase, np.array([0.02]), candidate)
+    assert SUMMIT * STAIRS <= found.q[0] < (SUMMIT + 1) * STAIRS
+
+
+def test_a_dead_band_is_searched_although_it_has_a_shape(wrong: tuple[float, Fit]) -> None:
+    """Its shape, a jump or a ramp, is looked for on a grid alone; one whose place is fitted has no search."""
+    _, fit = wrong
+    scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(fit))
+    screen, entries = Screen(fit, scene), {each.id: each for each in ENTRIES}
+    candidates = [expand([entries[name]], fit.tracks, fit.rows)[0] for name in ("thruster_deadband", "tether")]
+    starts = [further_starts(screen.test(each)) for each in candidates]
+    assert [float(start[0]) for start in starts[0]] == list(WIDTHS)
+    assert starts[1] == []
