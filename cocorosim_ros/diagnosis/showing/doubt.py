@@ -1,6 +1,7 @@
 """Effects that get no name although evidence speaks for them.
 
-Those are of two kinds: the size may as well be nothing, or free runs do not gain by the effect (`refused_effects`).
+Those are of three kinds: the size may as well be nothing, free runs do not gain by the effect (`refused_effects`), or
+the filter may have made it up (`made_up_delays`).
 
 Evidence is reckoned with noise that is white and a law that is the same throughout. Where the one is coloured or the
 other differs, numbers of single parts of the recordings scatter by far more than readings should let them, and whatever
@@ -38,6 +39,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Ref
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts
 from cocorosim_ros.diagnosis.showing.hard_stops import FORETELLS_NOTHING
+from cocorosim_ros.diagnosis.showing.made_up_delays import SHORTER_THAN_A_GAP, TOO_SHORT, is_made_up
 from cocorosim_ros.diagnosis.showing.withdrawn import withdrawn
 from cocorosim_ros.diagnosis.tracks.columns import OF_TIME
 from cocorosim_ros.foundation.arrays import Flags
@@ -72,16 +74,17 @@ class Clear(NamedTuple):
 
 
 def beyond_doubt(naming: Naming) -> tuple[Naming, tuple[PassedOver, ...]]:
-    """Take back what may as well be nothing, the weakest first, and fit the rest anew before the next is asked.
+    """Take back what may be nothing or made up, the weakest first, and fit the rest anew before the next is asked.
 
     An effect that is taken away makes the others surer, or less sure, so that all are asked again.
     """
     passed: list[PassedOver] = []
     while (weakest := _weakest(naming)) is not None:
         left, gone, told = withdrawn(naming, *weakest)
-        because = (MAY_BE_NOTHING, *_of_free_runs(gone.foretold))
-        stands = stands_without_name(gone) and not _must_be_in_all_parts(naming, gone)
-        passed += [PassedOver(found, stands, because, SIZE_MAY_BE_NOTHING) for found in told]
+        made_up = is_made_up(weakest[0], naming.fit)
+        reason, shortly = (TOO_SHORT, SHORTER_THAN_A_GAP) if made_up else (MAY_BE_NOTHING, SIZE_MAY_BE_NOTHING)
+        stands = stands_without_name(gone) and not made_up and not _must_be_in_all_parts(naming, gone)
+        passed += [PassedOver(found, stands, (reason, *_of_free_runs(gone.foretold)), shortly) for found in told]
         naming = left
     return naming, tuple(passed)
 
@@ -132,16 +135,20 @@ def _strongest_refused(naming: Naming) -> Refused | None:
 
 
 def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:
-    """Find the named effect of least evidence that may be nothing, and on which robots; None if none may."""
+    """Find the named effect of least evidence that is in doubt, and on which robots; None if none is."""
     if not naming.named:
         return None
     clear = _clear(naming.fit)
-    asked = (
-        (each, doubtful_robots(each, naming.fit, clear.of(each, in_all_parts=_must_be_in_all_parts(naming, each))))
-        for each in naming.named
-    )
-    doubted = [(each, robots) for each, robots in asked if robots]
+    doubted = [(each, robots) for each in naming.named if (robots := _in_doubt(naming, each, clear))]
     return min(doubted, key=lambda pair: pair[0].nats) if doubted else None
+
+
+def _in_doubt(naming: Naming, effect: NamedEffect, clear: Clear) -> tuple[str, ...]:
+    """Names of the robots on which an effect may be nothing, or may be made up."""
+    if is_made_up(effect, naming.fit):
+        return effect.candidate.robots
+    in_all_parts = _must_be_in_all_parts(naming, effect)
+    return doubtful_robots(effect, naming.fit, clear.of(effect, in_all_parts=in_all_parts))
 
 
 def _must_be_in_all_parts(naming: Naming, effect: NamedEffect) -> bool:

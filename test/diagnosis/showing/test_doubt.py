@@ -94,7 +94,11 @@ def test_a_delay_among_errors_that_last_has_to_be_in_all_parts(
     monkeypatch.setattr(doubt, "variances_between_parts", lambda fit: differing)
     monkeypatch.setattr(doubt, "covariance", lambda fit: np.diag(np.full(count, 0.03**2)))
     memory = SimpleNamespace(column="memory.velocity", owner=SimpleNamespace(robots=(lasting,)))
-    fit: Any = SimpleNamespace(unknowns=unknowns, q=np.full(count, 0.7), noise=(memory,) if lasting else ())
+    stream = SimpleNamespace(time=0.02 * np.arange(50))
+    tracks = (SimpleNamespace(log=SimpleNamespace(streams={"velocity": stream})),) * 3
+    fit: Any = SimpleNamespace(
+        unknowns=unknowns, q=np.full(count, 0.7), noise=(memory,) if lasting else (), tracks=tracks
+    )
     named = replace(effect(late, 137.0), held_out=HeldOutGain(np.zeros(1), 0.1 * ESTIMATES.held_out_p))
 
     def withdrawn(naming: Any, weakest: Any, robots: Any) -> Any:
