@@ -275,9 +275,6 @@ class StepCriteria:
     """[standard deviations; logarithm of a noise] for slopes of numbers and noise together: small, since a reading that
     is believed before the step alone bends all behind it. Measured: of a hovercraft, with 0.01 one was, and a common
     factor seemed known to a tenth; 0.001 and less give its width."""
-    jumping: float = 0.4
-    """[of q] slopes over so long a step say that what the number changes comes in jumps, as commands pass a dead band:
-    a smaller step would meet none. Chosen, not measured."""
     dampings: tuple[float, ...] = (0.0, 0.3, 3.0, 30.0, 300.0)
     """[of the curvature of each noise] that are tried one after the other. Chosen, not measured."""
     leaps: tuple[float, ...] = (-2.0, -1.0, 1.0, 2.0)

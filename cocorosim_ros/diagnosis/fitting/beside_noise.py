@@ -15,7 +15,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.fitting import STEPS
 from cocorosim_ros.diagnosis.filter.products import weighted_products
-from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, slope_step
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_precision
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
@@ -37,7 +37,7 @@ def variances_beside_noise(fit: Fit) -> Floats:
     every = [*fit.unknowns, *(fit.noise[place] for place in forces)]
     q = np.concatenate([fit.q, fit.q_noise[forces]])
     deviations = np.concatenate([np.sqrt(held), np.ones(len(forces))])
-    steps = np.array([step_of(*each) for each in zip(every, deviations.tolist(), strict=True)])
+    steps = STEPS.beside_noise * np.minimum(deviations, 1.0)
     filled = fit.filled
 
     def of_track(number: int) -> Floats:
@@ -59,20 +59,25 @@ def variances_beside_noise(fit: Fit) -> Floats:
     return np.maximum(held, np.where(np.isfinite(found), found, held))
 
 
-def step_of(unknown: Unknown, deviation: float) -> float:
-    """Step of q: a share of its standard deviation, or that of its slopes where what it changes comes in jumps."""
-    return max(STEPS.beside_noise * min(deviation, 1.0), unknown.step if unknown.step >= STEPS.jumping else 0.0)
-
-
 def _information(
     track: Track, passed: Pass, row: Floats, unknowns: Sequence[Unknown], q: Floats, steps: Floats
 ) -> Floats:
-    """Information (n, n) of one track on its unknowns at q (n,), by steps (n,) off them, without priors."""
+    """Information (n, n) of one track on its unknowns at q (n,), by steps (n,) off them, without priors.
+
+    A dead band, or a delay of readings that count at grid points, changes nothing until a command or a point is passed:
+    there the step is that of its slopes.
+    """
     moved, swollen = np.zeros((2, len(unknowns), len(passed.innovation)))
-    for place, (unknown, at, size) in enumerate(zip(unknowns, q.tolist(), steps.tolist(), strict=True)):
-        step = unknown.inward_step(at, size)
-        other = track.filter.full(nudged(row, unknown, at, step), with_gains=False)
+
+    def changed(place: int, step: float) -> bool:
+        """Write what changes by a step of an unknown, for a unit of it; tell whether anything does."""
+        other = track.filter.full(nudged(row, unknowns[place], float(q[place]), step), with_gains=False)
         moved[place] = passed.change_to(other, track.timeline.is_angle) / step
         swollen[place] = (other.variance - passed.variance) / (step * passed.variance)
+        return bool(moved[place].any())
+
+    for place, (unknown, at, size) in enumerate(zip(unknowns, q.tolist(), steps.tolist(), strict=True)):
+        if not changed(place, unknown.inward_step(at, size)):
+            changed(place, slope_step(unknown, at, track))
     found = weighted_products(moved.T, moved.T, passed.variance)
     return found + 0.5 * weighted_products(swollen.T, swollen.T, np.ones_like(passed.variance))

@@ -96,7 +96,7 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
         found = np.zeros((len(unknowns), len(passed.innovation)))
         for unknown, place, slope in zip(unknowns, q.tolist(), found, strict=True):
             if number in unknown.tracks:
-                step = _step_of(unknown, place, fit.tracks[number])
+                step = slope_step(unknown, place, fit.tracks[number])
                 held = unknown.column not in SEEN_OTHERWISE
                 slope_of = passing.slope if held else passing.slope_with_gains
                 slope_of(nudged(filled[number], unknown, place, step), passed, step, slope)
@@ -105,7 +105,7 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
     return tuple(of_each_track(of_track, len(fit.tracks)))
 
 
-def _step_of(unknown: Unknown, q: float, track: Track) -> float:
+def slope_step(unknown: Unknown, q: float, track: Track) -> float:
     """Step of q for a slope on a track; of a latency it is a whole step of the grid.
 
     By less than that, readings come to lie otherwise between grid points. The gains would follow; held, they make of

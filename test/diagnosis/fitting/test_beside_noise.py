@@ -6,14 +6,21 @@ thrusters alone may all be twice as large: nothing that it does is otherwise, wi
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
 import boats
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.fitting.beside_noise import step_of, variances_beside_noise
-from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance
-from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.fitting.beside_noise import variances_beside_noise
+from cocorosim_ros.diagnosis.fitting.candidate import expand
+from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, evaluated
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, first_fit
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 OF_TURNS = ("yaw_torque_gain", "yaw_drag", "inertia")
 RATED = {"linear": 0.0, "lag": 0.0, "choppy": 0.5}
@@ -49,8 +56,18 @@ def test_other_numbers_stay_about_as_sure(fit: Fit) -> None:
     assert others and (found[others] < 2.0 * held[others]).all()
 
 
-def test_what_changes_in_jumps_is_tried_by_the_step_of_its_slopes() -> None:
-    """A width that no command is near would else seem unknown: a ten-thousandth of its deviation changes nothing."""
-    smooth, jumping = (Unknown(Owner("a", ("x",), "b", "1"), "drag", (0,), 1.0, step=step) for step in (0.05, 0.5))
-    assert step_of(smooth, 0.01) == pytest.approx(1e-6)
-    assert step_of(jumping, 0.01) == 0.5
+@pytest.mark.parametrize(
+    ("identifier", "topic", "q"), [("thruster_deadband", None, 0.5), ("sensor_latency", "velocity", 0.4)]
+)
+def test_what_changes_in_jumps_is_known_by_the_step_of_its_slopes(
+    swim_with_logs: Callable[..., Any], identifier: str, topic: str | None, q: float
+) -> None:
+    """A width that no command is near, or a delay within a step, seemed as unknown as its prior, of deviation 1."""
+    fit = first_fit(swim_with_logs(load_platform("lily"), 60.0, 3))
+    entry = next(each for each in ENTRIES if (each.id, each.topic) == (identifier, topic))
+    (candidate,) = expand([entry], fit.tracks, fit.rows)
+    unknowns = (*fit.unknowns, *candidate.amplitudes())
+    more = evaluated(
+        replace(fit, unknowns=unknowns, q=np.concatenate([fit.q, np.full(len(candidate.amplitudes()), q)]))
+    )
+    assert math.sqrt(variances_beside_noise(more)[-1]) < 0.2
