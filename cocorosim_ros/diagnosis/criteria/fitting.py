@@ -207,7 +207,10 @@ class StartCriteria:
     window: float = 0.5
     """[s] in which the first readings are looked for. Chosen, not measured."""
     place: float = 0.05
-    """[m] standard deviation of the first place. Chosen, not measured."""
+    """[m] least standard deviation of the first place. Chosen, not measured."""
+    of_noise: float = 3.0
+    """[of the noise of the reading that shows it] the same: such a reading counts once more as itself. Chosen, not
+    measured."""
     yaw: float = 0.2
     """[rad] standard deviation of the first yaw. Chosen, not measured."""
     speed_share: float = 0.5

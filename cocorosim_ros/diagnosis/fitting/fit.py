@@ -97,7 +97,7 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
         for unknown, place, slope in zip(unknowns, q.tolist(), found, strict=True):
             if number in unknown.tracks:
                 step = slope_step(unknown, place, fit.tracks[number])
-                held = unknown.column not in SEEN_OTHERWISE
+                held = unknown.column not in (*SEEN_OTHERWISE, *LATENCY)
                 slope_of = passing.slope if held else passing.slope_with_gains
                 slope_of(nudged(filled[number], unknown, place, step), passed, step, slope)
         return found.T

@@ -75,3 +75,27 @@ def test_a_compass_in_error_alone_shows_the_heading(swim: Callable[..., Any]) ->
     heading = begun.under(row[SENSORS]).mean[YAW]
     off = heading + 0.2 + 0.1 * math.sin(heading) - begun.start.mean[YAW]
     assert abs(math.remainder(off, 2.0 * math.pi)) < 1e-6
+
+
+def with_pose(evidence: Any, *, noise: float, later: float) -> Any:
+    """The evidence of one robot, with poses of another noise [m] that begin later by so many seconds."""
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    pose = log.streams["pose"]
+    kept = pose.time >= pose.time[0] + later
+    told = np.concatenate([np.full(3, noise), pose.noise[3:]])
+    pose = replace(pose, time=pose.time[kept], value=pose.value[kept], noise=told)
+    robots = (replace(log, streams={"pose": pose, "imu": log.streams["imu"]}),)
+    return replace(evidence, recordings=(replace(recording, robots=robots),))
+
+
+@pytest.mark.parametrize(
+    ("noise", "later", "low", "high"), [(0.001, 0.0, 0.05, 0.05), (0.4, 0.0, 1.2, 1.2), (0.001, 3.0, 0.1, 3.0)]
+)
+def test_a_start_is_as_sure_as_what_shows_it(
+    swim: Callable[..., Any], noise: float, later: float, low: float, high: float
+) -> None:
+    """A camera shows a place to 5 cm, a satellite receiver to what it errs by; behind a wait a robot may have moved."""
+    begun, _ = beginning(with_pose(swim(load_platform("lily"), 10.0), noise=noise, later=later))
+    assert (begun.start.spread[[X, Y, Z]] >= low * (1.0 - 1e-9)).all()
+    assert (begun.start.spread[[X, Y, Z]] <= high * (1.0 + 1e-9)).all()
