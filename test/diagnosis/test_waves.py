@@ -76,3 +76,12 @@ def test_water_that_pushes_at_random_has_no_waves(swim: Any) -> None:
     for seed in (13, 14, 15):
         fit = base_fit(swum(swim, {}, seed))
         assert scene_of(fit.tracks, smoothed_tracks(fit)).periods["waves"] == ()
+
+
+def test_fast_swings_are_looked_for_as_a_force_and_not_as_a_current(swim: Any) -> None:
+    """A force may swing within three seconds; water that does so is a wave."""
+    train = {"speed": 0.06, "period": 3.0, "direction": math.pi / 3.0, "phase": 0.0}
+    fit = base_fit(swum(swim, {"surface_waves": train}, 12))
+    periods = scene_of(fit.tracks, smoothed_tracks(fit)).periods
+    assert min(periods["world_y"]) == pytest.approx(3.0, rel=0.02)
+    assert min(periods["current"]) >= 5.0

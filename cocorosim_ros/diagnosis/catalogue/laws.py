@@ -194,6 +194,7 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
                 "rad/s",
                 lambda here: [2.0 * math.pi / period for period in here.periods[equation]],
                 logarithmic=True,
+                swing=True,
             ),
             Shape(phase, "phase", "rad", phases, periodic=True),
         ),

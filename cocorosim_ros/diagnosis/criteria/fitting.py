@@ -294,6 +294,9 @@ class StepCriteria:
     """[of the logarithm of that] by which readings count less in one climb after the other. Chosen, not measured."""
     soft_rounds: int = 3
     """[steps] of each such climb, whose likelihood is nearly a parabola. Chosen, not measured."""
+    of_phase: float = 0.1
+    """[rad] by which a step of a period may move the phase at the end of a recording, for slopes. Chosen, not measured:
+    a sine is a straight line over so much."""
     beyond_grid: float = 0.1
     """[logarithm] by which a shape may exceed the largest value of its grid. Chosen, not measured."""
     no_information: float = 1e-10

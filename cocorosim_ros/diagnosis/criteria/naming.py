@@ -153,8 +153,11 @@ class SwingCriteria:
 
     swings: float = 1.5
     """[periods] that a recording has to hold, so that a trend is no swing. Chosen, not measured."""
-    shortest_period: float = 5.0
-    """[s, of a Lily; see slowness] faster swings are no candidates. Chosen, not measured."""
+    shortest_period: float = 2.0
+    """[s] faster swings of a force are no candidates: commands change as fast. Chosen, not measured."""
+    shortest_current: float = 5.0
+    """[s, of a Lily; see slowness] faster swings of a current are no candidates: a force that swings moves a vehicle as
+    they do, and water that goes to and fro so fast is a wave. Chosen, not measured."""
     wave_periods: tuple[float, float] = (1.0, 20.0)
     """[s] of waves: shorter ones are short beside a hull, longer ones are swell that no tank and no harbour has.
     Chosen, not measured."""
@@ -164,8 +167,8 @@ class SwingCriteria:
     has more than 18."""
     wave_around: int = 40
     """[of the frequency that a recording resolves] over which that median is taken. Chosen, not measured."""
-    wave_readings: float = 4.0
-    """[steps of the grid] a wave has to last. Chosen, not measured."""
+    readings: float = 4.0
+    """[steps of the grid] a swing or a wave has to last. Chosen, not measured."""
     finer: int = 4
     """[frequencies] of a spectrum for each that the longest recording resolves. Chosen, not measured."""
     most_waves: int = 2

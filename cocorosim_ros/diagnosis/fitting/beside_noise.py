@@ -72,8 +72,9 @@ def _information(
     def changed(place: int, step: float) -> bool:
         """Write what changes by a step of an unknown, for a unit of it; tell whether anything does."""
         other = track.filter.full(nudged(row, unknowns[place], float(q[place]), step), with_gains=False)
-        moved[place] = passed.change_to(other, track.timeline.is_angle) / step
-        swollen[place] = (other.variance - passed.variance) / (step * passed.variance)
+        with np.errstate(invalid="ignore"):  # of a model that runs away: what is not finite tells nothing
+            moved[place] = passed.change_to(other, track.timeline.is_angle) / step
+            swollen[place] = (other.variance - passed.variance) / (step * passed.variance)
         return bool(moved[place].any())
 
     for place, (unknown, at, size) in enumerate(zip(unknowns, q.tolist(), steps.tolist(), strict=True)):

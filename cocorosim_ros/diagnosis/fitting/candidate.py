@@ -149,10 +149,18 @@ class Candidate:
         if self.known:
             return []
         return [
-            _shape(shape, self._owner(shape, self.robots), self.everybody, values[shape.column], shape.grid(scene))
+            self._shape(shape, values[shape.column], shape.grid(scene))
             for shape in self.entry.shapes
             if not shape.fixed
         ]
+
+    def _shape(self, shape: Shape, value: float, grid: list[float]) -> Unknown:
+        """Make a shape into an unknown; of a swing, with a step for slopes that hardly moves its phase at the end."""
+        unknown = _shape(shape, self._owner(shape, self.robots), self.everybody, value, grid)
+        if not shape.swing or math.isinf(self.duration):
+            return unknown
+        rate = value if shape.unit == "rad/s" else 2.0 * math.pi / value
+        return replace(unknown, step=min(unknown.step, STEPS.of_phase / (rate * self.duration)))
 
     def settings(self, scene: Scene) -> Iterator[dict[str, float]]:
         """Iterate over the grid of shapes: values by column, those that the entry fixes included."""

@@ -21,7 +21,8 @@ from cocorosim_ros.world.terms.regressors import REGRESSORS, Extent
 from cocorosim_ros.world.terms.search import Scene
 
 FORCE_COLUMNS = {"world_x": FORCE_X, "world_y": FORCE_Y, "heave": FORCE_Z, "yaw": YAW_MOMENT}
-WAVE_EQUATIONS = ("world_x", "world_y", "heave")
+LEVEL_EQUATIONS = ("world_x", "world_y")
+WAVE_EQUATIONS = (*LEVEL_EQUATIONS, "heave")
 
 
 class Spectrum(NamedTuple):
@@ -50,7 +51,9 @@ def scene_of(tracks: Sequence[Track], courses: Sequence[Smoothed], drag_form: fl
     forces = [forces_by_equation(course.mean) for course in courses]
     slow = slowness(tracks[0].vehicle)
     spectra = {name: _spectrum(courses, [each[name] for each in forces]) for name in forces[0]}
-    periods = {name: _periods(courses, spectrum, slow) for name, spectrum in spectra.items()}
+    periods = {name: _periods(courses, spectrum, SWINGS.shortest_period) for name, spectrum in spectra.items()}
+    of_current = [_periods(courses, spectra[name], slow * SWINGS.shortest_current) for name in LEVEL_EQUATIONS]
+    periods["current"] = tuple(sorted({period for each in of_current for period in each}))
     periods["waves"] = _wave_periods(courses, [spectra[name] for name in WAVE_EQUATIONS])
     return Scene(
         tuple(lower.tolist()),
@@ -86,14 +89,13 @@ def forces_by_equation(mean: Floats) -> dict[str, Floats]:
     return {**forces, "surge": in_body[:, X], "sway": in_body[:, Y]}
 
 
-def _periods(courses: Sequence[Smoothed], spectrum: Spectrum, slow: float) -> tuple[float, ...]:
+def _periods(courses: Sequence[Smoothed], spectrum: Spectrum, shortest: float) -> tuple[float, ...]:
     """Periods [s] at which a force swings most, strongest first, and last the longest that the recordings show.
 
-    slow: the slowness of the vehicle.
+    shortest: below which none is looked for [s].
     """
-    duration = _longest(courses)
-    band = Band(slow * SWINGS.shortest_period, duration / SWINGS.swings)
-    return (*_strongest(spectrum, band, SWINGS.most_periods), duration / SWINGS.swings)
+    shortest, longest = max(shortest, SWINGS.readings * _step(courses[0])), _longest(courses) / SWINGS.swings
+    return (*_strongest(spectrum, Band(shortest, longest), SWINGS.most_periods), longest)
 
 
 def _wave_periods(courses: Sequence[Smoothed], spectra: Sequence[Spectrum]) -> tuple[float, ...]:
@@ -104,7 +106,7 @@ def _wave_periods(courses: Sequence[Smoothed], spectra: Sequence[Spectrum]) -> t
     power = np.sum([each.power for each in spectra], axis=0)
     around = median_filter(power, size=SWINGS.finer * SWINGS.wave_around, mode="nearest")
     shortest, longest = SWINGS.wave_periods
-    shortest = max(shortest, SWINGS.wave_readings * _step(courses[0]))
+    shortest = max(shortest, SWINGS.readings * _step(courses[0]))
     band = Band(shortest, min(longest, _longest(courses) / SWINGS.swings))
     standing = np.where(power > SWINGS.wave_stands_out * around, power, 0.0)
     return _strongest(Spectrum(spectra[0].frequency, standing), band, SWINGS.most_waves)

@@ -42,14 +42,25 @@ _SHOWN_BY = {X: (POSE_X,), Y: (POSE_Y,), Z: (POSE_Z, PRESSURE), YAW: (POSE_YAW, 
 """Kinds of readings that show a number of the state, by that number; the one that is believed comes first."""
 
 
+class Shown(NamedTuple):
+    """The first reading of a kind: its value, how much such readings err, and when it came."""
+
+    value: float
+    noise: float  # standard deviation, 0 where it does not show
+    wait: float  # from the start to it [s]
+
+
 class FirstReading(NamedTuple):
     """The first reading of a number of the state."""
 
     state: int
     kind: int
-    value: float
-    noise: float  # standard deviation of such a reading, 0 where it does not show
-    wait: float  # from the start to it [s]
+    shown: Shown
+
+    @property
+    def value(self) -> float:
+        """What it shows, in its own unit."""
+        return self.shown.value
 
 
 class Beginning(NamedTuple):
@@ -110,27 +121,27 @@ def beginning_of(vehicle: VehicleModel, log: RobotLog, begin: float) -> Beginnin
         scale = 1.0 / vehicle.water_weight if each.kind == PRESSURE else 1.0
         mean[each.state] = -(each.value - SURFACE_PRESSURE) * scale if each.kind == PRESSURE else each.value
         if each.state in (X, Y, Z):
-            spread[each.state] = max(START.place, START.of_noise * scale * each.noise, speed * each.wait)
+            spread[each.state] = max(START.place, START.of_noise * scale * each.shown.noise, speed * each.shown.wait)
     spread[YAW] = START.yaw
     spread[SURGE] = spread[SWAY] = spread[HEAVE] = speed
     spread[YAW_RATE] = max(START.least_turn / slow, math.sqrt(moment / vehicle.yaw_inertia))
     return Beginning(Start(mean, spread), shown, begin)
 
 
-def _shown(first: dict[int, tuple[float, float, float]]) -> Iterator[FirstReading]:
-    """The first reading of each number of the state that any shows; first: value, noise and wait by kind."""
+def _shown(first: dict[int, Shown]) -> Iterator[FirstReading]:
+    """The first reading of each number of the state that any shows; first: readings by kind."""
     for state, kinds in _SHOWN_BY.items():
         kind = next((kind for kind in kinds if kind in first), None)
         if kind is not None:
-            yield FirstReading(state, kind, *first[kind])
+            yield FirstReading(state, kind, first[kind])
 
 
-def first_readings(log: RobotLog, begin: float, window: float) -> dict[int, tuple[float, float, float]]:
-    """First value, its noise, and how long after `begin` [s] it came, by kind, within `window` [s].
+def first_readings(log: RobotLog, begin: float, window: float) -> dict[int, Shown]:
+    """First readings by kind, within `window` [s] from `begin` [s].
 
     Of a stream that is silent there it is its next reading.
     """
-    found: dict[int, tuple[float, float, float]] = {}
+    found: dict[int, Shown] = {}
     for name, kinds in KINDS_OF_STREAM.items():
         if name not in log.streams:
             continue
@@ -141,5 +152,5 @@ def first_readings(log: RobotLog, begin: float, window: float) -> dict[int, tupl
             given = np.flatnonzero(chosen & np.isfinite(stream.value[:, column]))
             if len(given):
                 noise, wait = float(stream.noise[column]), float(stream.time[given[0]]) - begin
-                found[kind] = float(stream.value[given[0], column]), noise if noise > 0.0 else 0.0, wait
+                found[kind] = Shown(float(stream.value[given[0], column]), noise if noise > 0.0 else 0.0, wait)
     return found

@@ -95,7 +95,7 @@ SURFACE_WAVES = Effect(
             needed=True,
             multiplies="1/s",
             gives="1",
-            search=Grid(_periods, logarithmic=True),
+            search=Grid(_periods, logarithmic=True, swing=True),
             example=Example(4.0, "drift"),
         ),
         Number(

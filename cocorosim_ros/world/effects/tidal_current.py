@@ -13,7 +13,7 @@ from cocorosim_ros.world.water.currents.tidal import tidal
 
 
 def _periods(scene: Scene) -> list[float]:
-    return sorted({*scene.periods["world_x"], *scene.periods["world_y"]})
+    return list(scene.periods["current"])
 
 
 TIDAL_CURRENT = Effect(
@@ -47,7 +47,7 @@ TIDAL_CURRENT = Effect(
             needed=True,
             multiplies="1/s",
             gives="1",
-            search=Grid(_periods, logarithmic=True),
+            search=Grid(_periods, logarithmic=True, swing=True),
             example=Example(120.0, "drift"),
         ),
         Number(

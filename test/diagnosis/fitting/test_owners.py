@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Owner, Unknown
 from cocorosim_ros.world.terms.search import Scene
 
-PERIODS = {name: (60.0, 400.0) for name in ("world_x", "world_y", "heave", "yaw", "surge", "sway", "waves")}
+PERIODS = {name: (60.0, 400.0) for name in ("world_x", "world_y", "heave", "yaw", "surge", "sway", "waves", "current")}
 SCENE = Scene((-1.0,) * 3, (1.0,) * 3, 600.0, 0.15, 0.0, PERIODS, (120.0,), {}, True)
 ROBOTS, TRACKS = ("a", "b"), ((0, 2), (1,))
 
@@ -156,3 +156,13 @@ def test_a_step_that_would_leave_the_bounds_goes_back() -> None:
     """At the upper bound of q slopes are taken from below."""
     unknown = replace(platform("a"), bounds=(-1.0, 1.0), step=0.05)
     assert (unknown.inward_step(1.0), unknown.inward_step(0.9)) == (-0.05, 0.05)
+
+
+@pytest.mark.parametrize(("period", "duration"), [(60.0, 100.0), (60.0, 3000.0)])
+def test_a_slope_by_a_period_hardly_moves_the_phase_at_the_end(period: float, duration: float) -> None:
+    """By a tenth of a radian: a step of a tenth of the grid's spacing would be whole swings off after an hour."""
+    candidate = replace(Candidate(entry_of("tidal_current"), ROBOTS, TRACKS), duration=duration)
+    values = {"tidal_current.period": period, "tidal_current.phase": 0.0}
+    (swing,) = (each for each in candidate.shape_unknowns(values, SCENE) if each.owner.parameter == "period")
+    phases = [2.0 * np.pi * duration / swing.value(q) for q in (0.0, swing.step)]
+    assert abs(phases[1] - phases[0]) == pytest.approx(0.1, rel=0.02)
