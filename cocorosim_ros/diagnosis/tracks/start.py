@@ -59,7 +59,7 @@ class FirstReading(NamedTuple):
 
     @property
     def value(self) -> float:
-        """What it shows, in its own unit."""
+        """Value of the reading, in its own unit."""
         return self.shown.value
 
 
