@@ -99,6 +99,9 @@ def refine(begun: Begun, base_evidence: float) -> Refined:
     base_evidence: logarithm of the evidence of the fit without the candidate [nats].
     """
     trial = improved(with_noise(begun.fit, 1, WATER_RANDOM), 3)
-    if trial.objective - begun.fit.objective + begun.gain > SEARCH.last_steps:
+    gain, turns = trial.objective - begun.fit.objective + begun.gain, 0
+    while gain > SEARCH.last_steps and turns < SEARCH.most_turns:
+        before = trial.objective
         trial = improved(with_noise(trial, 2, (*WATER_RANDOM, *_readings_of(begun.candidate))), 2)
+        gain, turns = trial.objective - before, turns + 1
     return Refined(begun.candidate, trial, log_evidence(trial) - base_evidence)
