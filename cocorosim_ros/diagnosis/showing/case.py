@@ -17,6 +17,7 @@ class Case:
     """A finished diagnosis as the stops look at it.
 
     final: the fit with all named effects; courses: its smoothed course for each track; table: errors of free runs.
+    base: the fit before any was named, where it may be asked.
     """
 
     final: Fit
@@ -24,6 +25,7 @@ class Case:
     found: Sequence[FoundEffect]
     courses: Sequence[Smoothed]
     table: Mapping[str, HeldOut]
+    base: Fit | None = None
 
 
 class Objection(NamedTuple):

@@ -22,6 +22,7 @@ from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innova
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
+from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
@@ -197,6 +198,7 @@ STOPS: tuple[Stop, ...] = (
     lasting_errors,
     only_clock,
     only_witness,
+    untold_lever,
     unknown_noise,
     remainder,
 )
