@@ -13,7 +13,7 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import BodyDescription
 from cocorosim_ros.wire.topics.topics import robot_topic
 
-SETTLING = 0.3  # s during which the ears of external controllers must not change any more
+SETTLING = 1.0  # s during which the ears of external controllers must not change any more: both ends have to hear
 
 
 class StartLine:
