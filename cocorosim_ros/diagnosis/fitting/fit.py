@@ -34,6 +34,9 @@ from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.errors import SEEN_OTHERWISE
 
+GAINS_FOLLOW = frozenset((*SEEN_OTHERWISE, *LATENCY))
+"""Columns of numbers whose slopes are those with the gains that a step of the number makes."""
+
 
 @dataclass(frozen=True)
 class Fit:
@@ -85,9 +88,9 @@ def evaluated(fit: Fit) -> Fit:
 def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ...]:
     """Derivatives of the innovations by each unknown at q: (m, unknowns) for each track.
 
-    Gains are held, but for numbers by which a reading depends otherwise on the state. The derivatives are 0 for
-    readings beyond the gate. At q the unknowns must leave the model as the fit has it: they are those of the fit, or
-    new ones that are still neutral.
+    Gains are held, but for numbers by which a reading depends otherwise on the state, and for delays, by which readings
+    pass one another. The derivatives are 0 for readings beyond the gate. At q the unknowns must leave the model as the
+    fit has it: they are those of the fit, or new ones that are still neutral.
     """
     filled = fit.filled if unknowns is fit.unknowns else write_values(fit.filled, unknowns, q)
 
@@ -97,7 +100,7 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
         for unknown, place, slope in zip(unknowns, q.tolist(), found, strict=True):
             if number in unknown.tracks:
                 step = slope_step(unknown, place, fit.tracks[number])
-                held = unknown.column not in (*SEEN_OTHERWISE, *LATENCY)
+                held = unknown.column not in GAINS_FOLLOW
                 slope_of = passing.slope if held else passing.slope_with_gains
                 slope_of(nudged(filled[number], unknown, place, step), passed, step, slope)
         return found.T
@@ -108,8 +111,8 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
 def slope_step(unknown: Unknown, q: float, track: Track) -> float:
     """Step of q for a slope on a track; of a latency it is a whole step of the grid.
 
-    By less than that, readings come to lie otherwise between grid points. The gains would follow; held, they make of
-    every innovation before a slope, and of rough slopes an information that is a hundred times too great.
+    By less than that, readings come to lie otherwise between grid points, which makes the likelihood rough: such slopes
+    have an information that is far too great.
     """
     is_latency = unknown.column in LATENCY
     return unknown.inward_step(q, track.timeline.grid.step / abs(unknown.scale) if is_latency else None)

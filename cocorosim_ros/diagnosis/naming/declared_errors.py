@@ -8,6 +8,8 @@ What it is worth there, half the square of its amplitudes over their variance, i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
@@ -15,6 +17,7 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information, slopes
 from cocorosim_ros.diagnosis.fitting.solving import solve
+from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -41,17 +44,25 @@ def _with_declared(fit: Fit, declared: Candidate) -> tuple[Floats, Floats] | Non
     numbers = [each for each in declared.amplitudes() if each.value(0.0) != 0.0]
     if not numbers:
         return None
-    known, count, more = information(fit), len(fit.unknowns), len(numbers)
-    size = count + more
-    matrix, score = np.zeros((size, size)), np.concatenate([known.score, np.zeros(more)])
-    matrix[:count, :count] = known.matrix
+    known, count = information(fit), len(fit.unknowns)
+    shared, own, score = products_of_held(fit, numbers)
     tolerances = np.array([NAMING.declared_off * abs(each.value(0.0) / each.slope(0.0)) for each in numbers])
-    matrix[count:, count:] = np.diag(tolerances**-2)
-    theirs = slopes(fit, numbers, np.zeros(more))
-    for own, its, passed in zip(known.slopes, theirs, fit.passes, strict=True):
-        shared = weighted_products(own, its, passed.variance)
-        matrix[:count, count:] += shared
-        matrix[count:, :count] += shared.T
-        matrix[count:, count:] += weighted_products(its, its, passed.variance)
-        score[count:] -= weighted_products(its, passed.innovation[:, None], passed.variance).ravel()
-    return matrix, score
+    matrix = np.zeros((count + len(numbers), count + len(numbers)))
+    matrix[:count, :count], matrix[:count, count:], matrix[count:, :count] = known.matrix, shared, shared.T
+    matrix[count:, count:] = own + np.diag(tolerances**-2)
+    return matrix, np.concatenate([known.score, score])
+
+
+def products_of_held(fit: Fit, numbers: Sequence[Unknown]) -> tuple[Floats, Floats, Floats]:
+    """Products of slopes by numbers that a fit holds, with those of its unknowns and with each other; and their score.
+
+    Shapes: (unknowns, numbers), (numbers, numbers) and (numbers,), without priors.
+    """
+    count = len(numbers)
+    shared, own, score = np.zeros((len(fit.unknowns), count)), np.zeros((count, count)), np.zeros(count)
+    theirs = slopes(fit, numbers, np.zeros(count))
+    for mine, its, passed in zip(information(fit).slopes, theirs, fit.passes, strict=True):
+        shared += weighted_products(mine, its, passed.variance)
+        own += weighted_products(its, its, passed.variance)
+        score -= weighted_products(its, passed.innovation[:, None], passed.variance).ravel()
+    return shared, own, score

@@ -8,11 +8,10 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.entry import SENSOR_CHANNELS, Amplitude
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
-from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
-from cocorosim_ros.diagnosis.fitting.fit import Fit, information, slopes
+from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.naming.contest import Refined
-from cocorosim_ros.diagnosis.naming.declared_errors import nats_of_declared_errors
+from cocorosim_ros.diagnosis.naming.declared_errors import nats_of_declared_errors, products_of_held
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.foundation.arrays import Floats
@@ -160,13 +159,8 @@ def likeness(fit: Fit, candidate: Candidate, other: Candidate) -> float:
 
 def _with_fixed(fit: Fit, mine: Sequence[int], other: Candidate) -> tuple[Floats, Floats]:
     """Products (mine, amplitudes) of slopes by unknowns and by amplitudes that are not fitted, and squares of these."""
-    amplitudes = other.amplitudes()
-    products, squares = np.zeros((len(mine), len(amplitudes))), np.zeros(len(amplitudes))
-    theirs = slopes(fit, amplitudes, np.zeros(len(amplitudes)))
-    for own, its, passed in zip(information(fit).slopes, theirs, fit.passes, strict=True):
-        products += weighted_products(own[:, mine], its, passed.variance)
-        squares += np.diag(weighted_products(its, its, passed.variance))
-    return products, squares
+    shared, own, _ = products_of_held(fit, other.amplitudes())
+    return shared[mine], np.diag(own)
 
 
 def _side(candidate: Candidate) -> str:

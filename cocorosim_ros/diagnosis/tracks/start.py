@@ -146,10 +146,11 @@ def first_readings(log: RobotLog, begin: float, window: float) -> dict[int, Show
         if name not in log.streams:
             continue
         stream = log.streams[name]
-        near = (stream.time >= begin) & (stream.time <= begin + window)
+        later = np.flatnonzero(stream.time >= begin)
+        near = later[stream.time[later] <= begin + window]
+        chosen = near if len(near) else later[:1]
         for column, kind in enumerate(kinds):
-            chosen = near if near.any() else (stream.time >= begin) & (np.cumsum(stream.time >= begin) == 1)
-            given = np.flatnonzero(chosen & np.isfinite(stream.value[:, column]))
+            given = chosen[np.isfinite(stream.value[chosen, column])]
             if len(given):
                 noise, wait = float(stream.noise[column]), float(stream.time[given[0]]) - begin
                 found[kind] = Shown(float(stream.value[given[0], column]), noise if noise > 0.0 else 0.0, wait)

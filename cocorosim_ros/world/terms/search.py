@@ -56,9 +56,7 @@ class Spacing:
     fixed: bool = False  # looked for on the grid alone
     periodic: bool = False
     once: bool = False  # the moment of what happens once
-    swing: bool = (
-        False  # the time of a swing [s], or its rate [rad/s]: a small change moves the phase at the end by much
-    )
+    swing: bool = False  # the time of a swing [s] or its rate [rad/s], which moves the phase at the end by much
 
 
 @dataclass(frozen=True, kw_only=True)
