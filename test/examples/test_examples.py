@@ -85,6 +85,7 @@ def test_the_external_controller_drives_its_robot_in_lock_step(
     stamps = [message.header.stamp.sec * 2 + message.header.stamp.nanosec // 500_000_000 for message in commands]
     assert stamps == list(range(120))
     headings = [message.heading for topic, message in read if topic.endswith("compass")]
+    assert headings[1] != headings[0], "the first command acts"
     wanted = 2 * math.pi * 59.5 / 120.0
     assert abs(math.remainder(headings[-1] - wanted, 2 * math.pi)) < 0.3, headings
 

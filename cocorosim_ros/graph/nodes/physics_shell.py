@@ -63,7 +63,7 @@ class PhysicsShell:
         self._scenery = self._set_scenery(node)
         self._complaints = Complaints(self._speakers[STATUS_TOPIC], terms.tell)
         self._answers = [Answers(node, body, self.complain) for body in self.bodies]
-        self._start_line = StartLine(scenario, self.bodies, self._speakers, self._answers, self._recorder)
+        self._start_line = StartLine(node, scenario, self.bodies, self._speakers, self._answers, self._recorder)
         clock, transforms = self._speakers["/clock"], self._speakers["/tf"]
         messages = SwarmMessages(self.bodies)
         self._between = BetweenTicks(messages, clock, transforms, scenario.tick_ns, terms.steps)

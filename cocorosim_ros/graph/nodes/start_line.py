@@ -5,7 +5,10 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 
+from rclpy.node import Node
+
 from cocorosim_ros.graph.nodes.answers import Answers
+from cocorosim_ros.graph.nodes.greeting import Greeting
 from cocorosim_ros.graph.nodes.recorder_link import RecorderEar
 from cocorosim_ros.graph.nodes.wiring import Speaker
 from cocorosim_ros.graph.runs.run_error import RunError
@@ -13,7 +16,9 @@ from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.wire.topics.body import BodyDescription
 from cocorosim_ros.wire.topics.topics import robot_topic
 
-SETTLING = 1.0  # s during which the ears of external controllers must not change any more: both ends have to hear
+# s of wall clock during which the ears of external controllers must not change any more
+SETTLING = 0.3  # of those that have answered a greeting, and so are heard
+UNASKED = 3.0  # of those that have not: a node may have no services, or never look at them
 
 
 class StartLine:
@@ -21,11 +26,13 @@ class StartLine:
 
     Our own controllers must hear all topics of their robot, and the recorder must have said that it hears
     everything. How much an external controller wants to hear is its own business: it must be able to command, hear
-    something of its robot, and not be about to hear more.
+    something of its robot, and not be about to hear more. That its commands come here is known once it has answered
+    a greeting; where it answers none, more time has to do.
     """
 
     def __init__(
         self,
+        node: Node,
         scenario: Scenario,
         bodies: Sequence[BodyDescription],
         speakers: Mapping[str, Speaker],
@@ -37,6 +44,7 @@ class StartLine:
         self._recorder = recorder
         self._bodies = bodies
         self._external = [robot for robot, described in enumerate(scenario.robots) if described.external]
+        self._greetings = [Greeting(node, answers[robot].commands) for robot in self._external]
         self._ears: tuple[int, ...] = ()
         self._ears_since = 0.0
 
@@ -82,4 +90,5 @@ class StartLine:
         ears = tuple(speaker.subscribers for robot in self._external for speaker in self._ears_of(robot))
         if ears != self._ears:
             self._ears, self._ears_since = ears, time.monotonic()
-        return time.monotonic() - self._ears_since >= SETTLING
+        answered = [greeting.is_answered() for greeting in self._greetings]
+        return time.monotonic() - self._ears_since >= (SETTLING if all(answered) else UNASKED)
