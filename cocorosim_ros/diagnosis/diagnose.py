@@ -107,7 +107,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
     final_courses = smoothed_tracks(naming.fit)
-    case = Case(naming.fit, naming.named, effects, final_courses, table, naming.base)
+    declared = evidence.platform.drag_form is not None
+    case = Case(naming.fit, naming.named, effects, final_courses, table, naming.base, declared)
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
     unlike, nothing_shown = unlike_regimes(found.unseen), unrecorded(base.tracks)

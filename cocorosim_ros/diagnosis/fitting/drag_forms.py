@@ -23,7 +23,7 @@ from cocorosim_ros.diagnosis.tracks.by_robot import tracks_by_robot
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_RANDOM
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME, TOTAL_SPEED
+from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME, REPLACING, TOTAL_SPEED
 from cocorosim_ros.world.vehicle_model.platform_effects import DRAG_FORM, STRIP_LENGTH
 
 RATIOS = ("anisotropic_drag.sway_ratio", "anisotropic_drag.heave_ratio")
@@ -62,9 +62,17 @@ def with_best_form(base: Fit, rounds: int) -> tuple[Fit, ChosenForm | None]:
     return fit, ChosenForm(name, nats)
 
 
+def other_forms(base: Fit) -> dict[str, Fit]:
+    """Fit each form of the drag, by its word in a platform file, that the rows of a base fit do not have."""
+    own = drag_form_of(base)
+    own = own if own in REPLACING else TOTAL_SPEED  # which a difference between axes may add to, in a form of its own
+    return {name: _trial(base, code) for name, code in FORM_BY_NAME.items() if code != own}
+
+
 def _trial(base: Fit, form: float) -> Fit:
-    """Fit one form with ratios between the axes, which the base has not."""
-    ratios = _ratios(base.tracks)
+    """Fit one form with ratios between the axes, beside those that the base has."""
+    fitted = {(unknown.column, *unknown.tracks) for unknown in base.unknowns}
+    ratios = [each for each in _ratios(base.tracks) if (each.column, *each.tracks) not in fitted]
     q = np.concatenate([base.q, np.zeros(len(ratios))])
     start = evaluated(replace(base, rows=_rows(base, form), unknowns=(*base.unknowns, *ratios), q=q))
     return improved(with_noise(improved(start, DRAG_FORMS.steps), 1, WATER_RANDOM), DRAG_FORMS.steps)
@@ -72,7 +80,7 @@ def _trial(base: Fit, form: float) -> Fit:
 
 def _rows(base: Fit, form: float) -> Floats:
     rows = base.rows.copy()
-    if form != TOTAL_SPEED:
+    if form != TOTAL_SPEED or drag_form_of(base) in REPLACING:
         rows[:, COLUMN[DRAG_FORM]] = form
         rows[:, COLUMN[STRIP_LENGTH]] = [track.vehicle.hull for track in base.tracks]
     return rows

@@ -17,7 +17,8 @@ class Case:
     """A finished diagnosis as the stops look at it.
 
     final: the fit with all named effects; courses: its smoothed course for each track; table: errors of free runs.
-    base: the fit before any was named, where it may be asked.
+    base: the fit before any was named, where it may be asked. declared_form: whether the form of the drag was taken
+    from the platform's file, and not chosen by these recordings.
     """
 
     final: Fit
@@ -26,6 +27,7 @@ class Case:
     courses: Sequence[Smoothed]
     table: Mapping[str, HeldOut]
     base: Fit | None = None
+    declared_form: bool = False
 
 
 class Objection(NamedTuple):

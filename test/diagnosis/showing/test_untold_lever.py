@@ -8,16 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from named_in_vain import case_of
 
-from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
-from cocorosim_ros.diagnosis.fitting.candidate import expand
-from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
-from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
-from cocorosim_ros.diagnosis.showing.case import Case
-from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.scenario.parts.platform import load_platform
 
@@ -40,13 +34,7 @@ def seen(swim: Callable[..., Any], *topics: str, ahead: float = AHEAD, left: flo
 
 def objections(evidence: Evidence, *, motion: bool = True) -> list[str]:
     """Sentences of the stop where an effect of no evidence is named: of motion, or of readings."""
-    base = base_fit(evidence)
-    entry = next(each for each in ENTRIES if each.id == ("torque_bias" if motion else "pressure_offset"))
-    effect = NamedEffect(expand([entry], base.tracks, base.rows)[0], 9.0, (), HeldOutGain(np.zeros(1), 0.5))
-    unknowns = (*base.unknowns, *effect.candidate.amplitudes())
-    final = replace(base, unknowns=unknowns, q=np.concatenate([base.q, np.zeros(len(unknowns) - len(base.unknowns))]))
-    found = found_effects(final, [effect], fitted(final))
-    case = Case(final, [effect], found, smoothed_tracks(base), {}, base)
+    case = case_of(base_fit(evidence), "torque_bias" if motion else "pressure_offset")
     return [each.sentence for each in untold_lever(case)]
 
 
