@@ -269,7 +269,7 @@ def test_a_gain_is_told_of_the_channel_that_has_one() -> None:
 
 def test_shifted_numbers_stand_beside_the_nominal_ones() -> None:
     """In the same unit; the headline names them, and ends a long list early."""
-    assert sentence_of("recalibrate", [], [DRAG]).endswith("its numbers have shifted: yaw drag.")
+    assert sentence_of("recalibrate", [], [DRAG]).endswith("the model's numbers have shifted: yaw drag.")
     (told,) = detail_lines(found(verdict="recalibrate", recalibrated=(DRAG,)))
     assert plain(told) == "yaw drag of lily_01: 125.0 \u00b5N m s\u00b2 for 114 \u00b5N m s\u00b2"
     many = [replace(DRAG, parameter=f"long name of number {index}") for index in range(6)]

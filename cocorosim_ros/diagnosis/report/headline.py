@@ -50,7 +50,7 @@ def sentence_of(
     if verdict == "consistent":
         return "The model explains the recordings: nothing is missing that they could show."
     if verdict == "recalibrate":
-        begin = "Nothing is missing from the model, but its numbers have shifted:"
+        begin = "Nothing is shown to be missing, but the model's numbers have shifted:"
         return _named(_numbers(moved), lambda told: f"{begin} {told}.", "numbers")
     if not effects:
         return _short_enough(_without_name(passed))
