@@ -169,6 +169,9 @@ class DragFormCriteria:
     beyond that of a flat plate edge on."""
     steps: int = 4
     """[1] Gauss-Newton steps before and after the noise is fitted. Chosen, not measured."""
+    worth_noise: float = 0.3
+    """[1] share of the nats it needs that a form has to gain before its noise is fitted. Reckoned from errors whose
+    variance is ten times too large for the right form: held, they leave (1 - 1/10) / ln 10 = 0.39 of its nats."""
 
 
 @dataclass(frozen=True)

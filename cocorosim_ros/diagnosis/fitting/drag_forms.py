@@ -62,20 +62,34 @@ def with_best_form(base: Fit, rounds: int) -> tuple[Fit, ChosenForm | None]:
     return fit, ChosenForm(name, nats)
 
 
-def other_forms(base: Fit) -> dict[str, Fit]:
-    """Fit each form of the drag, by its word in a platform file, that the rows of a base fit do not have."""
+def other_forms(base: Fit, needed: float) -> dict[str, Fit]:
+    """Fit each form of the drag, by its word in a platform file, that the rows of a base fit do not have.
+
+    needed: nats over the base that a form is asked for; one that is far from them with the noise as it was is left out.
+    """
     own = drag_form_of(base)
     own = own if own in REPLACING else TOTAL_SPEED  # which a difference between axes may add to, in a form of its own
-    return {name: _trial(base, code) for name, code in FORM_BY_NAME.items() if code != own}
+    begun = {name: _begun(base, code) for name, code in FORM_BY_NAME.items() if code != own}
+    least = base.objective + DRAG_FORMS.worth_noise * needed
+    return {name: _with_its_noise(fit) for name, fit in begun.items() if fit.objective > least}
 
 
 def _trial(base: Fit, form: float) -> Fit:
-    """Fit one form with ratios between the axes, beside those that the base has."""
+    """Fit one form, and the noise with it."""
+    return _with_its_noise(_begun(base, form))
+
+
+def _begun(base: Fit, form: float) -> Fit:
+    """Fit one form with ratios between the axes beside those that the base has, and with the noise of the base."""
     fitted = {(unknown.column, *unknown.tracks) for unknown in base.unknowns}
     ratios = [each for each in _ratios(base.tracks) if (each.column, *each.tracks) not in fitted]
     q = np.concatenate([base.q, np.zeros(len(ratios))])
     start = evaluated(replace(base, rows=_rows(base, form), unknowns=(*base.unknowns, *ratios), q=q))
-    return improved(with_noise(improved(start, DRAG_FORMS.steps), 1, WATER_RANDOM), DRAG_FORMS.steps)
+    return improved(start, DRAG_FORMS.steps)
+
+
+def _with_its_noise(fit: Fit) -> Fit:
+    return improved(with_noise(fit, 1, WATER_RANDOM), DRAG_FORMS.steps)
 
 
 def _rows(base: Fit, form: float) -> Floats:
