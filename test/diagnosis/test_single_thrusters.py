@@ -54,6 +54,34 @@ def test_one_weak_thruster_of_four(tmp_path: Path, seed: int, weak: str, share: 
     assert found(drive(model, seed, weak, share)).verdict == "consistent"
 
 
+def test_one_weak_thruster_of_four_that_follow_three_wishes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Four commands that are sums of each other, as a pilot's sticks give them: the weak one is named all the same."""
+    whole = boats.drive
+    monkeypatch.setattr(boats, "drive", lambda seconds, seed: 0.4 * whole(seconds, seed))
+    evidence = drive(boats.platform(tmp_path, DRAG, boats.with_four()), 3, "rear_left", 0.6)
+    assert np.linalg.matrix_rank(evidence.recordings[0].robots[0].command) == 3
+    (effect,) = found(evidence).effects
+    assert effect.id == "thruster_gain"
+    assert effect.parameters["rear_left"].value == pytest.approx(0.6, abs=0.03)
+
+
+def test_thrusters_that_push_alike_are_not_told_apart(tmp_path: Path) -> None:
+    """Two in one place that push the same way with the same command, beside two that do not."""
+    from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+    from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone
+
+    boat = boats.platform(tmp_path, DRAG, boats.with_four())
+    twin = replace(boat.actuators[0], name=boats.NAMES[1])
+    alike = replace(boat, actuators=(boat.actuators[0], twin, *boat.actuators[2:]))
+    evidence = drive(alike, 1)
+    (recording,) = evidence.recordings
+    (log,) = recording.robots
+    command = log.command[:, [0, 0, 2, 3]]
+    evidence = replace(evidence, recordings=(replace(recording, robots=(replace(log, command=command),)),))
+    told = [each.id for each in looked_for_alone(first_fit(evidence).tracks)]
+    assert told == [f"thruster_gain:{name}" for name in boats.NAMES[2:]]
+
+
 def test_four_sound_thrusters_have_no_name(tmp_path: Path) -> None:
     """The same drive with all of their thrust."""
     assert found(drive(boats.platform(tmp_path, DRAG, boats.with_four()), 1)).effects == ()

@@ -90,13 +90,23 @@ def errors_of_readings(channel: str, track: Track, path: Smoothed, row: Floats, 
 
 
 def errors_of_course(channel: str, path: Smoothed, course: Smoothed, window: Span) -> Errors:
-    """Course of a window less the path, both over the whole grid; angles the shorter way."""
-    points = slice(window.first + 1, window.end)
-    columns = CHANNELS[channel].columns
-    off = course.mean[points, columns[0] : columns[-1] + 1] - path.mean[points, columns[0] : columns[-1] + 1]
+    """Course of a window less the path, both over the whole grid; angles the shorter way.
+
+    The path is laid so that it begins where the course does, and heads as the course does there: no reading shows that
+    place, and a model that puts a compass right would be charged with the turned map of the one that did not.
+    """
+    columns, first = CHANNELS[channel].columns, window.first
+    of_course, of_path = (
+        each.mean[first + 1 : window.end, list(columns)] - each.mean[first, list(columns)] for each in (course, path)
+    )
     if columns == (YAW,):
-        off = np.mod(off + np.pi, 2.0 * np.pi) - np.pi
-    return Errors(path.time[points], off)
+        off = np.mod(of_course - of_path + np.pi, 2.0 * np.pi) - np.pi
+        return Errors(path.time[first + 1 : window.end], off)
+    if columns == (X, Y):
+        turned = course.mean[first, YAW] - path.mean[first, YAW]
+        cos, sin = np.cos(turned), np.sin(turned)
+        of_path = of_path @ np.array([[cos, sin], [-sin, cos]])
+    return Errors(path.time[first + 1 : window.end], of_course - of_path)
 
 
 NO_ERRORS = Errors(np.zeros(0), np.zeros((0, 1)))

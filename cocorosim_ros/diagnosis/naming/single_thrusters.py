@@ -50,7 +50,7 @@ def _is_turned(vehicle: VehicleModel, number: int) -> bool:
 
 
 def thruster_entries(tracks: Sequence[Track]) -> list[Entry]:
-    """Make an entry of the gain of every single thruster whose commands differ from those of the others."""
+    """Make an entry of the gain of every single thruster whose push differs from that of the others."""
     return [_gain_entry(*each) for each in told_alone(tracks)]
 
 
@@ -59,9 +59,9 @@ def _gain_entry(number: int, name: str) -> Entry:
 
 
 def told_alone(tracks: Sequence[Track]) -> list[tuple[int, str]]:
-    """Numbers, from 1, and names of the thrusters whose commands differ from those of the others."""
+    """Numbers, from 1, and names of the thrusters whose push differs from that of the others."""
     names = thruster_names(tracks[0].vehicle)
-    numbered = zip(range(1, MOST_THRUSTERS + 1), names, _commanded_alone(tracks), strict=False)
+    numbered = zip(range(1, MOST_THRUSTERS + 1), names, _pushes_alone(tracks), strict=False)
     return [(number, name) for number, name, alone in numbered if alone]
 
 
@@ -98,14 +98,20 @@ def number_words(identifier: str) -> str:
     return f"thrust of {thruster}" if thruster else identifier.replace("_", " ")
 
 
-def _commanded_alone(tracks: Sequence[Track]) -> list[bool]:
-    """Tell for each thruster whether its commands have a part that no sum of the other thrusters' commands makes up."""
-    thrusters = tracks[0].vehicle.is_thruster
+def _pushes_alone(tracks: Sequence[Track]) -> list[bool]:
+    """Tell for each thruster whether it pushes and turns the vehicle as no sum of the other thrusters does.
+
+    Commands of four level thrusters that give three wishes are sums of each other; but each pushes another way.
+    """
+    vehicle = tracks[0].vehicle
+    thrusters = vehicle.is_thruster
     commands = np.concatenate([track.log.command[:, thrusters] for track in tracks])
     commands = np.where(np.isfinite(commands), commands, 0.0)
+    per_command = vehicle.actuator_wrench[thrusters] / [1.0, 1.0, 1.0, vehicle.hull]
+    pushes = (commands[:, :, None] * per_command).transpose(0, 2, 1).reshape(-1, commands.shape[1])
     found = []
-    for number in range(commands.shape[1]):
-        own, others = commands[:, number], np.delete(commands, number, axis=1)
+    for number in range(pushes.shape[1]):
+        own, others = pushes[:, number], np.delete(pushes, number, axis=1)
         left = own - others @ np.linalg.lstsq(others, own, rcond=None)[0] if others.shape[1] else 0.0 * own
         size = float(np.sqrt(np.mean(own**2)))
         found.append(bool(size > 0.0 and np.sqrt(np.mean(left**2)) > FACTORS.alone * size))

@@ -8,7 +8,7 @@ after the listener.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from rcl_interfaces.srv import GetParameters
 from rclpy.node import Node
@@ -17,6 +17,13 @@ from cocorosim_ros.graph.nodes.wiring import Listener
 
 SERVICE = "get_parameters"  # a node has it unless it was made without parameter services
 NAME_UNKNOWN = "_NODE_NAME_UNKNOWN_"  # what rmw says before it has heard of the node (rmw_dds_common)
+
+
+class Publisher(NamedTuple):
+    """A publisher of a topic: the whole name of its node, and the mark by which it differs from all others."""
+
+    node: str
+    gid: bytes
 
 
 class Greeting:
@@ -29,7 +36,7 @@ class Greeting:
         self._node, self._topic = node, listener.topic
         self._client: Any = None
         self._answer: Any = None
-        self._asked: tuple[str, bytes] | None = None
+        self._asked: Publisher | None = None
 
     def is_answered(self) -> bool:
         """Whether the one publisher has answered; asks as soon as it can be asked, and again if it is another one."""
@@ -40,18 +47,15 @@ class Greeting:
             self._answer = self._client.call_async(GetParameters.Request())
         return self._answer is not None and bool(self._answer.done())
 
-    def _publisher(self) -> tuple[str, bytes] | None:
-        """The name of the node that publishes, and which of its publishers it is.
-
-        None if nobody publishes, or several nodes do, or the name is not known yet.
-        """
+    def _publisher(self) -> Publisher | None:
+        """The one that publishes; None if nobody does, or several do, or the name of the node is not known yet."""
         publishers = self._node.get_publishers_info_by_topic(self._topic)
         if len(publishers) != 1 or publishers[0].node_name == NAME_UNKNOWN:
             return None
         name = f"{publishers[0].node_namespace.rstrip('/')}/{publishers[0].node_name}"
-        return name, bytes(publishers[0].endpoint_gid)
+        return Publisher(name, bytes(publishers[0].endpoint_gid))
 
-    def _ask_anew(self, publisher: tuple[str, bytes] | None) -> None:
+    def _ask_anew(self, publisher: Publisher | None) -> None:
         self._asked, self._answer, self._client = publisher, None, None
         if publisher is not None:
-            self._client = self._node.create_client(GetParameters, f"{publisher[0]}/{SERVICE}")
+            self._client = self._node.create_client(GetParameters, f"{publisher.node}/{SERVICE}")

@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.timeline import Timing, timing_of
 from cocorosim_ros.world.laws.readings import READING_CODE
 from cocorosim_ros.world.sensors import KINDS
-from cocorosim_ros.world.state.state import YAW, X, Z
+from cocorosim_ros.world.state.state import YAW, X, Y, Z
 
 TIME = 0.1 * np.arange(101)
 
@@ -64,7 +64,7 @@ def path(**columns: Any) -> Smoothed:
     """A path at TIME whose states are zero but for these columns."""
     mean = np.zeros((len(TIME), 8))
     for name, value in columns.items():
-        mean[:, {"x": X, "z": Z, "yaw": YAW}[name]] = value
+        mean[:, {"x": X, "y": Y, "z": Z, "yaw": YAW}[name]] = value
     return Smoothed(TIME, mean, np.zeros_like(mean))
 
 
@@ -90,9 +90,23 @@ def test_headings_differ_by_the_shorter_way() -> None:
     track: Any = Track(np.array([2.5]), compass=3.1)
     errors = errors_of_readings("heading", track, path(yaw=-3.1), NEUTRAL, Span(20, 11))
     assert errors.value == pytest.approx(6.2 - 2.0 * np.pi)
-    course = errors_of_course("heading", path(yaw=-3.1), path(yaw=3.1), Span(20, 11))
-    assert course.value == pytest.approx(6.2 - 2.0 * np.pi)
+    turning = path(yaw=-3.1 + 0.5 * TIME), path(yaw=3.1 + 0.6 * TIME)
+    course = errors_of_course("heading", *turning, Span(20, 11))
+    np.testing.assert_allclose(course.value[:, 0], 0.1 * np.arange(1, 11) * 0.1)
     assert len(course.time) == 10
+
+
+def test_a_path_against_a_course_is_laid_where_that_begins_and_heads() -> None:
+    """The same way on a map that is turned and shifted errs by nothing; one that is a tenth longer by that tenth."""
+    ahead, aside = np.cos(0.3 * TIME), np.sin(0.7 * TIME)
+    course, window = path(x=ahead, y=aside, z=-0.1 * TIME, yaw=0.2), Span(20, 11)
+    turned = np.cos(0.9) * ahead - np.sin(0.9) * aside + 5.0, np.sin(0.9) * ahead + np.cos(0.9) * aside - 2.0
+    elsewhere = path(x=turned[0], y=turned[1], z=-0.1 * TIME + 3.0, yaw=1.1)
+    assert np.abs(errors_of_course("position", elsewhere, course, window).value).max() < 1e-12
+    assert np.abs(errors_of_course("depth", elsewhere, course, window).value).max() < 1e-12
+    longer = errors_of_course("position", path(x=1.1 * turned[0], y=1.1 * turned[1], yaw=1.1), course, window)
+    way = np.column_stack([ahead, aside])[21:31] - [ahead[20], aside[20]]
+    np.testing.assert_allclose(longer.value, -0.1 * way, atol=1e-12)
 
 
 def test_what_no_reading_shows_is_measured_against_the_course() -> None:
