@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from named_in_vain import case_of
 
 
 def test_no_interval_is_narrower_than_the_steps_of_the_filter(swim: Any) -> None:
@@ -58,3 +59,13 @@ def test_a_difference_is_told_as_the_number_would_be_with_it_alone() -> None:
         Owner("thruster_gain:left", ("lily",), "left", "1"), "own_gain.1", (0,), 1.0, 0.3, logarithmic=True, on_top=True
     )
     assert Fitted(gain, 0.0, 0.1).estimate.value == pytest.approx(1.0)
+
+
+def test_numbers_that_no_reading_feels_are_not_told(swim: Any) -> None:
+    """Of an IMU whose accelerometer was not recorded the bias of the gyroscope is told alone."""
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.scenario.parts.platform import load_platform
+
+    (effect,) = case_of(base_fit(swim(load_platform("lily"), 40.0, 1)), "imu_bias").found
+    assert set(effect.parameters) == {"gyro_z"}
+    assert "accel" not in effect.equation

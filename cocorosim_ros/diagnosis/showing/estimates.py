@@ -15,7 +15,7 @@ from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import ESTIMATES
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated, Rival, Tier
 from cocorosim_ros.diagnosis.fitting.beside_noise import variances_beside_noise
-from cocorosim_ros.diagnosis.fitting.fit import Fit
+from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_between_parts
@@ -25,11 +25,12 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
 @dataclass(frozen=True)
 class Fitted:
-    """One unknown with its fitted q and the standard deviation of q."""
+    """One unknown with its fitted q and the standard deviation of q; felt: whether any reading depends on it."""
 
     unknown: Unknown
     q: float
     spread: float
+    felt: bool = True
 
     @property
     def estimate(self) -> Estimate:
@@ -59,7 +60,8 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
     other = [spread_of_other_forms(unknown, float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)]
     variance = variances_beside_noise(fit) + variances_between_parts(fit).between + np.square(other)
     spread = np.hypot(np.sqrt(variance), ESTIMATES.numerical * np.abs(values / slopes))
-    return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist()))
+    felt = np.any([np.any(slope, axis=0) for slope in information(fit).slopes], axis=0) | (fit.q != 0.0)
+    return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist(), felt.tolist()))
 
 
 def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
@@ -110,9 +112,12 @@ def found_effects(fit: Fit, named: Sequence[NamedEffect], numbers: Sequence[Fitt
 
 
 def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequence[Fitted]) -> FoundEffect:
-    """One effect on robots that share its amplitudes; numbers: all unknowns of the effect, on other robots too."""
+    """One effect on robots that share its amplitudes; numbers: all unknowns of the effect, on other robots too.
+
+    Numbers that no reading feels are left out, as the bias of an accelerometer that was not recorded.
+    """
     entry = effect.candidate.entry
-    mine = [each for each in numbers if set(robots) <= set(each.unknown.owner.robots)]
+    mine = [each for each in numbers if each.felt and set(robots) <= set(each.unknown.owner.robots)]
     rivals = tuple(
         Rival(rival.candidate.entry.id, round(rival.behind, 2))
         for rival in effect.rivals

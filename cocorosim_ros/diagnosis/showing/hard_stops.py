@@ -22,6 +22,7 @@ from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innova
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
+from cocorosim_ros.diagnosis.showing.untold_delay import untold_delay
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
@@ -201,6 +202,7 @@ STOPS: tuple[Stop, ...] = (
     only_witness,
     untold_lever,
     untold_form,
+    untold_delay,
     unknown_noise,
     remainder,
 )
