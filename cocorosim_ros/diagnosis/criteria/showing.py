@@ -32,6 +32,9 @@ class EstimateCriteria:
     would give narrower intervals than the steps of the filter are exact."""
     held_out_p: float = 0.05
     """[probability] of a held-out gain by chance, below which an effect may be confirmed. Chosen, not measured."""
+    moved: float = 1e-6
+    """[of what is large] an amplitude that no slope tells of has moved, and so was told by larger steps, as a dead band
+    is. Chosen, not measured: rounding moves others by 1e-12."""
 
 
 @dataclass(frozen=True)
