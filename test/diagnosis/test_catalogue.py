@@ -124,6 +124,25 @@ def test_a_skew_counts_by_what_it_makes_of_the_recording() -> None:
     assert is_negligible(long, amplitude, 3e-5)
 
 
+INSTRUMENTS = ("pose", "compass", "pressure", "imu", "velocity")
+
+
+def recorded_lily(*streams: str) -> Any:
+    """A track of a Lily of which these streams were recorded."""
+    log = SimpleNamespace(streams=dict.fromkeys(streams))
+    return SimpleNamespace(vehicle=vehicle_model(load_platform("lily")), log=log)
+
+
+def test_what_was_not_recorded_is_no_blindness() -> None:
+    """A camera alone: that nothing shows errors of five other instruments tells nothing of what it does show."""
+    had = {each.id for each in ENTRIES if each.id in IDS and has_all(recorded_lily().vehicle, each.needs)}
+    physics = sorted(each.id for each in ENTRIES if each.id in had and each.topic is None)
+    others = {each.id for each in ENTRIES if each.topic} - {each.id for each in ENTRIES if each.topic == "pose"}
+    unseen = [*physics[: int(0.4 * len(physics))], *sorted(others & had)]
+    assert is_blind(unseen, [recorded_lily(*INSTRUMENTS)])
+    assert not is_blind(unseen, [recorded_lily("pose")])
+
+
 def test_an_instrument_that_few_robots_have_is_asked_for_where_it_was_recorded() -> None:
     """A log over ground: without one, nothing of it is unseen, and silence tells as much as before there was any."""
     entry = next(each for each in ENTRIES if each.id == "ground_log_scale")
@@ -135,7 +154,7 @@ def test_an_instrument_that_few_robots_have_is_asked_for_where_it_was_recorded()
     assert set(not_shown([tried])) == {*IDS, entry.id}
     seen: Any = SimpleNamespace(candidate=tried.candidate, information=np.array([[1e9]]), felt=float("nan"))
     assert set(not_shown([seen])) == set(IDS)
-    lily: Any = SimpleNamespace(vehicle=vehicle_model(load_platform("lily")))
+    lily = recorded_lily(*INSTRUMENTS)
     had = [each.id for each in ENTRIES if each.id in IDS and has_all(lily.vehicle, each.needs)]
     share = list(dict.fromkeys(had))[: int(0.45 * len(set(had)))]
     assert not is_blind([*share, entry.id, "ground_log_misalignment"], [lily])
@@ -143,7 +162,7 @@ def test_an_instrument_that_few_robots_have_is_asked_for_where_it_was_recorded()
 
 def test_what_a_vehicle_cannot_have_is_no_blindness() -> None:
     """A cable, a thruster in another's jet: no Lily has them, so that unseen they say nothing of her recordings."""
-    lily: Any = SimpleNamespace(vehicle=vehicle_model(load_platform("lily")))
+    lily = recorded_lily(*INSTRUMENTS)
     had = {each.id for each in ENTRIES if each.id in IDS and has_all(lily.vehicle, each.needs)}
     lacking = set(IDS) - had
     assert {"tether_drag", "wash_loss", "wind"} <= lacking and "thruster_lag" in had

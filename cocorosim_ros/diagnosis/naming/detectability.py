@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS, WHERE_RECORDED
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.criteria.naming import DETECTABILITY, NAMING
 from cocorosim_ros.diagnosis.findings import ScreenedEffect
 from cocorosim_ros.diagnosis.fitting.screening import Screened
@@ -111,11 +112,17 @@ def _is_seen(screened: Screened) -> bool:
 def is_blind(unseen: Sequence[str], tracks: Sequence[Track]) -> bool:
     """Tell whether so little of the catalogue could be seen that a diagnosis without effects says nothing.
 
-    Effects of what none of the vehicles has, as of a cable, are no part of what could be seen.
+    Effects of what none of the vehicles has, as of a cable, are no part of what could be seen, nor are errors of
+    instruments that were not recorded: silence is not about them.
     """
-    had = {entry.id for entry in ENTRIES if any(has_all(track.vehicle, entry.needs) for track in tracks)}
+    had = {entry.id for entry in ENTRIES if any(_has(track, entry) for track in tracks)}
     possible = had & set(IDS)
     return len(possible & set(unseen)) > DETECTABILITY.blind * len(possible)
+
+
+def _has(track: Track, entry: Entry) -> bool:
+    """Tell whether a vehicle has what an effect needs, and the recording the stream whose error it is."""
+    return has_all(track.vehicle, entry.needs) and (entry.topic is None or entry.topic in track.log.streams)
 
 
 def shows_known(naming: Naming) -> bool:

@@ -60,7 +60,9 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
     other = [spread_of_other_forms(unknown, float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)]
     variance = variances_beside_noise(fit) + variances_between_parts(fit).between + np.square(other)
     spread = np.hypot(np.sqrt(variance), ESTIMATES.numerical * np.abs(values / slopes))
-    felt = np.any([np.any(slope, axis=0) for slope in information(fit).slopes], axis=0) | (np.abs(fit.q) > ESTIMATES.moved)
+    felt = np.any([np.any(slope, axis=0) for slope in information(fit).slopes], axis=0) | (
+        np.abs(fit.q) > ESTIMATES.moved
+    )
     return tuple(map(Fitted, fit.unknowns, fit.q.tolist(), spread.tolist(), felt.tolist()))
 
 
