@@ -21,6 +21,8 @@ from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import LILY_SIZES, sizes
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.world.sensors import KINDS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.search import Scene
 
 _SKEW = "clock_skew"
@@ -134,9 +136,12 @@ class Candidate:
     def large(self, amplitude: Amplitude) -> float:
         """Large value of an amplitude for this vehicle, in the amplitude's unit.
 
-        Entries of the catalogue give it for a Lily, laws outside the catalogue for the vehicle at hand.
+        Entries of the catalogue give it for a Lily, laws outside the catalogue for the vehicle at hand. However strong
+        the vehicle is, no error of its instruments is larger than they can err by.
         """
-        return amplitude.large if self.entry.law is not None else amplitude.large * self.sizes[amplitude.unit]
+        if self.entry.law is not None:
+            return amplitude.large
+        return min(amplitude.large * self.sizes[amplitude.unit], _most_of_instrument(self.entry.id, amplitude))
 
     def negligible(self, amplitude: Amplitude) -> tuple[float, float]:
         """Distances of an amplitude from neutral between which it is not believed, in its unit; delays of slow ones."""
@@ -249,3 +254,12 @@ def _shows(entry: Entry, tracks: Sequence[Track], known: Collection[str] = ()) -
     if entry.id == _SKEW:
         having = [track for track in having if not has_clock_of_commands(track.log, topic)]
     return bool(having) and can_be_told(entry, [track.timeline.kinds for track in having], known)
+
+
+def _most_of_instrument(effect: str, amplitude: Amplitude) -> float:
+    """The most that an instrument errs by, for an amplitude that is added to its reading; infinite for all others."""
+    error = ERRORS.get(effect)
+    if error is None or error.most_error is not None:
+        return math.inf
+    kinds = [KINDS[change.kind] for change in error.changes if amplitude.name in change.numbers]
+    return min((kind.most_error.amount for kind in kinds if kind.unit == amplitude.unit), default=math.inf)

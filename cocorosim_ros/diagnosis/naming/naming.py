@@ -40,6 +40,7 @@ from cocorosim_ros.diagnosis.naming.needed_evidence import (
     standing,
     usual_gain,
 )
+from cocorosim_ros.diagnosis.naming.parts_of_errors import parts_of_errors
 from cocorosim_ros.diagnosis.naming.promising_laws import leading, pair_candidates
 from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
@@ -120,7 +121,8 @@ def _undeclared(base: Fit) -> list[Entry]:
 
     They are those of the catalogue and of single thrusters.
     """
-    declared, every = declared_columns(base.tracks), (*ENTRIES, *looked_for_alone(base.tracks))
+    declared = declared_columns(base.tracks)
+    every = (*ENTRIES, *parts_of_errors(base.tracks), *looked_for_alone(base.tracks))
     return [entry for entry in every if not declared & {amplitude.column for amplitude in entry.amplitudes}]
 
 

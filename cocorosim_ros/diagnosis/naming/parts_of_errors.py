@@ -1,0 +1,37 @@
+"""Errors of one part of an instrument alone, as of the gyroscope of an IMU whose accelerometer is sound.
+
+An entry that has numbers of both pays for all of them with its evidence, and a law of the readings with a single number,
+such as one by a depth that hardly changes, would be named in its stead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.world.sensors.errors import ERRORS
+
+
+def parts_of_errors(tracks: Sequence[Track]) -> list[Entry]:
+    """Make entries with the amplitudes of one unit alone, of errors that have several units and were recorded in all."""
+    found = []
+    for entry in ENTRIES:
+        units = dict.fromkeys(amplitude.unit for amplitude in entry.amplitudes)
+        if entry.id in ERRORS and len(units) > 1 and _sees_all(entry, tracks):
+            found += [
+                replace(entry, amplitudes=tuple(each for each in entry.amplitudes if each.unit == unit))
+                for unit in units
+            ]
+    return found
+
+
+def _sees_all(entry: Entry, tracks: Sequence[Track]) -> bool:
+    """Tell whether readings of every amplitude of an entry were recorded."""
+    return all(
+        any(track.timeline.sees(change.kind) for track in tracks)
+        for change in ERRORS[entry.id].changes
+        if {amplitude.name for amplitude in entry.amplitudes} & set(change.numbers)
+    )
