@@ -1,7 +1,7 @@
 """Errors of one part of an instrument alone, as of the gyroscope of an IMU whose accelerometer is sound.
 
-An entry that has numbers of both pays for all of them with its evidence, and a law of the readings with a single number,
-such as one by a depth that hardly changes, would be named in its stead.
+An entry that has numbers of both pays for all of them with its evidence, and a law of the readings with a single
+number, such as one by a depth that hardly changes, would be named in its stead.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from cocorosim_ros.world.sensors.errors import ERRORS
 
 
 def parts_of_errors(tracks: Sequence[Track]) -> list[Entry]:
-    """Make entries with the amplitudes of one unit alone, of errors that have several units and were recorded in all."""
+    """Make entries with the amplitudes of one unit alone, of errors of several units that were all recorded."""
     found = []
     for entry in ENTRIES:
         units = dict.fromkeys(amplitude.unit for amplitude in entry.amplitudes)
