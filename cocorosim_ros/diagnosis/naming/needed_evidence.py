@@ -129,13 +129,16 @@ def _may_be_off_alone(named: NamedEffect, fit: Fit) -> bool:
 def _share_left_over(candidate: Candidate, named: NamedEffect) -> float:
     """Share of the nats of a named effect that its law may leave over for a candidate on the same side.
 
-    Beside an effect that was found before, laws, and entries that are confused with it, count as alike.
+    An entry that is confused with it, as a layer of dense water with a hull that gives way, explains more of that rest
+    than others do. Beside an effect that was found before, laws, and entries that are confused with it, count as alike.
     """
     entry, other = candidate.entry, named.candidate
     is_confused = bool(entry.group) and entry.group == other.entry.group
     if named.found_before and (entry.law is not None or is_confused):
         return NAMING.law_form
-    return NAMING.law_rest if entry.law is not None else NAMING.form_share
+    if entry.law is not None:
+        return NAMING.law_rest
+    return NAMING.group_share if is_confused else NAMING.form_share
 
 
 def _swings(candidate: Candidate) -> bool:

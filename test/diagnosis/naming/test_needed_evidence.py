@@ -58,6 +58,16 @@ def test_what_may_be_a_rest_of_a_known_effect_needs_more(asked: Any, of_found: f
         assert needed_nats((known,), asked, fit) == pytest.approx(max(NAMING.threshold, share * LARGE))
 
 
+def test_an_entry_of_the_same_group_needs_more_than_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Beside a hull that gives way a layer is confused with it, and a trim of another group is not."""
+    monkeypatch.setattr(needed_evidence, "likeness", lambda fit, candidate, other: 1.0)
+    hull = NamedEffect(candidate("hull_compressibility", "weight", "heave"), LARGE, (), HeldOutGain(np.zeros(0), 1.0))
+    fit: Any = SimpleNamespace(unknowns=())
+    needed = [needed_nats((hull,), candidate("layer", group, "heave"), fit) for group in ("weight", "trim", None)]
+    assert needed == pytest.approx([NAMING.group_share * LARGE, NAMING.form_share * LARGE, NAMING.form_share * LARGE])
+    assert NAMING.group_share > NAMING.form_share
+
+
 def test_a_force_that_swings_by_the_clock_stands_for_no_entry_of_the_catalogue() -> None:
     """Other laws of the same side may; and one that swings may stand for another law there."""
     lag, swing = candidate("thruster_lag", "late", "surge"), candidate("unknown:sway~sin_t", None, "sway", "sway")
