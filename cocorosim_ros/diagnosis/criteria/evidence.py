@@ -279,6 +279,9 @@ class TiltCriteria:
     """[1] quotient of squared misfits from which mirrored axes are believed. Chosen, not measured."""
     least_cosine: float = 0.2
     """[1] of a tilt beyond which the heading has no rate to speak of. Chosen, not measured."""
+    said: float = 5.0
+    """[deg] of a tilt from which it is said that no velocity tells how the water meets the hull. Chosen, not measured:
+    its sine turns a twelfth of the speed."""
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
     W,
     Z,
 )
+from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import whole_velocity
 from cocorosim_ros.foundation.arrays import Floats
 
 BODY_VECTORS = {**dict.fromkeys(VELOCITIES, slice(U, W + 1)), "imu": FELT}
@@ -43,7 +44,21 @@ def levelled(log: RobotLog) -> tuple[RobotLog, tuple[str, ...]]:
         f"{log.name}: roll and pitch are taken as known (95 % within {steepest[0]:.1f} and {steepest[1]:.1f} deg); "
         "velocities, inertial readings and thrust are turned into level axes."
     )
-    return replace(log, streams=streams), (said,)
+    return replace(log, streams=streams), (said, *_of_hull(log, float(steepest.max())))
+
+
+def _of_hull(log: RobotLog, steepest: float) -> tuple[str, ...]:
+    """Remark where the hull rolls and pitches, and no velocity tells how the water meets it.
+
+    steepest: angle that 95 % of the rolls and pitches are within [deg].
+    """
+    if steepest < TILT.said or whole_velocity(log.streams) is not None:
+        return ()
+    return (
+        f"{log.name}: no velocity was recorded along all three axes, so that drag, lift and added mass of the hull are "
+        f"those of one that stays level. With a tilt of {steepest:.0f} deg their numbers may be far off, or at the end "
+        "of their range, and a law may stand for the tilt.",
+    )
 
 
 def _levelled_stream(topic: str, stream: Stream, attitude: Attitude) -> Stream:

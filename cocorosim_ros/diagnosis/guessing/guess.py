@@ -107,12 +107,20 @@ def _tables_of_folder(files: Sequence[Path]) -> tuple[str, list[LogTable], list[
 
 
 def _pattern(files: Sequence[Path]) -> str:
-    """The beginning that the names of files have in common, with {run} for the rest."""
+    """The beginning and the end that the names of files have in common, with {run} for what stands between."""
     names, ending = [file.stem for file in files], files[0].suffix
     if len(names) == 1:
         return f"{{run}}{ending}"
-    head = next(length for length in range(min(map(len, names)), -1, -1) if len({name[:length] for name in names}) == 1)
-    return f"{names[0][:head]}{{run}}{ending}"
+    head = _shared_beginning(names)
+    backwards = [name[len(head) :][::-1] for name in names]
+    tail = _shared_beginning([rest[:-1] for rest in backwards])[::-1]  # a character is left for the run
+    return f"{head}{{run}}{tail}{ending}"
+
+
+def _shared_beginning(names: Sequence[str]) -> str:
+    shortest = min(names, key=len)
+    lengths = range(len(shortest), -1, -1)
+    return shortest[: next(length for length in lengths if len({name[:length] for name in names}) == 1)]
 
 
 def _robots(tables: Sequence[LogTable]) -> dict[str, list[LogTable]]:

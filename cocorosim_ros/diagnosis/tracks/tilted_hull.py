@@ -28,7 +28,8 @@ from scipy.signal import savgol_filter
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, TURN_RATE, U, W
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import TURN_RATE
+from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import Velocities, whole_velocity
 from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
@@ -119,21 +120,14 @@ class TiltedHull:
         return np.asarray(turned - np.einsum("nk,ki->kni", level, np.eye(3)))
 
     @cached_property
-    def _velocity(self) -> tuple[Floats, Floats] | None:
-        """Times (m,) [s] and level velocities (m, 3) [m/s], through the water if that is known; None without."""
-        for topic in (THROUGH_WATER, OVER_GROUND):
-            if topic in self._log.streams:
-                stream = self._log.streams[topic]
-                known = np.isfinite(stream.value[:, U : W + 1]).all(axis=1)
-                if np.count_nonzero(known) >= TILT.fewest:
-                    return stream.time[known], stream.value[known, U : W + 1]
-        return None
+    def _velocity(self) -> Velocities | None:
+        """Level velocities; None without."""
+        return whole_velocity(self._log.streams)
 
     def _seen(self, moments: Floats) -> Floats:
         """Level velocity (m, 3) [m/s]."""
         assert self._velocity is not None
-        time, value = self._velocity
-        return np.column_stack([np.interp(moments, time, value[:, axis]) for axis in range(3)])
+        return np.column_stack([np.interp(moments, self._velocity.time, part) for part in self._velocity.value.T])
 
     def _turn_rate(self, moments: Floats) -> Floats:
         """Rate of the heading (m,) [rad/s]; 0 where none was recorded."""

@@ -121,3 +121,18 @@ def test_thrust_is_projected() -> None:
     start = np.zeros(8)
     path = track.filter.free_run(track.vehicle.row, start, 0, 200)
     assert path[-1, 2] < -0.1  # it dives by its thrusters alone
+
+
+@pytest.mark.parametrize(
+    ("velocity", "size", "said"),
+    [(slice(0, 3), 1.0, False), (slice(0, 1), 1.0, True), (slice(0, 1), 0.1, False)],
+    ids=["all three axes", "surge alone", "surge alone, hardly tilted"],
+)
+def test_a_hull_that_pitches_unseen_is_said(velocity: slice, size: float, said: bool) -> None:
+    """Drag and lift are those of a level hull where no velocity tells how the water meets it."""
+    attitude = attitude_of(TIME, size * np.column_stack([ROLL, PITCH]))
+    value = np.full((len(TIME), 3), np.nan)
+    value[:, velocity] = WORLD_VELOCITY[:, velocity]
+    _, remarks = levelled(log_of(attitude, velocity=value))
+    assert any("stays level" in remark for remark in remarks) is said
+    assert any("taken as known" in remark for remark in remarks)

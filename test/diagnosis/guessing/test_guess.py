@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.guessing.guess import _pattern
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.library.convert import convert
 from cocorosim_ros.library.guess import guess
@@ -296,3 +297,32 @@ def test_what_is_not_recognised(tmp_path: Path, text: str, words: str) -> None:
     with pytest.raises(CocorosimError, match=words):
         guess(tmp_path / "log.csv", tmp_path / "map.yaml")
     assert not (tmp_path / "map.yaml").exists()
+
+
+@pytest.mark.parametrize(
+    ("names", "pattern"),
+    [
+        (["run1_imu.csv", "run2_imu.csv"], "run{run}_imu.csv"),
+        (["a_imu.csv", "b_imu.csv", "ab_imu.csv"], "{run}_imu.csv"),
+        (["dive.csv", "dive2.csv"], "dive{run}.csv"),
+        (["01.csv", "11.csv"], "{run}1.csv"),
+        (["day_3_imu.csv"], "{run}.csv"),
+    ],
+)
+def test_what_the_files_of_a_table_share_stays_in_its_pattern(names: list[str], pattern: str) -> None:
+    """Beginning and end; what stands between is the run, of at least one character where the others have one."""
+    assert _pattern([Path(name) for name in names]) == pattern
+
+
+def test_a_folder_of_several_tables_for_each_run(tmp_path: Path, converted: Converted) -> None:
+    """Poses and commands in files of their own, of two runs: the map that is guessed makes a recording of each run."""
+    (tmp_path / "log").mkdir()
+    for run in (1, 2):
+        poses = {"time_s": TIME, "pos_x_m": X, "pos_y_m": Y, "depth_m": DEPTH, "yaw_rad": YAW}
+        write_csv(tmp_path / "log" / f"run{run}_camera.csv", poses)
+        pulses = {"time_s": TIME, "pwm_left": 1500.0 + 400.0 * LEFT, "pwm_right": 1500.0 + 400.0 * RIGHT}
+        write_csv(tmp_path / "log" / f"run{run}_motors.csv", pulses)
+    recording, _ = converted(tmp_path / "log")
+    assert_circle(recording, "vehicle")
+    assert column(recording, "vehicle", "thruster_command", "left") == pytest.approx(LEFT)
+    assert len(list((tmp_path / "out").iterdir())) == 2
