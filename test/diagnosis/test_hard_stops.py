@@ -237,6 +237,17 @@ def test_readings_of_the_only_stream_that_come_late(sound: Case) -> None:
         assert sentences(hard_stops.only_clock, alone(other)) == []
 
 
+@pytest.mark.parametrize(("difference", "said"), [(0.2, 1), (2.0, 0)], ids=["may be nothing", "clear"])
+def test_a_loss_of_all_thrust_beside_sides_that_differ(sound: Case, difference: float, said: int) -> None:
+    """Only where their difference may be nothing (its interval is known to one); without it nothing is said."""
+    loss = named(sound, "battery_sag", fraction_lost=3.0)
+    sides = named(loss, "thruster_asymmetry", difference=difference)
+    both = replace(sides, found=(*loss.found, *sides.found), named=(*loss.named, *sides.named))
+    assert len(sentences(hard_stops.one_side_alone, both)) == said
+    assert sentences(hard_stops.one_side_alone, loss) == []
+    assert all(each.effect is loss.found[0] for each in hard_stops.one_side_alone(both))
+
+
 def test_noise_that_is_a_guess(sound: Case) -> None:
     """A stream whose readings were interpolated is said, with its columns."""
     (track,) = sound.final.tracks

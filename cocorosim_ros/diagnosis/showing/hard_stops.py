@@ -30,6 +30,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
 
 _LAGS = ("thruster_lag", "pump_lag")
+ALL_THRUST, ONE_SIDE = "battery_sag", "thruster_asymmetry"
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
 
@@ -176,6 +177,26 @@ def _is_below_a_step(case: Case, found: FoundEffect) -> bool:
     return any(each.unit == "s" and abs(each.value) < step for each in found.parameters.values())
 
 
+def one_side_alone(case: Case) -> Iterator[Objection]:
+    """Object to thrust that falls where the two sides differ by an amount that may be nothing.
+
+    A thruster that fouls loses thrust alone: all of them together then seem to lose some, and one side to be weaker, by
+    another amount in each part of the recording.
+    """
+    sides = [
+        found
+        for found, named in effects_of(case)
+        if found.id == ONE_SIDE and named.candidate.entry.may_be_nothing(found.parameters)
+    ]
+    for found, _ in effects_of(case):
+        if found.id == ALL_THRUST and any(not set(each.robots).isdisjoint(found.robots) for each in sides):
+            yield Objection(
+                "Beside it the sides differ in thrust, by another amount in each part of the recording: one thruster "
+                "alone may lose thrust, as one that fouls does.",
+                effect=found,
+            )
+
+
 def unknown_noise(case: Case) -> Iterator[Objection]:
     """Object to readings many of which were interpolated or repeated, so that their noise is a guess."""
     for track in case.final.tracks:
@@ -203,6 +224,7 @@ STOPS: tuple[Stop, ...] = (
     untold_lever,
     untold_form,
     untold_delay,
+    one_side_alone,
     unknown_noise,
     remainder,
 )

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.catalogue.pair_laws import laws_of_open_set, pair_laws
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import REMAINDER
@@ -20,6 +21,7 @@ from cocorosim_ros.diagnosis.naming.promising_laws import law_candidates
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, effects_of
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import Law
 
 HORIZONTAL = ("surge", "sway", "world_x", "world_y")
@@ -59,7 +61,7 @@ def remainder(case: Case) -> Iterator[Objection]:
         return
     every = left_over(case.final, case.courses)
     for found, named in moving:
-        own = (named.candidate.entry.channel, *SAME_FORCE.get(named.candidate.entry.channel, ()))
+        own = _equations_of(named.candidate.entry)
         rest = next((one for one in every if one.law.of in own and not set(one.robots).isdisjoint(found.robots)), None)
         if rest is not None and rest.nats > REMAINDER.share * found.nats:
             yield Objection(
@@ -67,3 +69,10 @@ def remainder(case: Case) -> Iterator[Objection]:
                 "nats), so that another law may be the cause.",
                 effect=found,
             )
+
+
+def _equations_of(entry: Entry) -> tuple[str, ...]:
+    """Equations in which the rest of an effect may be left: those of its force; what changes thrust turns, too."""
+    effect = EFFECTS.get(entry.id)
+    turns = effect is not None and effect.thrust is not None
+    return (entry.channel, *SAME_FORCE.get(entry.channel, ()), *(("yaw",) if turns else ()))

@@ -31,17 +31,31 @@ def test_what_a_remainder_speaks_against(
     channel: str, of: str, robots: tuple[str, ...], share: float, objected: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An effect of motion in the same equation of the same robot, of whose evidence it has more than a share."""
+    left = LeftOver(Law.parse(f"unknown:{of}~|v|*thrust"), share * REMAINDER.share * 100.0, robots)
+    objections = spoken_against("steady_current", channel, left, monkeypatch)
+    assert len(objections) == objected
+    assert all("|v|*thrust" in each.sentence for each in objections)
+
+
+def spoken_against(effect: str, channel: str, left: LeftOver, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """Objections to an effect of 100 nats of robot a beside which this is left over."""
     found = SimpleNamespace(nats=100.0, robots=("a",))
-    named = SimpleNamespace(candidate=SimpleNamespace(entry=SimpleNamespace(channel=channel)))
-    law = Law.parse(f"unknown:{of}~|v|*thrust")
+    named = SimpleNamespace(candidate=SimpleNamespace(entry=SimpleNamespace(id=effect, channel=channel)))
     monkeypatch.setattr(room, "effects_of", lambda case: [(found, named)])
-    monkeypatch.setattr(
-        room, "left_over", lambda fit, courses: (LeftOver(law, share * REMAINDER.share * 100.0, robots),)
-    )
+    monkeypatch.setattr(room, "left_over", lambda fit, courses: (left,))
     case: Any = SimpleNamespace(final=None, courses=())
     objections = list(remainder(case))
-    assert len(objections) == objected
-    assert all("|v|*thrust" in each.sentence and each.effect is found for each in objections)
+    assert all(each.effect is found for each in objections)
+    return objections
+
+
+@pytest.mark.parametrize(("effect", "objected"), [("battery_sag", 1), ("linear_drag", 0)])
+def test_what_one_thruster_loses_alone_turns_the_vehicle(
+    effect: str, objected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A moment that is left over speaks against an effect of thrust ahead, and not against one of drag ahead."""
+    left = LeftOver(Law.parse("unknown:yaw~thrust*t"), 1.1 * REMAINDER.share * 100.0, ("a",))
+    assert len(spoken_against(effect, "surge", left, monkeypatch)) == objected
 
 
 def test_a_force_without_a_name_is_left_over(swim: Any) -> None:
