@@ -83,6 +83,11 @@ class OutlierCriteria:
     """[share of the readings] a deviation that is more frequent is usual for the sensor. Chosen, not measured."""
     longest_leap: float = 0.5
     """[s] within which a heading has to leap back; no robot turns there and back so fast. Chosen, not measured."""
+    no_motion: float = 1.5
+    """[rad] between two readings of a heading, which is a leap at any rate at which it can be followed. Chosen, not
+    measured: just less than a quarter turn."""
+    mostly_calm: float = 0.8
+    """[share of the steps] below it, for a heading that can be followed. Chosen, not measured."""
     most_away: float = 0.2
     """[share of the readings] a heading that is away more often is no fault of a tracker. Chosen, not measured."""
 

@@ -114,10 +114,15 @@ def _leave_out_filled_in(name: str, topic: str, time: Floats, value: Floats, rem
 
 
 def _leave_out_leaps(name: str, time: Floats, heading: Floats, noise: float, remarks: list[str]) -> None:
-    """Write NaN over the readings between a leap of a heading and the leap back soon after it."""
+    """Write NaN over the readings between a leap of a heading and the leap back soon after it.
+
+    heading (n,) [rad], not wrapped: what follows a leap that went on around is turned back by a full turn.
+    """
     wrong = away(time, heading, noise)
     if wrong.any():
         heading[wrong] = np.nan
+        left = np.isfinite(heading)
+        heading[left] = np.unwrap(heading[left])
         remarks.append(
             f"{name}: the heading leaps away and back within half a second, first at {time[wrong][0]:.1f} s; the "
             f"{np.count_nonzero(wrong)} readings in between were left out."

@@ -54,6 +54,21 @@ def test_a_heading_that_leaps_away_and_back() -> None:
     assert np.flatnonzero(away(time, heading, 0.004)).tolist() == expected
 
 
+def test_a_bow_that_is_taken_for_the_stern() -> None:
+    """Three of a hundred frames are turned by half a turn, by which the heading leaps back or on around."""
+    rng = np.random.default_rng(8)
+    time = np.arange(0.0, 60.0, 0.02)
+    heading = 2.0 * np.sin(0.4 * time) + 0.005 * rng.standard_normal(time.size)
+    turned = rng.random(time.size) < 0.03
+    turned[[0, -1]] = False
+    angle = np.unwrap(np.mod(heading + np.pi * turned, 2.0 * np.pi))
+    found = away(time, angle, 0.005)
+    assert np.count_nonzero(found != turned) <= 0.03 * np.count_nonzero(turned)
+    assert not away(time, np.unwrap(np.mod(heading, 2.0 * np.pi)), 0.005).any()
+    spinning = 30.0 * time  # 1.8 rad between two frames of every third: nothing can be followed
+    assert not away(time[::3], spinning[::3], 0.005).any()
+
+
 def test_a_heading_that_stays_where_it_leapt_is_none() -> None:
     """Set down again by hand, it faces elsewhere; and half of all readings cannot be faults."""
     time = np.arange(0.0, 20.0, 0.01)

@@ -35,22 +35,27 @@ def outliers(value: Floats, noise: float) -> Flags:
 def away(time: Floats, angle: Floats, noise: float) -> Flags:
     """Mask (n,) of readings of a heading between a leap and the leap back soon after it.
 
-    A tracker that mistakes one mark of a robot for another makes such leaps. time (n,) [s], angle (n,) [rad], not
-    wrapped. No reading is marked where there are too many such leaps for faults.
+    A tracker that mistakes one mark of a robot for another makes such leaps; where it takes its bow for its stern, the
+    leap back may go on around. time (n,) [s], angle (n,) [rad], not wrapped. No reading is marked where there are too
+    many such leaps for faults.
     """
     found = np.zeros(angle.shape, dtype=bool)
     given = np.flatnonzero(np.isfinite(angle))
     if given.size < OUTLIERS.fewest or not noise > 0.0:
         return found
     moment, heading = time[given], angle[given]
-    step = np.diff(heading)
-    usual = float(np.quantile(np.abs(step), OUTLIERS.most))
-    leaps = np.flatnonzero(np.abs(step) > OUTLIERS.far * noise + OUTLIERS.steps * usual)
+    step = np.abs(np.diff(heading))
+    calm = step[step < OUTLIERS.no_motion]
+    if len(calm) < OUTLIERS.mostly_calm * len(step):
+        return found
+    usual = float(np.quantile(calm, OUTLIERS.most))
+    leaps = np.flatnonzero(step > OUTLIERS.far * noise + OUTLIERS.steps * usual)
     back = 0
     for leap in leaps:
         within = moment[leaps + 1] - moment[leap] <= OUTLIERS.longest_leap
         soon = leaps[(leaps > leap) & within] if leap >= back else leaps[:0]
-        near = np.abs(heading[soon + 1] - heading[leap]) <= OUTLIERS.far * noise + usual * (soon + 1 - leap)
+        off = np.mod(heading[soon + 1] - heading[leap] + np.pi, 2.0 * np.pi) - np.pi
+        near = np.abs(off) <= OUTLIERS.far * noise + usual * (soon + 1 - leap)
         if near.any():
             back = int(soon[near][0]) + 1
             found[given[leap + 1 : back]] = True
