@@ -11,15 +11,11 @@ from collections.abc import Iterator
 
 from cocorosim_ros.diagnosis.against.numbers import delay_entry
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
-from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
-from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
-from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.screening import Screen
-from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
-from cocorosim_ros.diagnosis.naming.contest import Refined, begin, log_evidence, refine
+from cocorosim_ros.diagnosis.fitting.candidate import expand
+from cocorosim_ros.diagnosis.naming.contest import Refined, log_evidence
 from cocorosim_ros.diagnosis.naming.pruning import without
-from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.showing.actuator_names import LAG
+from cocorosim_ros.diagnosis.showing.asked_at_last import asked_at_last
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, effects_of
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
 
@@ -32,7 +28,7 @@ def untold_delay(case: Case) -> Iterator[Objection]:
         smaller = without(case.final, named.candidate, case.base)
         every = expand([delay_entry()], smaller.tracks, smaller.rows)
         for candidate in (each for each in every if each.robots == named.candidate.robots):
-            tried = _tried(smaller, candidate)
+            tried = asked_at_last(smaller, candidate)
             ahead = log_evidence(smaller) + tried.nats - log_evidence(case.final)
             if ahead > -NAMING.ambiguity:
                 yield Objection(
@@ -43,15 +39,9 @@ def untold_delay(case: Case) -> Iterator[Objection]:
                 )
 
 
-def _tried(fit: Fit, candidate: Candidate) -> Refined:
-    """Fit a delay beside all numbers of a fit."""
-    scene = scene_of(fit.tracks, smoothed_tracks(fit), drag_form_of(fit))
-    screen = Screen(fit, scene)
-    return refine(begin(fit, screen.searched(screen.test(candidate)), scene), log_evidence(fit))
-
-
 def _delay(tried: Refined) -> str:
-    (place,) = tried.candidate.places_among(tried.fit.unknowns)
+    """Words for the delay of a fit, of the first robot."""
+    place, *_ = tried.candidate.places_among(tried.fit.unknowns)
     return said_quantity(tried.fit.unknowns[place].value(float(tried.fit.q[place])), "s")
 
 

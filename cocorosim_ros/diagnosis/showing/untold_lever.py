@@ -12,13 +12,10 @@ from collections.abc import Iterator
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate, expand
-from cocorosim_ros.diagnosis.fitting.drag_forms import drag_form_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.screening import Screen
-from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.choice import moves
-from cocorosim_ros.diagnosis.naming.contest import Refined, begin, log_evidence, refine
-from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.naming.contest import Refined, log_evidence
+from cocorosim_ros.diagnosis.showing.asked_at_last import asked_at_last
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, effects_of
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
 
@@ -31,7 +28,7 @@ def untold_lever(case: Case) -> Iterator[Objection]:
         return
     explained = log_evidence(case.final) - log_evidence(case.base)
     for candidate in _untold(case.base):
-        tried = _tried(case.base, candidate)
+        tried = asked_at_last(case.base, candidate)
         if tried.nats > explained:
             yield Objection(
                 f"A marker or an antenna {_place(tried)} the body's origin would explain these poses better than all "
@@ -46,12 +43,6 @@ def _untold(base: Fit) -> list[Candidate]:
     told = {each.key for each in expand([LEVER], base.tracks, base.rows)}
     every = expand([LEVER], base.tracks, base.rows, known=("yaw",))
     return [each for each in every if each.key not in told and not each.known][:1]
-
-
-def _tried(base: Fit, candidate: Candidate) -> Refined:
-    """Fit a lever beside all numbers of the base model."""
-    scene = scene_of(base.tracks, smoothed_tracks(base), drag_form_of(base))
-    return refine(begin(base, Screen(base, scene).test(candidate), scene), log_evidence(base))
 
 
 def _place(tried: Refined) -> str:
