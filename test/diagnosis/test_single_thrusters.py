@@ -82,6 +82,20 @@ def test_thrusters_that_push_alike_are_not_told_apart(tmp_path: Path) -> None:
     assert told == [f"thruster_gain:{name}" for name in boats.NAMES[2:]]
 
 
+def test_a_vehicle_without_thrusters_has_no_entry() -> None:
+    """A glider, which pumps and shifts its weight; the thrusters of an ROV that stood still push as nothing does."""
+    from types import SimpleNamespace
+
+    from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_entries
+    from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+
+    for name in ("slocum_glider", "tauv_pool"):
+        vehicle = vehicle_model(load_platform(name))
+        log = SimpleNamespace(command=np.zeros((20, len(vehicle.is_thruster))))
+        track: Any = SimpleNamespace(vehicle=vehicle, log=log)
+        assert thruster_entries([track]) == []
+
+
 def test_four_sound_thrusters_have_no_name(tmp_path: Path) -> None:
     """The same drive with all of their thrust."""
     assert found(drive(boats.platform(tmp_path, DRAG, boats.with_four()), 1)).effects == ()

@@ -108,7 +108,7 @@ def _pushes_alone(tracks: Sequence[Track]) -> list[bool]:
     commands = np.concatenate([track.log.command[:, thrusters] for track in tracks])
     commands = np.where(np.isfinite(commands), commands, 0.0)
     per_command = vehicle.actuator_wrench[thrusters] / [1.0, 1.0, 1.0, vehicle.hull]
-    pushes = (commands[:, :, None] * per_command).transpose(0, 2, 1).reshape(-1, commands.shape[1])
+    pushes = np.concatenate([commands * along for along in per_command.T])  # of one axis after the other
     found = []
     for number in range(pushes.shape[1]):
         own, others = pushes[:, number], np.delete(pushes, number, axis=1)
