@@ -68,7 +68,7 @@ def _foretold(fit: Fit, kept: Collection[str], tracks: Iterable[int]) -> Floats:
             block = Block(place, parts == number)
             innovation, variance = passed.innovation[block.readings], passed.variance[block.readings]
             moved = slope[block.readings][:, loose]
-            nats = block.nats(fit)
+            nats = _nats(innovation, variance)
             if loose.any():
                 weighted = moved / variance[:, None]
                 score = known_score + weighted.T @ innovation

@@ -22,13 +22,13 @@ def untold_form(case: Case) -> Iterator[Objection]:
     named = any(moves(effect.candidate) for _, effect in effects_of(case))
     if case.base is None or not (named or (case.declared_form and not case.named)):
         return
-    needed = log_evidence(case.final) - log_evidence(case.base) + (0.0 if named else DRAG_FORMS.clear)
+    explained, clear = log_evidence(case.final), 0.0 if named else DRAG_FORMS.clear
+    needed = explained - log_evidence(case.base) + clear
     if not math.isfinite(needed):  # a model that ran away
         return
-    forms = other_forms(case.base, needed)
-    ahead = {name: log_evidence(fit) - log_evidence(case.final) for name, fit in forms.items()}
+    ahead = {name: log_evidence(fit) - explained for name, fit in other_forms(case.base, needed).items()}
     name = max(ahead, key=lambda each: ahead[each], default="")
-    if name and ahead[name] > (0.0 if named else DRAG_FORMS.clear):
+    if name and ahead[name] > clear:
         than = "by all that is named" if named else "in the form of drag that the platform's file declares"
         yield Objection(
             f"With 'drag_form: {name}' in the platform's file these recordings would be explained better than {than}, "
