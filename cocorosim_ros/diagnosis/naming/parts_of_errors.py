@@ -29,9 +29,6 @@ def parts_of_errors(tracks: Sequence[Track]) -> list[Entry]:
 
 
 def _sees_all(entry: Entry, tracks: Sequence[Track]) -> bool:
-    """Tell whether readings of every amplitude of an entry were recorded."""
-    return all(
-        any(track.timeline.sees(change.kind) for track in tracks)
-        for change in ERRORS[entry.id].changes
-        if {amplitude.name for amplitude in entry.amplitudes} & set(change.numbers)
-    )
+    """Tell whether readings of every kind that an error changes were recorded."""
+    kinds = {change.kind for change in ERRORS[entry.id].changes}
+    return all(any(track.timeline.sees(kind) for track in tracks) for kind in kinds)
