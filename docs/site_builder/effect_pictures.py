@@ -19,7 +19,9 @@ from site_builder.lily import lily
 WIDTH, HEIGHT = 4.6, 1.9  # inches
 ROOM = Margins(left=0.72, right=0.15, top=0.1, bottom=0.45)
 NOTHING_IN_STILL_WATER = "No picture: a Lily in still water has none of it."
-STAMPS_ALONE = "No picture: it changes no reading, only the time at which one is made or said to be made."
+TIME_ALONE = "No picture: it changes no reading and no command, only when one is made or said to be made."
+    "No picture: it changes no reading and no command, only the time of it, or the time that it is said to be of."
+)
 
 
 def what_pictures_show() -> str:
@@ -38,7 +40,7 @@ def picture(name: str) -> str:
     curve = curve_of(name)
     if curve is not None:
         return _figure(curve, described.summary)
-    return STAMPS_ALONE if isinstance(described, SensorError) else NOTHING_IN_STILL_WATER
+    return TIME_ALONE if isinstance(described, SensorError) else NOTHING_IN_STILL_WATER
 
 
 def curve_of(name: str) -> Curve | None:

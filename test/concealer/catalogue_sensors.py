@@ -13,8 +13,13 @@ from concealer.scene import Faults, Scene, Secret, direction, signed
 
 def compass_reading(yaw: FloatArray, faults: Faults) -> FloatArray:
     """What a compass shows whose field is distorted by hard and soft iron [rad], not wrapped to the yaw's turn."""
-    along = (np.cos(yaw) + faults.hard_iron[0]) * (1.0 + faults.soft_iron)
-    across = np.sin(yaw) - faults.hard_iron[1]
+    if faults.iron_axis == 0.0:
+        along = (np.cos(yaw) + faults.hard_iron[0]) * (1.0 + faults.soft_iron)
+        across = np.sin(yaw) - faults.hard_iron[1]
+    else:
+        induced = faults.soft_iron * np.cos(yaw + faults.iron_axis)
+        along = np.cos(yaw) + induced * math.cos(faults.iron_axis)
+        across = np.sin(yaw) - induced * math.sin(faults.iron_axis)
     return np.asarray(np.arctan2(across, along) + faults.compass_offset)
 
 
@@ -32,6 +37,19 @@ def compass_distortion(rng: np.random.Generator, amount: float, scene: Scene) ->
         "cos": float(2.0 * np.mean(error * np.cos(yaw))),
     }
     return Secret("compass_distortion", {**found}, "field vector with hard and soft iron", "compass")
+
+
+def soft_iron(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Iron in any direction that the earth's field magnetises; parameters: second harmonics over a full turn."""
+    fault = scene.fault
+    fault.soft_iron, fault.iron_axis = 2.0 * amount, rng.uniform(-math.pi / 2.0, math.pi / 2.0)
+    yaw = np.linspace(-math.pi, math.pi, 720, endpoint=False)
+    error = np.angle(np.exp(1j * (compass_reading(yaw, fault) - yaw)))
+    found = {
+        "sin_2": float(2.0 * np.mean(error * np.sin(2.0 * yaw))),
+        "cos_2": float(2.0 * np.mean(error * np.cos(2.0 * yaw))),
+    }
+    return Secret("soft_iron", {**found}, "field vector, stretched along one direction", "compass")
 
 
 def pressure_offset(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
@@ -76,6 +94,12 @@ def sensor_latency(rng: np.random.Generator, amount: float, scene: Scene) -> Sec
     topic = str(rng.choice(["pose", "compass", "imu"]))
     scene.fault.latency[topic] = amount
     return Secret("sensor_latency", {"latency": amount}, "constant", topic)
+
+
+def command_delay(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """Commands that wait in buffers, not equally long; the number is the mean."""
+    scene.fault.command_late, scene.fault.command_scatter = amount, rng.uniform(0.0, 0.4)
+    return Secret("command_delay", {"delay": amount}, "uniform about the mean, for every command anew")
 
 
 def clock_skew(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
@@ -184,6 +208,6 @@ CATALOGUE: dict[str, Hide] = BODY | {
     for hide in (
         compass_distortion, pressure_offset, pressure_drift, sensor_latency, clock_skew, camera_scale, frame_mixup,
         imu_bias, speed_log_scale, speed_log_misalignment, pose_heading, pose_lever, motor_field, pressure_gain,
-        gyro_scale,
+        gyro_scale, soft_iron, command_delay,
     )
 }  # fmt: skip

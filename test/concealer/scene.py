@@ -14,7 +14,8 @@ class Faults:
     """What is wrong with the sensors and clocks of one robot; as made, nothing."""
 
     hard_iron: tuple[float, float] = (0.0, 0.0)  # fraction of the earth's field, body axes
-    soft_iron: float = 0.0  # fraction by which the field along the body is stronger
+    soft_iron: float = 0.0  # fraction by which the field along its axis is stronger
+    iron_axis: float = 0.0  # rad: to the left of forward, of the direction in which the field is stronger
     compass_offset: float = 0.0  # rad
     compass_motor: float = 0.0  # rad at full thrust
     pressure_offset: float = 0.0  # Pa
@@ -24,6 +25,8 @@ class Faults:
     gauge_warmth: tuple[float, float] = (1.0, 0.0)  # s, rad: period and phase with which that fraction swings
     latency: dict[str, float] = field(default_factory=dict)  # s, by topic
     skew: dict[str, float] = field(default_factory=dict)  # s/s, by topic
+    command_late: float = 0.0  # s, mean time from a command to what it does
+    command_scatter: float = 0.0  # share of it by which that differs from command to command
     scale: float = 1.0  # of the camera
     mixup: str = ""
     gyro_bias: float = 0.0  # rad/s

@@ -190,6 +190,16 @@ def observe(
     measured = faults.log_scale != 0.0 or faults.log_turn[0] != 0.0 or faults.gauge_gain != 0.0
     if rng.random() < numbers["velocity"]["present"] or measured:
         streams.append(eye.velocity())
-    time = np.arange(len(commands), dtype=np.float64) * at.TICK
-    streams.append(Stream("thruster_command", np.asarray(time), time + eye.transport(time.size), commands))
+    streams.append(sent(commands, faults, eye))
     return streams
+
+
+def sent(commands: FloatArray, faults: Faults, eye: Observer) -> Stream:
+    """The commands (ticks, 3) as they were sent and logged, each of which acts at its tick."""
+    time = np.arange(len(commands), dtype=np.float64) * at.TICK
+    if faults.command_late:
+        scatter = faults.command_scatter * eye.rng.uniform(-1.0, 1.0, time.size)
+        time = time - faults.command_late * (1.0 + scatter)
+    logged = time + eye.transport(time.size)
+    kept = time >= 0.0
+    return Stream("thruster_command", np.asarray(time[kept]), np.asarray(logged[kept]), commands[kept])

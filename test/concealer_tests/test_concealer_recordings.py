@@ -180,6 +180,36 @@ def test_the_compass_parameters_are_those_of_the_contracts_equation() -> None:
     assert math.hypot(p["sin"], p["cos"]) == pytest.approx(0.06, rel=0.1)
 
 
+def test_soft_iron_errs_by_its_second_harmonic() -> None:
+    """By 0.08 rad, and by less than the square of 0.16 beside it, whichever way the iron lies."""
+    from concealer import layout as at
+    from concealer.catalogue_sensors import compass_reading, soft_iron
+    from concealer.scene import Faults, Scene
+
+    scene = Scene(at.nominal_robot()[None], [Faults()], 0)
+    secret = soft_iron(np.random.default_rng(5), 0.08, scene)
+    yaw = np.linspace(-3.0, 3.0, 50)
+    p = {key: float(value) for key, value in secret.parameters.items()}
+    error = np.angle(np.exp(1j * (compass_reading(yaw, scene.fault) - yaw)))
+    assert np.allclose(error, p["sin_2"] * np.sin(2.0 * yaw) + p["cos_2"] * np.cos(2.0 * yaw), atol=0.16**2 / 2.0)
+    assert math.hypot(p["sin_2"], p["cos_2"]) == pytest.approx(0.08, rel=0.1)
+
+
+def test_late_commands_are_logged_before_they_act() -> None:
+    """By 0.3 s on average, each by another time, and none before the recording begins."""
+    from concealer.scene import Faults
+    from concealer.sensors import Observer, sent
+
+    faults, rng = Faults(command_late=0.3, command_scatter=0.2), np.random.default_rng(1)
+    commands = np.arange(900.0).reshape(300, 3)
+    stream = sent(commands, faults, Observer(np.zeros((2, 1)), faults, {"transport": 0.004}, rng))
+    ticks = stream.values[:, 0] / 3.0
+    early = ticks * 0.1 - stream.stamp
+    assert np.mean(early) == pytest.approx(0.3, abs=0.01)
+    assert early.min() >= 0.24 - 1e-9 and early.max() <= 0.36 + 1e-9 and np.ptp(early) > 0.1
+    assert stream.stamp.min() >= 0.0 and (np.diff(ticks) == 1.0).all()
+
+
 def test_every_effect_of_the_contract_can_be_hidden_and_changes_the_recording(numbers: dict[str, Any]) -> None:
     """For each entry inside and outside the table: other trajectory or streams than with nothing, names as fixed."""
     from concealer.catalogue_sensors import CATALOGUE

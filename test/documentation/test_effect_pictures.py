@@ -29,6 +29,7 @@ WITHOUT = {
     "wash_loss",  # none of a Lily's thrusters stands in the jet of another one
     "sensor_latency",  # of when readings come, not of what they are
     "clock_skew",
+    "command_delay",  # of when a command acts
 }
 
 

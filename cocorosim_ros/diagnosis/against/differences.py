@@ -170,7 +170,8 @@ def _scene(fit: Fit, judged: Judged) -> Scene:
 def _entries(joint: Fit, judged: Judged) -> list[Entry]:
     tracks = [joint.tracks[number] for number in judged.numbers]
     numbers = number_entries(tracks, joint.rows[list(judged.numbers)])
-    return with_delays([*ENTRIES, *numbers], tracks)
+    taken = {each.id for each in numbers}
+    return with_delays([*(each for each in ENTRIES if each.id not in taken), *numbers], tracks)
 
 
 def _laws(scene: Scene, joint: Fit, judged: Judged, named: Sequence[NamedEffect], *, water: bool) -> list[Entry]:

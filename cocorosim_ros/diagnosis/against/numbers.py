@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
-from cocorosim_ros.diagnosis.criteria.against import CHANGES
+from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.naming.single_thrusters import factor_entry, thruster_entries, told_alone
-from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, COMMAND_DELAY
+from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.world.terms.groups import DRAG, LATE, TURN, WEIGHT
-from cocorosim_ros.world.terms.search import DELAYS
+from cocorosim_ros.world.terms.groups import DRAG, TURN, WEIGHT
 
 THRUST, DELAY = "thrust_gain", "command_delay"
 # By column: identifier, channel and group. The gain of all thrusters together is a number of its own.
@@ -64,14 +63,16 @@ def curve_entries(tracks: Sequence[Track]) -> list[Entry]:
 
 
 def delay_entry() -> Entry:
-    """Make the entry of commands that act late: an error of stamps, which with poses alone is one of the poses' stamps.
+    """Make the catalogue's entry of commands that act late one of differences, which may be of either sign.
 
-    So its channel is the clock, and it is told by the readings alone as theirs is, not by free runs.
+    It is then an error of stamps, which with poses alone is one of the poses' stamps. So its channel is the clock, and
+    it is told by the readings alone as theirs is, not by free runs.
     """
-    ends = tuple(-each for each in reversed(DELAYS))
-    amplitude = Amplitude(COMMAND_DELAY, "delay", "s", CHANGES.large_delay, searched=(*ends, *DELAYS))
-    return Entry(DELAY, "commands that act later than they are logged", "F(t) = F_command(t - delay)", "clock",
-                 (amplitude,), group=LATE)  # fmt: skip
+    entry = next(each for each in ENTRIES if each.id == DELAY)
+    (late,) = entry.amplitudes
+    ends = tuple(-each for each in reversed(late.searched))
+    either = replace(late, least=-math.inf, negligible=(0.0, 0.0), searched=(*ends, *late.searched))
+    return replace(entry, channel="clock", amplitudes=(either,))
 
 
 def _has_pump(tracks: Sequence[Track]) -> bool:

@@ -114,8 +114,6 @@ class ComparisonCriteria:
 class ChangeCriteria:
     """Sizes of changes in the platform's own numbers (`against.numbers`)."""
 
-    large_delay: float = 0.3
-    """[s] of commands in a bad case, as of the lag of a thruster. Chosen, not measured."""
     late_readings: float = 5.0
     """[readings] by which a stream is late in a bad case, where that is longer than what the catalogue has. Chosen, not
     measured."""

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from cocorosim_ros.diagnosis.against.numbers import DELAY
 from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
 from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.findings import FoundEffect
@@ -22,7 +23,6 @@ from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innova
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
-from cocorosim_ros.diagnosis.showing.untold_delay import untold_delay
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
@@ -127,23 +127,24 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
 
 
 def only_clock(case: Case) -> Iterator[Objection]:
-    """Object to late readings of the only stream of a robot, and to lags beside them.
+    """Object to late readings of the only stream of a robot, to late commands there, and to lags beside them.
 
     Nothing else there tells what time it is, and the sum of a delay and a lag is told far better than each of them.
     """
     effects = [found for found, _ in effects_of(case)]
-    late = [each for each in effects if each.id == LATE_READINGS and _has_one_stream(case, each)]
+    late = [each for each in effects if each.id in (LATE_READINGS, DELAY) and _has_one_stream(case, each)]
     for found in late:
+        (stream,) = streams_of(_tracks_of(case, found))
         yield Objection(
-            f"All readings come from one stream, {found.topic}: whether it comes late or the commands act late by "
+            f"All readings come from one stream, {stream}: whether it comes late or the commands act late by "
             "as much, as after a dead time of the actuators, these recordings cannot tell.",
             effect=found,
         )
     for found in effects:
         if found.id in _LAGS and any(not set(each.robots).isdisjoint(found.robots) for each in late):
             yield Objection(
-                "Beside it all readings, which come from one stream, are told to be late: how much of both together is "
-                "the lag these recordings hardly tell.",
+                "Beside it all readings, which come from one stream, are told to come late after their commands: how "
+                "much of both together is the lag these recordings hardly tell.",
                 effect=found,
             )
 
@@ -223,7 +224,6 @@ STOPS: tuple[Stop, ...] = (
     only_witness,
     untold_lever,
     untold_form,
-    untold_delay,
     one_side_alone,
     unknown_noise,
     remainder,

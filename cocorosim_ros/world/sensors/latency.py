@@ -14,6 +14,7 @@ from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS
 from cocorosim_ros.world.sensors.readings import Readings
 from cocorosim_ros.world.sensors.sensor import Field
+from cocorosim_ros.world.state.past import Past
 
 
 class LateReadings:
@@ -21,21 +22,18 @@ class LateReadings:
 
     def __init__(self, field: Field, robot: int, latency: float, tick: float) -> None:
         """`tick` [s] is the time between two readings."""
-        whole, self._share = divmod(latency / tick, 1.0)
-        self._whole = int(whole)
         self._field, self._robot = field, robot
-        self._past: list[Floats] = []  # the newest last
+        self._past = Past(latency, tick)
 
     def apply(self, readings: Readings) -> None:
         """Put what was measured `latency` ago in place of what was measured now; once at every tick, in order."""
         values: Floats = getattr(readings, self._field.name)
-        self._past = [*self._past[-(self._whole + 1) :], values[:, self._robot].copy()]
-        newer = self._past[max(0, len(self._past) - 1 - self._whole)]
-        older = self._past[max(0, len(self._past) - 2 - self._whole)]
+        newer, older = self._past.about(values[:, self._robot])
         change = older - newer
         if self._field.angle:
             change = math.pi - (math.pi - change) % (2.0 * math.pi)
-        shown = newer + self._share * change if self._share > 0.0 else newer
+        share = self._past.share
+        shown = newer + share * change if share > 0.0 else newer
         if self._field.angle:
             shown = math.pi - (math.pi - shown) % (2.0 * math.pi)
         values[:, self._robot] = shown

@@ -34,7 +34,7 @@ from cocorosim_ros.world.surroundings.tank import Tank
 from cocorosim_ros.world.tick.wants import Wants
 from cocorosim_ros.world.tick.water_assembly import build_water
 from cocorosim_ros.world.tick.world import World
-from cocorosim_ros.world.vehicle_model.platform_effects import build_faults
+from cocorosim_ros.world.vehicle_model.platform_effects import build_delays, build_faults
 from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 
 
@@ -53,6 +53,7 @@ def build_world(scenario: Scenario, runs: int = 1, first_run: int = 0) -> World:
         school=build_school(platforms),
         instruments=build_instruments(scenario.robots),
         faults=build_faults(platforms),
+        command_delay=build_delays(platforms),
         crew=build_crew(scenario.robots),
         radio_range=np.array([platform.sensors.radio_range for platform in platforms]),
         wants=build_wants(scenario.robots),

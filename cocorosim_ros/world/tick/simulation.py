@@ -8,6 +8,7 @@ from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.foundation.compiling.stretch import Stretch
 from cocorosim_ros.foundation.side_by_side import SideBySide
 from cocorosim_ros.world.controllers.conduct import blank_memory
+from cocorosim_ros.world.motion.late_commands import LateCommands
 from cocorosim_ros.world.motion.motion import apply_commands, move
 from cocorosim_ros.world.motion.surroundings import LOOKING
 from cocorosim_ros.world.seeding.corruption_at_work import Swarms
@@ -71,13 +72,16 @@ class Simulation:
         self.neighbourhood: Neighbourhood = empty_neighbourhood(runs, robots, capacity)
         self.perception = Perception(self.readings, self.inbox, self.light_inbox, self.sound_inbox, self.neighbourhood)
         self._corruption = corrupted_channels(world.corruption, Swarms(world.seed, world.names, numbers))
-        self._late = [] if world.faults is None else late_readings(world.faults.latency, world.tick_ns * 1e-9)
+        tick = world.tick_ns * 1e-9
+        self._late = [] if world.faults is None else late_readings(world.faults.latency, tick)
+        self._late_commands = LateCommands(world.command_delay, tick)
         self.memory = blank_memory(runs, robots)
         self._plain = PlainCrew(world.plain, world.seed, numbers) if world.plain else None
         self._search = NeighbourSearch(runs, robots, world.tank, world.reach, self._side_by_side)
         self._cones = cones_of(world.instruments)
         self._neighbours: Neighbours | None = None  # of the present state, once somebody has looked
         self.command: Floats = np.zeros((runs, robots, self.actuators))
+        self._acting = self.command
         self.said: Floats = np.zeros((runs, robots, MESSAGE_SIZE))
 
     @property
@@ -173,9 +177,10 @@ class Simulation:
         self._exchange.carry_sound(self.tick, self.state, self.said)
         self._neighbours = None
         world = self.world
+        self._acting = self._late_commands.acting(self.command)
         self._move()
         if self._rolling is not None:
-            self._rolling.move(self.command, self.time_ns * 1e-9, world.stepping, self.state)
+            self._rolling.move(self._acting, self.time_ns * 1e-9, world.stepping, self.state)
         self.water.advance(self.tick, self.state, world.tank, world.tick_ns)
         self.tick += 1
         check_motion(self.state, world, self.tick)
@@ -189,7 +194,7 @@ class Simulation:
 
     def _move_some(self, robots: Stretch | None) -> None:
         """Move some robots, who do not look at the others; of the only run, whose arrays they then take a part of."""
-        world, state, command = self.world, self.state, self.command
+        world, state, command = self.world, self.state, self._acting
         fixed, present = world.vehicles, self.water.vehicles
         if robots is not None:
             own = np.s_[:, robots.first : robots.last]

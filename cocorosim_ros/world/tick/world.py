@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.corruption import Corruption
 from cocorosim_ros.scenario.scenario import RobotDescription
@@ -41,6 +43,7 @@ class World:
     channel: Channel | None = None  # of sound
     instant_radio: bool = False  # what is said is heard at the same tick
     faults: Faults | None = None  # of the instruments
+    command_delay: Floats = field(default_factory=lambda: np.zeros(0))  # (robots,) [s]; empty where none is late
     corruption: tuple[Corruption, ...] = ()
     seed: int = 0  # of what is random while the run goes on
     first_run: int = 0  # the number of the first of the runs, by which their random numbers differ

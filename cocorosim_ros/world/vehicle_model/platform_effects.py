@@ -180,6 +180,11 @@ def build_faults(platforms: Sequence[Platform]) -> Faults | None:
     return faults if (faults.error != neutral).any() or faults.latency.any() else None
 
 
+def build_delays(platforms: Sequence[Platform]) -> Floats:
+    """(robots,) by how much the commands of one robot per platform act late [s]."""
+    return np.array([effects_of(platform).get("command_delay", {}).get("delay", 0.0) for platform in platforms])
+
+
 def not_simulated(robots: Mapping[str, Platform]) -> list[str]:
     """One sentence for each effect of these platforms that is the recording's, or for which they lack a number."""
     who: dict[str, list[str]] = {}

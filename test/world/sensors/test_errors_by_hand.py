@@ -57,6 +57,15 @@ def test_motors_turn_the_compass_by_what_they_give(
     assert found.compass[0, 0] == pytest.approx(0.7 + 0.2 * share, abs=1e-12)
 
 
+def test_soft_iron_errs_twice_a_turn(make_simulation: Make) -> None:
+    """A quarter-circular deviation: at 0.7 rad it is D sin(1.4) + E cos(1.4), beside hard iron by B sin(0.7)."""
+    found = readings(
+        make_simulation, {"soft_iron.sin_2": 0.05, "soft_iron.cos_2": -0.02, "compass_distortion.sin": 0.1}
+    )
+    error = 0.05 * math.sin(1.4) - 0.02 * math.cos(1.4) + 0.1 * math.sin(0.7)
+    assert found.compass[0, 0] == pytest.approx(0.7 + error, abs=1e-12)
+
+
 def test_without_thrusters_no_motor_runs() -> None:
     """A glider with a pump alone."""
     motors = Motors(np.array([True]), np.zeros((1, 0)), np.ones((1, 2)))

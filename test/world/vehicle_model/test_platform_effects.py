@@ -21,6 +21,7 @@ from cocorosim_ros.world.tick.simulation import Simulation
 from cocorosim_ros.world.vehicle_model.platform_effects import (
     KNOWN_EFFECTS,
     RECORDING_EFFECTS,
+    build_delays,
     build_faults,
     check_platform,
     not_simulated,
@@ -72,7 +73,7 @@ def test_every_effect_can_stand_in_a_platform_file(tmp_path: Path, effect: str) 
         for name, value in values.items():
             assert vehicles.parameters[0, 0, PARAMETER_COLUMNS[f"{effect}.{name}"]] == value
     of_robot = effect in ERRORS and any(is_simulated(effect, part) for part in ERRORS[effect].parameters)
-    assert (faults is not None) == of_robot
+    assert (faults is not None or build_delays([platform]).any()) == of_robot
     without_diameter = effect == "wash_loss"  # a Lily's propellers have none in her file
     assert bool(not_simulated({"lily_01": platform})) == (effect in RECORDING_EFFECTS or without_diameter)
 

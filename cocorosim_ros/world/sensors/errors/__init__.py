@@ -1,4 +1,4 @@
-"""ERRORS: how instruments, cameras and clocks are wrong by a law, by the identifiers of the catalogue."""
+"""ERRORS: how instruments, cameras, clocks and the way of a command are wrong by a law, by the catalogue's names."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from cocorosim_ros.scenario.parts.parameter import Parameter
 from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors.camera_scale import CAMERA_SCALE
 from cocorosim_ros.world.sensors.errors.clock_skew import CLOCK_SKEW
+from cocorosim_ros.world.sensors.errors.command_delay import COMMAND_DELAY
 from cocorosim_ros.world.sensors.errors.compass_distortion import COMPASS_DISTORTION
 from cocorosim_ros.world.sensors.errors.frame_mixup import FRAME_MIXUP
 from cocorosim_ros.world.sensors.errors.ground_log_misalignment import GROUND_LOG_MISALIGNMENT
@@ -19,6 +20,7 @@ from cocorosim_ros.world.sensors.errors.pressure_drift import PRESSURE_DRIFT
 from cocorosim_ros.world.sensors.errors.pressure_gain import PRESSURE_GAIN
 from cocorosim_ros.world.sensors.errors.pressure_offset import PRESSURE_OFFSET
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS, SENSOR_LATENCY
+from cocorosim_ros.world.sensors.errors.soft_iron import SOFT_IRON
 from cocorosim_ros.world.sensors.errors.speed_log_misalignment import SPEED_LOG_MISALIGNMENT
 from cocorosim_ros.world.sensors.errors.speed_log_scale import SPEED_LOG_SCALE
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
@@ -34,6 +36,7 @@ ERRORS: dict[str, SensorError] = {
     "pose_heading": POSE_HEADING,
     "camera_scale": CAMERA_SCALE,
     "motor_field": MOTOR_FIELD,
+    "soft_iron": SOFT_IRON,
     "speed_log_misalignment": SPEED_LOG_MISALIGNMENT,
     "speed_log_scale": SPEED_LOG_SCALE,
     "ground_log_misalignment": GROUND_LOG_MISALIGNMENT,
@@ -41,6 +44,7 @@ ERRORS: dict[str, SensorError] = {
     "sensor_latency": SENSOR_LATENCY,
     "clock_skew": CLOCK_SKEW,
     "frame_mixup": FRAME_MIXUP,
+    "command_delay": COMMAND_DELAY,
 }
 """Every error; those of one number act in this order."""
 
@@ -78,7 +82,7 @@ def is_simulated(name: str, parameter: Parameter) -> bool:
     """Whether a simulation has this number of an error, which is then of the robot and not of the recording."""
     if ERRORS[name].changes:
         return any(KINDS[change.kind].place for change in ERRORS[name].changes if parameter.name in change.numbers)
-    return name == "sensor_latency" and parameter.name in LATE_TOPICS
+    return name == "command_delay" or (name == "sensor_latency" and parameter.name in LATE_TOPICS)
 
 
 def units_of(name: str) -> dict[str, str]:
