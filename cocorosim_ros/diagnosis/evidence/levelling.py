@@ -21,6 +21,8 @@ from cocorosim_ros.diagnosis.evidence.streams.stream_columns import (
     W,
     Z,
 )
+from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
+from cocorosim_ros.diagnosis.evidence.streams.way_ahead import shows_only_ahead, way_ahead
 from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import whole_velocity
 from cocorosim_ros.foundation.arrays import Floats
 
@@ -38,34 +40,43 @@ def levelled(log: RobotLog) -> tuple[RobotLog, tuple[str, ...]]:
     contradiction = _upside_down(log, log.attitude) or _contradiction(log, log.attitude)
     if contradiction:
         return replace(log, attitude=None), (contradiction,)
-    streams = {topic: _levelled_stream(topic, stream, log.attitude) for topic, stream in log.streams.items()}
+    way = way_ahead(log.streams, log.attitude)
+    streams = {topic: _levelled_stream(topic, stream, log.attitude, way) for topic, stream in log.streams.items()}
+    if way is not None:
+        way = Velocities(way.time, _turned(way.value, log.attitude, way.time))
     steepest = np.degrees(np.quantile(np.abs(np.column_stack([log.attitude.roll, log.attitude.pitch])), 0.95, axis=0))
     said = (
         f"{log.name}: roll and pitch are taken as known (95 % within {steepest[0]:.1f} and {steepest[1]:.1f} deg); "
         "velocities, inertial readings and thrust are turned into level axes."
     )
-    return replace(log, streams=streams), (said, *_of_hull(log, float(steepest.max())))
+    return replace(log, streams=streams, way=way), (said, *_of_hull(log, way, float(steepest.max())))
 
 
-def _of_hull(log: RobotLog, steepest: float) -> tuple[str, ...]:
+def _of_hull(log: RobotLog, way: Velocities | None, steepest: float) -> tuple[str, ...]:
     """Remark where the hull rolls and pitches, and no velocity tells how the water meets it.
 
-    steepest: angle that 95 % of the rolls and pitches are within [deg].
+    way: velocity of which a part was recorded. steepest: angle that 95 % of the rolls and pitches are within [deg].
     """
-    if steepest < TILT.said or whole_velocity(log.streams) is not None:
+    if steepest < TILT.said or way is not None or whole_velocity(log.streams) is not None:
         return ()
     return (
-        f"{log.name}: no velocity was recorded along all three axes, so that drag, lift and added mass of the hull are "
-        f"those of one that stays level. With a tilt of {steepest:.0f} deg their numbers may be far off, or at the end "
-        "of their range, and a law may stand for the tilt.",
+        f"{log.name}: no velocity was recorded along all three axes, nor one ahead with a pressure beside it, so that "
+        "drag, lift and added mass of the hull are those of one that stays level. With a tilt of "
+        f"{steepest:.0f} deg their numbers may be far off, or at the end of their range, and a law may stand for the "
+        "tilt.",
     )
 
 
-def _levelled_stream(topic: str, stream: Stream, attitude: Attitude) -> Stream:
+def _levelled_stream(topic: str, stream: Stream, attitude: Attitude, way: Velocities | None) -> Stream:
     if topic not in BODY_VECTORS:
         return stream
     value, vector = stream.value.copy(), BODY_VECTORS[topic]
-    value[:, vector] = _turned(value[:, vector], attitude, stream.time)
+    if topic in VELOCITIES and way is not None and shows_only_ahead(stream):
+        upwards = np.interp(stream.time, way.time, way.value[:, W])
+        whole = np.column_stack([value[:, U], np.zeros(len(value)), upwards])
+        value[:, U] = _turned(whole, attitude, stream.time)[:, U]
+    else:
+        value[:, vector] = _turned(value[:, vector], attitude, stream.time)
     if topic == "imu":
         value[:, TURN_RATE] = _heading_rate(value[:, TURN_RATE], attitude, stream.time)
     return replace(stream, value=value)

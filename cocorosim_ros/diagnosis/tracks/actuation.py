@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.tracks.tilted_hull import TAKEN, TiltedHull
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
-from cocorosim_ros.world.state.state import X
+from cocorosim_ros.world.state.state import X, Z
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS, Body
 
@@ -85,10 +85,15 @@ class Actuation:
         """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.
 
         Level flow u meets a normal n, turned by R, with u (R n)_x in place of u n_x; the lift u d - V_n falls by that.
-        Assumes: small angles to the level, as the law of fins does.
+        A hull that pitches at a rate q moves a fin at x and z along its normal by q (n_x z - n_z x), where its speed
+        is known. Assumes: small angles to the level, as the law of fins does.
         """
-        normals = self.vehicle.fin_normal
-        return np.asarray(normals[:, X] - np.einsum("nj,aj->na", turns[:, X], normals))
+        normals, places = self.vehicle.fin_normal, self.vehicle.fin_place
+        angles = normals[:, X] - np.einsum("nj,aj->na", turns[:, X], normals)
+        if self._hull.is_known:
+            arms = normals[:, Z] * places[:, X] - normals[:, X] * places[:, Z]
+            angles = angles + self._hull.nodding[:, None] * arms
+        return np.asarray(angles)
 
     def _added(self, turns: Floats, force: Floats) -> Floats:
         """Difference (points, 4) of the thrust in level axes and in the robot's own, of forces (points, actuators).

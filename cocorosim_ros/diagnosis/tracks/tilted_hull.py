@@ -1,8 +1,8 @@
 """Forces and yaw moment that roll and pitch add to those of a hull, along level axes of the same heading.
 
 What a hull resists with stands along its own axes: with the matrix M of mass and added mass its momentum is M v, and
-its drag D(v), of the velocity v in body axes. The models of a diagnosis have both along level axes. With the rotation R
-from body axes to level ones and the velocity V = R v there, what is missing is
+its drag and lift D(v), of the velocity v in body axes. The models of a diagnosis have both along level axes. With the
+rotation R from body axes to level ones and the velocity V = R v there, what is missing is
 
     -(d/dt + psi_dot z x) (R M R^T - M) V - (R D(R^T V) - D(V)).
 
@@ -29,7 +29,8 @@ from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import TURN_RATE
-from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import Velocities, whole_velocity
+from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
+from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import whole_velocity
 from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
@@ -45,8 +46,9 @@ _DRAG, _FORM = COLUMN["drag"], COLUMN["anisotropic_drag.form"]
 _RATIOS = [COLUMN["anisotropic_drag.sway_ratio"], COLUMN["anisotropic_drag.heave_ratio"]]
 _INERTIA, _ADDED_INERTIA = COLUMN["yaw_inertia"], COLUMN["added_mass.yaw"]
 _YAW_LINEAR, _YAW_DRAG = COLUMN["linear_drag.yaw"], COLUMN["yaw_drag"]
+_LIFTS = [COLUMN["hull_lift.sway_by_drift"], COLUMN["hull_lift.heave_by_climb"]]
 _AROUND = [_INERTIA, _ADDED_INERTIA, _YAW_LINEAR, _YAW_DRAG]
-TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, _FORM, *_RATIOS, *_AROUND]
+TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, _FORM, *_RATIOS, *_LIFTS, *_AROUND]
 """Columns of the numbers that these forces depend on."""
 
 
@@ -65,15 +67,20 @@ class TiltedHull:
         """Forces and moment (points, 4) [N, N, N, N m; level axes] under the numbers of a model, row (columns,)."""
         return np.column_stack([self._force(row), self._moment(row)])
 
+    @cached_property
+    def nodding(self) -> Floats:
+        """Rate of the pitch over the speed ahead (points,) [rad/m], between the grid points; 0 where the hull rests."""
+        ahead = self._seen(self._middles)[:, X]
+        return np.asarray(self._attitude.pitch_rate_at(self._middles) * ahead / (ahead**2 + TILT.at_rest**2))
+
     def _force(self, row: Floats) -> Floats:
         """Force (points, 3) [N; level axes] under the numbers of a model, row (columns,)."""
         mass = row[_MASS] + np.array([0.0, row[_SWAY], row[_HEAVE]])
         drag = row[_DRAG] * np.array([1.0, *row[_RATIOS]])
-        inertia, linear, along, each = self._templates
+        inertia, linear, along, each, lift = self._templates
         quadratic = along if row[_FORM] == TOTAL_SPEED else each
-        return np.asarray(
-            np.tensordot(mass, inertia, 1) + np.tensordot(row[_LINEAR], linear, 1) + np.tensordot(drag, quadratic, 1)
-        )
+        numbers = ((mass, inertia), (row[_LINEAR], linear), (drag, quadratic), (row[_LIFTS], lift))
+        return np.asarray(sum(np.tensordot(own, template, 1) for own, template in numbers))
 
     def _moment(self, row: Floats) -> Floats:
         """Yaw moment (points,) [N m] under the numbers of a model, row (columns,)."""
@@ -98,8 +105,11 @@ class TiltedHull:
         return np.asarray(self._grid.begin + (np.arange(self._grid.points) + 0.5) * self._grid.step)
 
     @cached_property
-    def _templates(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """Force (3, points, 3) of a unit of each axis: of mass, linear drag, drag with |V| and drag with each |v_k|."""
+    def _templates(self) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """Force (3, points, 3) of a unit of each axis: of mass, linear drag, drag with |V| and drag with each |v_k|.
+
+        Then (2, points, 3) of the lift across, by the speeds to the left and upwards.
+        """
         moments, half = self._middles, 0.5 * self._span
         level = self._seen(moments)
         turns = self._attitude.turns(moments)
@@ -110,8 +120,9 @@ class TiltedHull:
         own = np.einsum("nik,nk->kni", turns, np.abs(body) * body) - np.einsum(
             "nk,ki->kni", np.abs(level) * level, np.eye(3)
         )
+        lift = _lifted(turns, body) - _lifted(np.broadcast_to(np.eye(3), turns.shape), level)
         speed = np.linalg.norm(level, axis=1)[:, None]
-        return -(swing + around), -now, -speed * now, -own
+        return -(swing + around), -now, -speed * now, -own, -lift
 
     def _turned_less_level(self, moments: Floats) -> Floats:
         """(R E_k R^T - E_k) V (3, m, 3) of each axis k, with E_k = e_k e_k^T."""
@@ -122,7 +133,7 @@ class TiltedHull:
     @cached_property
     def _velocity(self) -> Velocities | None:
         """Level velocities; None without."""
-        return whole_velocity(self._log.streams)
+        return self._log.way or whole_velocity(self._log.streams)
 
     def _seen(self, moments: Floats) -> Floats:
         """Level velocity (m, 3) [m/s]."""
@@ -167,3 +178,9 @@ class TiltedHull:
             return attitude
         roll, pitch = (savgol_filter(angle, width, 2) for angle in (attitude.roll, attitude.pitch))
         return Attitude(attitude.time, roll, pitch)
+
+
+def _lifted(turns: Floats, velocity: Floats) -> Floats:
+    """|u| v_k (2, n, 3), level axes, of the speeds v_k to the left and upwards; velocity (n, 3), turns (n, 3, 3)."""
+    across = np.abs(velocity[:, :1]) * velocity[:, 1:]
+    return np.asarray(np.einsum("nik,nk->kni", turns[:, :, 1:], across))

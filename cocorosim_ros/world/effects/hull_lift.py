@@ -1,10 +1,11 @@
-"""Lift of a hull that drifts or turns while it goes ahead: Y = -a |u| v - b |u| r, N = -c |u| v - d |u| r.
+"""Lift of a hull that drifts, climbs or turns ahead: Y = -a |u| v - b |u| r, N = -c |u| v - d |u| r, Z = -e |u| w.
 
 A ship's hull is a wing of little span: forces across grow with the speed ahead, where drag by its own speed across
 would be small. Assumes: small angles of drift. The moment that turns a drifting hull further, Munk's, is of added mass;
-c is what is left beside that. Of a slender hull a and c are looked for; what turns do, b and d, is that of fins and
+c is what is left beside that. Of a slender hull a, c and e are looked for; what turns do, b and d, is that of fins and
 drag too, and only fitted where a platform gives it with a range.
-Source: the first-order terms of Blanke's model of a ship, Fossen (2021), section 7.1; Y_uv, Y_ur, N_uv, N_ur there.
+Source: the first-order terms of Blanke's model of a ship, Fossen (2021), section 7.1; Y_uv, Y_ur, N_uv, N_ur there,
+and Z_uw of a torpedo, section 8.4.
 """
 
 from __future__ import annotations
@@ -21,9 +22,10 @@ from cocorosim_ros.world.terms.search import Given, Search, Strength
 @kernel
 def hull_lift(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the lift at the speed ahead through the water."""
-    sway_by_drift, sway_by_turn, yaw_by_drift, yaw_by_turn = unpack(parameters, 4)
+    sway_by_drift, sway_by_turn, yaw_by_drift, yaw_by_turn, heave_by_climb = unpack(parameters, 5)
     ahead = abs(relative[0])
     total[1] -= ahead * (sway_by_drift * relative[1] + sway_by_turn * relative[3])
+    total[2] -= ahead * heave_by_climb * relative[2]
     total[3] -= ahead * (yaw_by_drift * relative[1] + yaw_by_turn * relative[3])
 
 
@@ -50,6 +52,11 @@ HULL_LIFT = Effect(
             "yaw_by_turn", "kg m", "d, moment by the yaw rate",
             multiplies="m/s^2", gives="N m", part="N = -d |u| r", search=Given(lambda scene: 0.0),
             example=Example(0.01, "towing in circles"),
+        ),
+        Number(
+            "heave_by_climb", "kg/m", "e, force upwards by the speed upwards",
+            multiplies="m^2/s^2", gives="N", part="Z = -e |u| w",
+            search=Strength(large=5.0, least=-0.2), example=Example(2.0, "towing"),
         ),
     ),
     needs=("slender_hull",),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -45,10 +45,20 @@ def _numbers(platform: Platform, fin: Fin) -> dict[str, float]:
 
 def fin_normals(platform: Platform) -> Floats:
     """(actuators, 3) the normal of each fin [body], zeros for other actuators."""
-    normals = np.zeros((len(platform.actuators), 3))
+    return _of_fins(platform, lambda fin: fin.direction)
+
+
+def fin_places(platform: Platform) -> Floats:
+    """(actuators, 3) the centre of pressure of each fin [m; body], zeros for other actuators."""
+    return _of_fins(platform, lambda fin: fin.position)
+
+
+def _of_fins(platform: Platform, vector: Callable[[Fin], Sequence[float]]) -> Floats:
+    """(actuators, 3) a vector of each fin, zeros for other actuators."""
+    found = np.zeros((len(platform.actuators), 3))
     for _, fin in fins_of(platform):
-        normals[platform.actuator_names.index(fin.name)] = fin.direction
-    return normals
+        found[platform.actuator_names.index(fin.name)] = vector(fin)
+    return found
 
 
 def fin_forces(platform: Platform, speed: float) -> Floats:

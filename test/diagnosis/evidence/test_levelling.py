@@ -123,6 +123,20 @@ def test_thrust_is_projected() -> None:
     assert path[-1, 2] < -0.1  # it dives by its thrusters alone
 
 
+def test_a_speed_ahead_is_levelled_by_the_climb() -> None:
+    """Of a hull without way sideways: u / cos(theta) + climb tan(theta), to what differences over a second leave."""
+    climb = WORLD_VELOCITY[:, 2]
+    along = 1.0 + 0.1 * np.sin(0.3 * TIME)  # level speed ahead
+    body = np.column_stack([along * np.cos(PITCH) - climb * np.sin(PITCH), np.full((len(TIME), 2), np.nan)])
+    pressure = (101325.0 - 9806.65 * (heights() - 5.0))[:, None]
+    log, remarks = levelled(log_of(Attitude(TIME, 0.0 * TIME, PITCH), velocity=body, pressure=pressure))
+    level = log.streams["velocity"].value
+    np.testing.assert_allclose(level[10:-10, 0], along[10:-10], atol=0.01)
+    assert np.ptp(body[:, 0] - along) > 0.1
+    assert np.isnan(level[:, 1:]).all()
+    assert not any("stays level" in remark for remark in remarks)
+
+
 @pytest.mark.parametrize(
     ("velocity", "size", "said"),
     [(slice(0, 3), 1.0, False), (slice(0, 1), 1.0, True), (slice(0, 1), 0.1, False)],

@@ -101,3 +101,22 @@ def test_a_recorded_pitch_turns_a_fin_to_the_flow(tmp_path: Path, pitch: float) 
     lift = (turn @ [0.0, 0.0, abs(flow[0]) * (flow[0] * share * LARGEST - flow[2])])[2]
     small = (abs(pitch) + level[2] / level[0]) ** 2 * (abs(pitch) + share * LARGEST)
     assert abs(level[0]) * (level[0] * angle[1] - level[2]) == pytest.approx(lift, abs=level[0] ** 2 * small)
+
+
+def test_a_hull_that_pitches_moves_its_fins_through_the_water(tmp_path: Path) -> None:
+    """Stern planes 3 m behind the middle go up by 3 q where the nose goes down at q: their angle is that over u less.
+
+    It is known where the speed is, and of planes alone: rudders stand across. Attitude and speed are read each 0.02 s.
+    """
+    platform, ahead, grid = torpedo(tmp_path, 1.0, ranges=False), 0.9, Grid(2.0, 0.1, 40)
+    times, middles = np.arange(0.0, 10.0, 0.02), 2.0 + 0.1 * (np.arange(40) + 0.5)
+    attitude = Attitude(times, 0.0 * times, 0.05 * np.sin(times))
+    speed = np.tile([ahead, 0.0, 0.0], (len(times), 1))
+    angles = {}
+    for name, streams in (("resting", {}), ("moving", {"velocity": Stream(times, speed, np.zeros(3))})):
+        log = RobotLog("ship", times[:1], np.zeros((1, 3)), streams, attitude=attitude)
+        actuation = Actuation(vehicle_model(platform), log, grid)
+        angles[name] = actuation.drive(actuation.vehicle.row).force[:, 1:3]
+    rudders, planes = (angles["moving"] - angles["resting"]).T
+    np.testing.assert_allclose(planes, -3.0 * 0.05 * np.cos(middles) / ahead, rtol=0.02, atol=1e-4)
+    assert not rudders.any()

@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.tracks.tilted_hull import TiltedHull
 from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME
 
 MASS, LINEAR, QUADRATIC = np.array([17.0, 24.2, 26.1]), np.array([4.0, 6.2, 5.2]), np.array([18.2, 21.7, 37.0])
+LIFT = np.array([0.0, 9.0, 14.0])
 INERTIA, YAW_LINEAR, YAW_DRAG = 0.28, 0.07, 1.55
 GRID, READ = Grid(1.0, 0.05, 200), 0.02
 """Steps of the filter, and of the readings [s]."""
@@ -65,11 +66,11 @@ def momentum(t: Any, *, tilted: bool) -> Any:
 
 
 def drag(t: Any, form: str, *, tilted: bool) -> Any:
-    """Drag (n, 3) along level axes: of the hull as it is, or of one whose axes stay level."""
+    """Drag and lift (n, 3) along level axes: of the hull as it is, or of one whose axes stay level."""
     turns, velocity = to_level(t), body_velocity(t)
     own = velocity if tilted else np.einsum("nij,nj->ni", turns, velocity)
     fast = np.linalg.norm(own, axis=1)[:, None] if form == "total_speed" else np.abs(own)
-    force = -(LINEAR + QUADRATIC * fast) * own
+    force = -(LINEAR + QUADRATIC * fast + LIFT * np.abs(own[:, :1])) * own
     return np.einsum("nij,nj->ni", turns, force) if tilted else force
 
 
@@ -93,6 +94,7 @@ def row_of(form: str) -> Any:
     row[COLUMN["added_mass.sway_minus_surge"]], row[COLUMN["added_mass.heave_minus_surge"]] = MASS[1:] - MASS[0]
     for axis, value in zip(("surge", "sway", "heave"), LINEAR, strict=True):
         row[COLUMN[f"linear_drag.{axis}"]] = value
+    row[COLUMN["hull_lift.sway_by_drift"]], row[COLUMN["hull_lift.heave_by_climb"]] = LIFT[1:]
     row[COLUMN["yaw_inertia"]], row[COLUMN["linear_drag.yaw"]] = INERTIA, YAW_LINEAR
     row[COLUMN["yaw_drag"]] = YAW_DRAG
     row[COLUMN["drag"]], row[COLUMN["anisotropic_drag.form"]] = QUADRATIC[0], FORM_BY_NAME[form]
@@ -160,6 +162,32 @@ def test_without_a_gyro_the_moment_is_that_of_the_added_mass_alone() -> None:
     moment = TiltedHull(log, GRID).wrench(row)[:, 3]
     assert np.array_equal(moment, TiltedHull(log, GRID).wrench(row_of("own_speed"))[:, 3])
     assert np.abs(moment).max() > 0.05
+
+
+def test_a_log_ahead_and_a_pressure_are_enough_where_a_hull_only_pitches() -> None:
+    """Speed ahead and climb of a torpedo make nearly the forces of its whole velocity, but for what lies sideways."""
+    time = np.arange(0.0, 13.0, READ)
+    none, velocity = np.zeros(len(time)), body_velocity(time) * [3.0, 0.0, 1.0]
+    attitude = Attitude(time, none, 0.6 * pitch(time))
+    level = np.einsum("nij,nj->ni", attitude.turns(time), velocity)
+    depth = -np.cumsum(level[:, 2]) * READ
+    ahead = np.column_stack([level[:, 0], np.full((len(time), 2), np.nan)])
+    logs = {
+        "whole": {"velocity": Stream(time, level, np.zeros(3))},
+        "ahead": {
+            "velocity": Stream(time, ahead, np.zeros(3)),
+            "pressure": Stream(time[::10], 9806.65 * depth[::10, None], np.zeros(1)),
+        },
+    }
+    found = {
+        name: TiltedHull(RobotLog("auv", np.zeros(1), np.zeros((1, 1)), streams, attitude=attitude), GRID).wrench(
+            row_of("own_speed")
+        )[:, [0, 2]]
+        for name, streams in logs.items()
+    }
+    scale = np.sqrt(np.mean(found["whole"] ** 2, axis=0))
+    assert (scale > 0.3).all()
+    assert (np.sqrt(np.mean((found["ahead"] - found["whole"]) ** 2, axis=0)) < 0.1 * scale).all()
 
 
 def test_nothing_is_known_without_attitude_or_velocity() -> None:

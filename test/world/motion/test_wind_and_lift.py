@@ -58,6 +58,14 @@ def test_lift_by_hand(acceleration: Make, lily: SimpleNamespace) -> None:
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-15)
 
 
+def test_lift_of_a_hull_that_climbs_by_hand(acceleration: Make, lily: SimpleNamespace) -> None:
+    """Z = -e |u| w, the same ahead and astern, and nothing else: what is left is the lift's, by the mass."""
+    for u in (0.2, -0.2):
+        speed = {SURGE: u, HEAVE: 0.05}
+        more, less = (acceleration({"hull_lift.heave_by_climb": e}, speed)[2] for e in (0.4, 0.0))
+        assert lily.mass * (more - less) == pytest.approx(-0.4 * 0.2 * 0.05, rel=1e-9)
+
+
 def test_lift_across_takes_energy(acceleration: Make, lily: SimpleNamespace) -> None:
     """With a and d alone the power is -|u| (a v^2 + d r^2)."""
     numbers = {"hull_lift.sway_by_drift": 0.4, "hull_lift.yaw_by_turn": 0.001}

@@ -9,6 +9,7 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.feedback import Feedback
+from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
 from cocorosim_ros.diagnosis.findings import NO_CLOCK, Clock
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -50,7 +51,8 @@ class RobotLog:
 
     command_time (m,) [s], ascending: start of each row of `command` (m, actuators), fractions of the maximum in the
     order of the platform's actuators. command_shifted: by how much most of their stamps were set later [s], as those
-    of a stream.
+    of a stream. way: level velocity of a robot that pitches, whose log shows the speed ahead alone, where its pressure
+    tells the rest; a known input, as the attitude is, and no reading.
     """
 
     name: str
@@ -63,6 +65,7 @@ class RobotLog:
     clock: Clock = NO_CLOCK
     command_shifted: float = 0.0
     feedback: tuple[Feedback, ...] = ()  # what its actuators report
+    way: Velocities | None = None
 
 
 @dataclass(frozen=True)

@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.log import Stream
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, U, W
-from cocorosim_ros.foundation.arrays import Floats
-
-
-class Velocities(NamedTuple):
-    """Times (m,) [s] and velocities (m, 3) [m/s], along the axes of the stream."""
-
-    time: Floats
-    value: Floats
+from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
 
 
 def whole_velocity(streams: Mapping[str, Stream]) -> Velocities | None:
