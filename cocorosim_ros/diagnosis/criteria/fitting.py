@@ -180,6 +180,9 @@ class SurroundingsCriteria:
 
     shore: float = 0.1
     """[m] between the farthest place of any robot and the wall. Chosen, not measured."""
+    lowest: float = 0.02
+    """[1] quantile of the heights that counts as the lowest place, its counterpart as the highest, so that a few faulty
+    readings do not. Chosen, not measured."""
     alike: float = 1.25
     """[1] quotient of two sides of a tank, below which they are taken as equal. Chosen, not measured."""
 

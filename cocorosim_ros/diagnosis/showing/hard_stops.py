@@ -21,6 +21,7 @@ from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.remainder import remainder
+from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
@@ -224,6 +225,7 @@ STOPS: tuple[Stop, ...] = (
     only_witness,
     untold_lever,
     untold_form,
+    slow_steering,
     one_side_alone,
     unknown_noise,
     remainder,

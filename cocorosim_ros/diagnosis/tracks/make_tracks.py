@@ -38,8 +38,11 @@ def introduced(tracks: Sequence[Track], parts: Sequence[Sequence[Track]] | None 
 def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
     """Lowest and highest corner (3,) [m; world] of a tank around the origin that holds all poses; FAR without poses.
 
-    The contract puts the origin into the middle of the surface. A tank that is nearly square is taken as square.
+    The contract puts the origin into the middle of the surface. A tank that is nearly square is taken as square. Of
+    hulls too wide to come as near to a wall as is assumed no tank is known; of those that keep their depth no surface,
+    whose distance never changes.
     """
+    vehicle = tracks[0].vehicle
     places = [track.log.streams["pose"].value[:, POSITION] for track in tracks if "pose" in track.log.streams]
     if not places:
         return np.full(3, -FAR), np.full(3, FAR)
@@ -47,11 +50,15 @@ def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
     seen = np.isfinite(everything).any(axis=0)
     if not seen.all():
         return np.full(3, -FAR), np.full(3, FAR)
+    low, high = np.nanquantile(everything[:, Z], (SURROUNDINGS.lowest, 1.0 - SURROUNDINGS.lowest))
+    surface = 0.0 if high - low > vehicle.height else FAR
+    if 0.5 * vehicle.width > SURROUNDINGS.shore:
+        return np.full(3, -FAR), np.array([FAR, FAR, surface])
     half = np.nanmax(np.abs(everything[:, PLANE]), axis=0) + SURROUNDINGS.shore
     if half.max() < SURROUNDINGS.alike * half.min():
         half[:] = half.max()
     floor = min(float(np.nanmin(everything[:, Z])) - SURROUNDINGS.shore, -SURROUNDINGS.shore)
-    return np.array([-half[0], -half[1], floor]), np.array([half[0], half[1], 0.0])
+    return np.array([-half[0], -half[1], floor]), np.array([half[0], half[1], surface])
 
 
 def _around(tracks: Sequence[Track], track: Track) -> Floats:

@@ -32,7 +32,7 @@ from cocorosim_ros.world.laws.laws_of_platform import effects_of
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
 from cocorosim_ros.world.terms.curve import ANGLE, FORM
 from cocorosim_ros.world.terms.moment import NEIGHBOUR_SIZE
-from cocorosim_ros.world.vehicle_model.fins import fin_forces, fin_normals
+from cocorosim_ros.world.vehicle_model.fins import fin_forces, fin_normals, fin_places
 from cocorosim_ros.world.vehicle_model.rudders import rudder_forces
 from cocorosim_ros.world.vehicle_model.vehicle_assembly import build_vehicles
 from cocorosim_ros.world.vehicle_model.vehicles import EFFECT_BIT, MASS, YAW_INERTIA, Body
@@ -68,6 +68,7 @@ class VehicleModel:
     surroundings: RecordedSurroundings = OPEN_WATER
     tilts: bool = False  # whether roll and pitch are known, and thrust is turned by them
     fin_normal: Floats = field(default_factory=lambda: np.zeros((0, 3)))  # (actuators, 3) of fins [body], or zeros
+    fin_place: Floats = field(default_factory=lambda: np.zeros((0, 3)))  # (actuators, 3) of fins [m; body], or zeros
     cable: tuple[float, float] = (0.0, 0.0)  # diameter of the cable, 0 without one, and its declared length [m]
     water_weight: float = PASCAL_PER_METRE  # of the water in which its pressure sensor reads [Pa per metre of depth]
 
@@ -105,8 +106,14 @@ class VehicleModel:
     @property
     def is_thruster(self) -> Flags:
         """Flags (actuators,) of what pushes by its command."""
-        angles = self.actuator_curve.shape[1] > 0 and self.actuator_curve[:, FORM] >= ANGLE
-        return np.asarray(~self.is_pump & ~np.asarray(angles))
+        return np.asarray(~self.is_pump & ~self.is_steering)
+
+    @property
+    def is_steering(self) -> Flags:
+        """Flags (actuators,) of what is told an angle or a way: rudders, fins, azimuths."""
+        if self.actuator_curve.shape[1] == 0:
+            return np.zeros(len(self.is_pump), dtype=np.bool_)
+        return np.asarray(self.actuator_curve[:, FORM] >= ANGLE)
 
     @property
     def row(self) -> Floats:
@@ -192,6 +199,7 @@ def vehicle_model(platform: Platform) -> VehicleModel:
         platform.hull.width,
         platform.mass * platform.gravity,
         fin_normal=fin_normals(platform),
+        fin_place=fin_places(platform),
         cable=(platform.hull.cable_diameter or 0.0, platform.hull.cable_length or 0.0),
         water_weight=platform.water_density * platform.gravity,
     )
