@@ -20,8 +20,6 @@ WIDTH, HEIGHT = 4.6, 1.9  # inches
 ROOM = Margins(left=0.72, right=0.15, top=0.1, bottom=0.45)
 NOTHING_IN_STILL_WATER = "No picture: a Lily in still water has none of it."
 TIME_ALONE = "No picture: it changes no reading and no command, only when one is made or said to be made."
-    "No picture: it changes no reading and no command, only the time of it, or the time that it is said to be of."
-)
 
 
 def what_pictures_show() -> str:

@@ -31,10 +31,11 @@ def sound(swim: Any) -> Case:
     return Case(fit, (), (), smoothed_tracks(fit), {"position": row(0.01, 0.01)})
 
 
-def row(nominal: float, recalibrated: float) -> HeldOut:
-    """Errors of free runs, each known to a tenth."""
-    intervals = {"nominal": (0.9 * nominal, 1.1 * nominal), "recalibrated": (0.9 * recalibrated, 1.1 * recalibrated)}
-    return HeldOut(nominal, recalibrated, recalibrated, 0.001, "m", intervals)
+def row(nominal: float, recalibrated: float, augmented: float | None = None) -> HeldOut:
+    """Errors of free runs, each known to a tenth; without effects the augmented model is the recalibrated one."""
+    errors = {"nominal": nominal, "recalibrated": recalibrated, "augmented": augmented or recalibrated}
+    intervals = {model: (0.9 * error, 1.1 * error) for model, error in errors.items()}
+    return HeldOut(nominal, recalibrated, errors["augmented"], 0.001, "m", intervals)
 
 
 def named(case: Case, identifier: str, **parameters: float) -> Case:
@@ -130,6 +131,13 @@ def test_an_effect_that_foretells_nothing(sound: Case, mean: float | None, said:
 def test_a_collapsed_base(sound: Case, nominal: float, recalibrated: float, said: int) -> None:
     """Clearly worse than the platform as given, and by more than the steps of the filter err."""
     case = replace(sound, table={"depth": row(nominal, recalibrated)})
+    assert len(sentences(hard_stops.collapsed_base, case)) == said
+
+
+@pytest.mark.parametrize(("augmented", "said"), [(0.05, 0), (0.095, 1), (0.2, 1)])
+def test_a_base_that_effects_cure_has_not_collapsed(sound: Case, augmented: float, said: int) -> None:
+    """With them it foretells clearly better than the platform as given; as well as that is not enough."""
+    case = replace(sound, table={"depth": row(0.1, 0.3, augmented)})
     assert len(sentences(hard_stops.collapsed_base, case)) == said
 
 

@@ -22,8 +22,8 @@ def slow_steering(case: Case) -> Iterator[Objection]:
         tracks = [case.final.tracks[number] for number in named.candidate.everybody]
         if found.id in (DELAY, LAG) and any(_turns_unseen(track) for track in tracks):
             yield Objection(
-                "This vehicle steers by angles of pods, rudders or fins, which no actuator reports: if they turn slowly, "
-                "that looks like commands that act late. Record the angles, or measure how fast they turn.",
+                "This vehicle steers by angles of pods, rudders or fins, which no actuator reports: if they turn "
+                "slowly, that looks like commands that act late. Record the angles, or measure how fast they turn.",
                 effect=found,
             )
 
