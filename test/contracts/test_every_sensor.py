@@ -214,3 +214,48 @@ def test_its_messages_are_read(topic: str) -> None:
     assert len({column.name for column in sensor.shown}) == len(sensor.shown)
     assert bool(sensor.shown) == bool(sensor.fields)  # places are read as tracks
     assert sensor.recorded is None or sensor.recorded.numbers == len(numbers)
+
+
+SHOWN_BY_ITSELF = {"gyro_z": "r", "compass": "yaw", "pressure": "z", "velocity_u": "u", "velocity_v": "v"}
+"""The regressor of laws that a reading is, or is a straight line of."""
+
+
+@pytest.mark.parametrize("name", SHOWN_BY_ITSELF)
+def test_no_law_of_a_reading_is_an_error_with_a_name(name: str) -> None:
+    """Where both are looked for, the same error could be named twice, with two halves of its size."""
+    from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
+
+    truth = np.random.default_rng(8).uniform(-3.0, 3.0, 300)
+    known = {SHOWN_BY_ITSELF[name]: truth, "sin_yaw": np.sin(truth), "cos_yaw": np.cos(truth)}
+    slopes = [slope_by_number(error, change, number, truth) for error, change, number in plain_numbers_of(name)]
+    shapes = [np.column_stack([slope, np.ones(300)]) for slope in slopes if np.ptp(slope) > 1e-6]
+    assert shapes
+    for product in SENSOR_LAWS_OF[name]:
+        if {each.strip("|") for each in product.text.split("*")} <= set(known):
+            factors = [abs(known[e.strip("|")]) if "|" in e else known[e] for e in product.text.split("*")]
+            law = np.prod(factors, axis=0)
+            for shape in shapes:
+                left = law - shape @ np.linalg.lstsq(shape, law, rcond=None)[0]
+                assert float(np.std(left)) > 1e-3 * float(np.std(law)), product.text
+
+
+def plain_numbers_of(name: str) -> list[tuple[str, Any, int]]:
+    """Errors, changes and places of their numbers, of a reading, that depend on nothing but it."""
+    return [
+        (error, change, place)
+        for error, each in ERRORS.items()
+        for change in each.changes
+        if change.kind == name and not change.takes
+        for place in range(len(change.numbers))
+    ]
+
+
+def slope_by_number(error: str, change: Any, place: int, truth: Any) -> Any:
+    """Derivative (n,) of what is shown by one number of an error, at values of the truth (n,)."""
+    neutral = {part.name: part.neutral for part in ERRORS[error].parameters}
+    numbers = np.array([neutral[each] for each in change.numbers])
+    step = np.zeros(len(numbers))
+    step[place] = 1e-3
+    return np.array(
+        [(change.shown(v, v, 0.0, *(numbers + step)) - change.shown(v, v, 0.0, *numbers)) / 1e-3 for v in truth]
+    )

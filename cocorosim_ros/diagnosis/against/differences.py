@@ -36,6 +36,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming, Ref
 from cocorosim_ros.diagnosis.naming.naming import best_addition, keys_of, ranked
 from cocorosim_ros.diagnosis.naming.pruning import pruned
 from cocorosim_ros.diagnosis.naming.residual import scene_of
+from cocorosim_ros.diagnosis.naming.steering_trims import trim_entries
 from cocorosim_ros.world.terms.search import Scene
 
 _NOTHING: tuple[NamedEffect, ...] = ()
@@ -169,7 +170,7 @@ def _scene(fit: Fit, judged: Judged) -> Scene:
 
 def _entries(joint: Fit, judged: Judged) -> list[Entry]:
     tracks = [joint.tracks[number] for number in judged.numbers]
-    numbers = number_entries(tracks, joint.rows[list(judged.numbers)])
+    numbers = [*number_entries(tracks, joint.rows[list(judged.numbers)]), *trim_entries(tracks)]
     taken = {each.id for each in numbers}
     return with_delays([*(each for each in ENTRIES if each.id not in taken), *numbers], tracks)
 

@@ -118,7 +118,7 @@ class NamingCriteria:
 
 @dataclass(frozen=True)
 class FactorCriteria:
-    """Sizes of factors of a model's numbers, and commands that show a single thruster's (`naming.single_thrusters`)."""
+    """Sizes of factors and trims of actuators, and commands that show those of a single one (`naming`)."""
 
     large: float = 0.3
     """[logarithm] of a number in a bad case: a third more or less. Chosen, not measured."""
@@ -127,6 +127,8 @@ class FactorCriteria:
     most_alone: float = 1.35
     """[of `large`] a factor of one and a half, beyond which one thruster is not stronger than all the others of a
     vehicle. Chosen, not measured: a ferry's halves asked for 1.8, 2.1 and 1.7 of three different ones."""
+    large_trim: float = 0.05
+    """[rad] of a rudder or fin that stands askew in a bad case: three degrees. Chosen, not measured."""
     alone: float = 0.05
     """[of its rms] a thruster's command that the others do not share, so that its own gain shows. Chosen, not
     measured."""

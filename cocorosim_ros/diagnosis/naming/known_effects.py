@@ -22,8 +22,9 @@ from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone, thruster_of
+from cocorosim_ros.diagnosis.naming.steering_trims import trim_entries, trimmed
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, WATER_RANDOM
-from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key
+from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key, trim_key
 from cocorosim_ros.world.effects import LAWS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
@@ -34,7 +35,8 @@ def known_effects(base: Fit) -> tuple[NamedEffect, ...]:
     They are found before if the platform's file gives 95 % intervals of them, as the model of a diagnosis does; of a
     law, which has none there, if it gives any.
     """
-    having = _having(expand((*ENTRIES, *looked_for_alone(base.tracks)), base.tracks, base.rows))
+    every = (*ENTRIES, *looked_for_alone(base.tracks), *trim_entries(base.tracks))
+    having = _having(expand(every, base.tracks, base.rows))
     if any(base.rows[:, COLUMN[f"{place}.coefficient"]].any() for place in (*LAWS, *SENSOR_LAWS)):
         scene = scene_of(base.tracks, smoothed_tracks(base))
         having += _having(expand(open_set(scene, [], base.rows, water=False), base.tracks, base.rows))
@@ -49,8 +51,8 @@ def known_effects(base: Fit) -> tuple[NamedEffect, ...]:
 
 def _is_found(base: Fit, candidate: Candidate) -> bool:
     """Tell whether the platform's file has an effect from a diagnosis."""
-    thruster = thruster_of(candidate.entry.id)
-    begin = gain_key(thruster) if thruster else f"effects.{candidate.entry.id}."
+    thruster, steering = thruster_of(candidate.entry.id), trimmed(candidate.entry.id)
+    begin = gain_key(thruster) if thruster else trim_key(steering) if steering else f"effects.{candidate.entry.id}."
     begin = begin if candidate.entry.law is None else ""
     return any(key.startswith(begin) for track in base.tracks for key in track.vehicle.intervals)
 

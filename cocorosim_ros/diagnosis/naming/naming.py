@@ -46,6 +46,7 @@ from cocorosim_ros.diagnosis.naming.pruning import pruned, without
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 from cocorosim_ros.diagnosis.naming.residual import scene_of
 from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone
+from cocorosim_ros.diagnosis.naming.steering_trims import trim_entries
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE, WATER_RANDOM
 from cocorosim_ros.world.terms.search import Scene
 
@@ -119,10 +120,10 @@ def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) ->
 def _undeclared(base: Fit) -> list[Entry]:
     """Choose the entries of which no number is one of the platform's own, fitted or held as given.
 
-    They are those of the catalogue and of single thrusters.
+    They are those of the catalogue, of single thrusters, and of rudders and fins.
     """
     declared = declared_columns(base.tracks)
-    every = (*ENTRIES, *parts_of_errors(base.tracks), *looked_for_alone(base.tracks))
+    every = (*ENTRIES, *parts_of_errors(base.tracks), *looked_for_alone(base.tracks), *trim_entries(base.tracks))
     return [entry for entry in every if not declared & {amplitude.column for amplitude in entry.amplitudes}]
 
 

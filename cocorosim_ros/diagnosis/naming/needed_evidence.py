@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.terms.groups import LATE
 
 BY_THE_CLOCK = {"sin_t", "cos_t"}
 """Regressors of the clock alone."""
@@ -93,13 +94,16 @@ def needed_nats(named: Sequence[NamedEffect], candidate: Candidate, fit: Fit) ->
       file, which has one form, what errors of its numbers may explain;
     - of every named effect of motion, if it is a law of readings.
 
-    A second fault of one sensor is not a rest of the first; only a law outside the catalogue may be.
+    A second fault of one sensor is not a rest of the first; only a law outside the catalogue may be. But what comes
+    late, of a stream or of its clock, may be a rest of anything else that does: pods that turn slowly, told as commands
+    that act late, left a skew of a boat's poses over.
     fit: a model that has the candidate and the named effects.
     """
     others = [each for each in named if each.candidate.key != candidate.key]
     of_sensor, is_law = candidate.entry.channel in SENSOR_CHANNELS, candidate.entry.law is not None
     if of_sensor and not is_law:
-        return NAMING.threshold
+        late = [each for each in others if candidate.entry.group == each.candidate.entry.group == LATE]
+        return max([NAMING.threshold, *(_rest_of(fit, candidate, each) for each in late)])
     rests = [_rest_of(fit, candidate, each) for each in others if _side(each.candidate) == _side(candidate)]
     if of_sensor:
         rests += [

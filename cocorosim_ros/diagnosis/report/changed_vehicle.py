@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
-from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key, own_numbers
+from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
+from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key, own_numbers, trim_key
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
@@ -17,38 +18,39 @@ GAINS = ("thrust_gain", "yaw_torque_gain")
 
 
 def as_platform(diagnosis: Diagnosis, platform: Platform) -> Diagnosis:
-    """Make the diagnosis that a platform file is written from: gains of single thrusters are numbers in it.
+    """Make the diagnosis that a platform file is written from: gains of thrusters and trims are numbers in it.
 
     Where other recordings were compared with, the numbers are those that were learned, with the changes in them;
     effects of the platform's file stay in a number that has changed, with the change added. platform: the one that was
     given. A delay of the commands is left out, as no platform file has it; so are effects that were learned without a
     name.
     """
-    of_one = [effect for effect in diagnosis.effects if effect.id == ONE_THRUSTER]
+    of_one = [effect for effect in diagnosis.effects if effect.id in (ONE_THRUSTER, STEERING_TRIM)]
     others = tuple(effect for effect in diagnosis.effects if effect not in of_one)
     numbers = diagnosis.all_recalibrated or diagnosis.recalibrated
     if diagnosis.against is not None:
         learned = diagnosis.against.before
         others = tuple(_with_known(_plain(each), learned, platform) for each in others if _is_known(each))
         numbers = _numbers(diagnosis.against, diagnosis)
-    return replace(diagnosis, all_recalibrated=_with_gains(numbers, of_one, platform), effects=others)
+    return replace(diagnosis, all_recalibrated=_with_numbers(numbers, of_one, platform), effects=others)
 
 
-def _with_gains(
+def _with_numbers(
     numbers: Sequence[Recalibrated], of_one: Sequence[FoundEffect], platform: Platform
 ) -> tuple[Recalibrated, ...]:
-    """Add gains of single thrusters to fitted numbers, each as a factor of the one that is there, or that the file has.
+    """Add gains of thrusters and trims to fitted numbers: as a factor of the number that is there, or added to it.
 
-    of_one: the effects that are such gains.
+    Where none is fitted it is that of the file. of_one: the effects that are such gains and trims.
     """
     found = {(each.parameter, each.robots): each for each in numbers}
     for effect in of_one:
         given = own_numbers(platform.of_robot(effect.robots[0]))
-        for name, factor in effect.parameters.items():
-            key = gain_key(name)
+        for name, change in effect.parameters.items():
+            key = gain_key(name) if effect.id == ONE_THRUSTER else trim_key(name)
             before = found.get((key, effect.robots))
             value = before.estimate.value if before is not None else given[key].value
-            found[key, effect.robots] = Recalibrated(key, given[key].value, _times(factor, value), effect.robots)
+            now = _times(change, value) if effect.id == ONE_THRUSTER else _plus(change, value)
+            found[key, effect.robots] = Recalibrated(key, given[key].value, now, effect.robots)
     return tuple(found.values())
 
 
@@ -106,6 +108,10 @@ def _of_one_side(effects: Sequence[FoundEffect], number: Recalibrated) -> float:
             for name, gain in effect.parameters.items():
                 factor *= 1.0 if name == "difference" else 0.5 * (1.0 + gain.value)
     return factor
+
+
+def _plus(estimate: Estimate, more: float) -> Estimate:
+    return Estimate(estimate.value + more, estimate.low + more, estimate.high + more, estimate.unit)
 
 
 def _times(estimate: Estimate, factor: float) -> Estimate:

@@ -8,6 +8,7 @@ from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words, short_
 from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Comparison
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
+from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
 from cocorosim_ros.diagnosis.tracks.columns import NOISE_WORDS
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law
@@ -35,6 +36,7 @@ NOISES = {
 
 CHECKS = {
     ONE_THRUSTER: "Weigh its thrust and that of another one at the same command; look for weed and a damaged blade.",
+    STEERING_TRIM: "Look along it at command zero: a linkage that has slipped, or a zero that was set anew.",
     **{name: effect.check for name, effect in EFFECTS.items() if effect.check},
     **{name: error.check for name, error in ERRORS.items()},
 }
@@ -61,7 +63,7 @@ def parameter_unit(effect: str, parameter: str) -> str:
         known = {each.name: each.unit for each in EFFECTS[effect].parameters}
     elif effect in ERRORS:
         known = units_of(effect)
-    return known.get(parameter, "1")
+    return known.get(parameter, "rad" if effect == STEERING_TRIM else "1")
 
 
 def control_words(against: Comparison | None) -> str:

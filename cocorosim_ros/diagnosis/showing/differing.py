@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect, Naming
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER, SIDES, thruster_of
+from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM, trimmed
 from cocorosim_ros.diagnosis.showing.estimates import Fitted, found_effects
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
@@ -54,7 +55,7 @@ def differing_effects(naming: Naming, numbers: Sequence[Fitted]) -> tuple[FoundE
 def as_asymmetries(effects: Sequence[FoundEffect], thrusters: Sequence[str]) -> tuple[FoundEffect, ...]:
     """Call one weak thruster of two an asymmetry: its own gain is given beside the `difference` of the contract.
 
-    One of more has its name as that of its number alone.
+    One of more has its name as that of its number alone, and so has the trim of a rudder or fin.
     thrusters: names, in order.
     """
     return tuple(_as_asymmetry(effect, thrusters) for effect in effects)
@@ -73,6 +74,8 @@ def _times(estimate: Estimate, before: float, unit: str) -> Estimate:
 
 
 def _as_asymmetry(effect: FoundEffect, thrusters: Sequence[str]) -> FoundEffect:
+    if trimmed(effect.id):
+        return replace(effect, id=STEERING_TRIM)
     if not thruster_of(effect.id):
         return effect
     if len(thrusters) != SIDES:

@@ -24,6 +24,7 @@ from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
+from cocorosim_ros.diagnosis.showing.untold_advance import untold_advance
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
@@ -225,6 +226,7 @@ STOPS: tuple[Stop, ...] = (
     only_witness,
     untold_lever,
     untold_form,
+    untold_advance,
     slow_steering,
     one_side_alone,
     unknown_noise,

@@ -23,17 +23,24 @@ def gain_key(actuator: str) -> str:
     return f"actuators.{actuator}.gain"
 
 
+def trim_key(actuator: str) -> str:
+    """The key of the angle at which a rudder or fin stands at command zero."""
+    return f"actuators.{actuator}.trim"
+
+
 def own_numbers(platform: Platform) -> dict[str, Declared]:
-    """Gains of thrusters and fins and numbers of rudders that a model of the platform has, by key of its file."""
+    """Gains of thrusters and fins, numbers of rudders, trims that a model of the platform has, by key of its file."""
     numbers = rudder_numbers(platform)
     of_rudders = {
         f"actuators.{rudder.name}.{name}": Declared(f"{effect}.{name}", numbers[f"{effect}.{name}"])
         for effect, rudder in rudders_of(platform)
         for name in OWN_NUMBERS
     }
-    gains = fin_numbers(platform)
+    of_each = fin_numbers(platform)
     of_fins = {
-        gain_key(fin.name): Declared(f"{effect}.gain", gains[f"{effect}.gain"]) for effect, fin in fins_of(platform)
+        f"actuators.{fin.name}.{name}": Declared(f"{effect}.{name}", of_each[f"{effect}.{name}"])
+        for effect, fin in fins_of(platform)
+        for name in ("gain", "trim")
     }
     return _own_gains(platform) | of_rudders | of_fins
 

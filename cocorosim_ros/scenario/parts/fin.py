@@ -16,7 +16,8 @@ class Fin:
 
     position: of its centre of pressure [m; body]. direction: unit vector of the force that a positive angle gives where
     the vehicle moves ahead [body]. area: [m^2]. lift_slope: of the lift coefficient over the angle of attack [1/rad].
-    largest_angle: [rad]. gain: what it gives as a multiple of all this, 1 if None.
+    largest_angle: [rad]. gain: what it gives as a multiple of all this, 1 if None. trim: angle at which it stands at
+    command zero [rad], 0 if None.
     """
 
     name: str = field(metadata=TEXT)
@@ -26,4 +27,5 @@ class Fin:
     lift_slope: float = field(metadata=quantity("inverse angle", "positive"))
     largest_angle: float = field(metadata=ANGLE_OF_SURFACE)
     gain: float | None = field(default=None, metadata=quantity("pure number", "positive"))
+    trim: float | None = field(default=None, metadata=quantity("angle"))
     kind: Literal["fin"] = field(default="fin", metadata=choice("fin"))

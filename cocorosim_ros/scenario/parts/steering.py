@@ -42,7 +42,8 @@ class Rudder:
     """A rudder; its command is its angle over the largest, positive where it turns what goes ahead to the left.
 
     position: of its stock [m; body]. area: that moves [m^2]. aspect_ratio: height over mean chord. propeller: the
-    thruster in whose jet it stands, of propeller_diameter [m]. The numbers below are explained where they act
+    thruster in whose jet it stands, of propeller_diameter [m]. trim: angle at which it stands at command zero [rad], 0
+    if None. The other numbers below are explained where they act
     (world.effects.rudder); None stands for their value there without a hull and with the whole jet.
     """
 
@@ -62,6 +63,7 @@ class Rudder:
     drag_share: _Factor = field(default=None, metadata=quantity("pure number", "not negative"))
     hull_gain: _Factor = field(default=None, metadata=quantity("pure number", "not negative"))
     hull_position: _Factor = field(default=None, metadata=quantity("length"))
+    trim: float | None = field(default=None, metadata=quantity("angle"))
     kind: Literal["rudder"] = field(default="rudder", metadata=choice("rudder"))
 
 

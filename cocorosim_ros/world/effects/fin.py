@@ -2,7 +2,7 @@
 
 V = (u - y r, v + x r, w) is the velocity of the fin through the water, V_n = n V; on the vehicle acts X = n_x F,
 Y = n_y F, Z = n_z F and N = (x n_y - y n_x) F. Its moments in roll and pitch are held by what keeps the vehicle level.
-The angle d is that of the fin to the level: where roll and pitch are recorded, what they add to it is in d.
+The angle d, of the command and the trim, is that of the fin to the level: what recorded rolls and pitches add is in d.
 Assumes: small angles of attack, no stall, no drag of the lift, no wash of a propeller; see terms.control_surface.
 """
 
@@ -19,12 +19,12 @@ from cocorosim_ros.world.terms.moment import Moment
 @kernel
 def fin(row: Floats, relative: Floats, moment: Moment, parameters: Floats, total: Floats) -> None:
     """Add the lift of the fin."""
-    actuator, x, y, forward, left, up, area, slope, density, gain = unpack(parameters, 10)
+    actuator, x, y, forward, left, up, area, slope, density, gain, trim = unpack(parameters, 11)
     if area <= 0.0:
         return
     ahead = relative[0] - y * relative[3]
     across = forward * ahead + left * (relative[1] + x * relative[3]) + up * relative[2]
-    lift = fin_lift(0.5 * density * area * slope * gain, ahead, across, moment.force[int(actuator)])
+    lift = fin_lift(0.5 * density * area * slope * gain, ahead, across, moment.force[int(actuator)] + trim)
     total[0] += forward * lift
     total[1] += left * lift
     total[2] += up * lift
@@ -46,5 +46,6 @@ FIN = Effect(
         Number("slope", "1/rad", "c, lift coefficient over the angle of attack", gives="1/rad"),
         Number("density", "kg/m^3", "of the water", gives="kg/m^3"),
         Number("gain", "1", "force over what the law says", neutral=1.0, gives="1"),
+        Number("trim", "rad", "angle at which it stands at command zero", gives="rad"),
     ),
 )

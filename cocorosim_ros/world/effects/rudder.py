@@ -1,7 +1,8 @@
 """A rudder, perhaps behind a propeller: MMG's normal force F_N = 1/2 rho A U_R^2 f sin(alpha_R).
 
-Angle d, positive to the left; flow at the rudder u_R along the hull and v_R to its left, U_R = sqrt(u_R^2 + v_R^2):
-f = 6.13 L / (L + 2.25) of the aspect ratio L; U_R sin(alpha_R) = u_R sin(d) + v_R cos(d); v_R = gamma (v + l_R r).
+Angle d, positive to the left, of the command and the trim; flow at the rudder u_R along the hull and v_R to its left,
+U_R = sqrt(u_R^2 + v_R^2): f = 6.13 L / (L + 2.25) of the aspect ratio L;
+U_R sin(alpha_R) = u_R sin(d) + v_R cos(d); v_R = gamma (v + l_R r).
 Without a propeller u_R = u_P = (1 - wake) u. A propeller of diameter D and thrust T accelerates the water from u_P to
 u_j = u_P + kappa (sqrt(u_P^2 + 8 T / (pi rho D^2)) - |u_P|); where the share eta of the rudder stands in that jet,
 u_R^2 = eta u_j^2 + (1 - eta) u_P^2, flows from behind counted negative. On the vehicle acts
@@ -41,10 +42,11 @@ def rudder(row: Floats, relative: Floats, moment: Moment, parameters: Floats, to
     (
         actuator, propeller, x, y, area, slope, density, diameter,
         gain, wake, acceleration, coverage, straightening, inflow_arm, drag_share, hull_gain, hull_position,
-    ) = unpack(parameters, 17)  # fmt: skip
+        trim,
+    ) = unpack(parameters, 18)  # fmt: skip
     if area <= 0.0:
         return
-    sine, cosine = sine_cosine(moment.force[int(actuator)])
+    sine, cosine = sine_cosine(moment.force[int(actuator)] + trim)
     jet = 0.0
     if propeller >= 0.0 and diameter > 0.0:
         thrust = moment.force[int(propeller)]
@@ -90,5 +92,6 @@ RUDDER = Effect(
         ),
         Number("hull_gain", "1", "a_H, force on the hull over that on the rudder", gives="1"),
         Number("hull_position", "m", "x_H, where that force acts before the centre", gives="m"),
+        Number("trim", "rad", "angle at which it stands at command zero", gives="rad"),
     ),
 )

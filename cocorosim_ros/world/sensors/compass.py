@@ -37,7 +37,7 @@ COMPASS = Sensor(
              words="the compass",
              least_noise=1e-3, least_motion=0.02, large_error=0.05,
              error_follows=("thrust", "yaw_command", *PUMP, *PLACE, "t", "u", "v", "w", "speed", "|r|", "|r|*r",
-                            "|thrust|*sin_yaw", "|thrust|*cos_yaw", "sin_yaw*cos_yaw", "cos_yaw*cos_yaw"),
+                            "|thrust|*sin_yaw", "|thrust|*cos_yaw"),
              most_error=MostError(0.5), shows=TURN),  # iron in the hull; more is another frame
     ),
     recorded=Recorded(2, lambda numbers: numbers[:, :1], drawn="compass", late_with="r"),

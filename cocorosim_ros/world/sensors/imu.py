@@ -141,7 +141,7 @@ IMU = Sensor(
              noise_words="a reading of the gyroscope",
              words="the gyroscope",
              least_noise=1e-3, least_motion=0.01, large_error=0.02,
-             error_follows=(*MOTORS, *PUMP, "r", "t", "z", "u", "v", "speed", *HEADING, "|r|", "|r|*r"),
+             error_follows=(*MOTORS, *PUMP, "t", "z", "u", "v", "speed", *HEADING, "|r|", "|r|*r"),
              most_error=MostError(0.2, 0.35), shows=TURN),  # a cheap gyroscope that is cold, or scaled for another
         Kind("accel_x", "accel_x", "m/s^2", _ahead, _by_ahead, ("specific_force", 0), noise="accel",
              noise_words="a reading of the accelerometer",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
-from cocorosim_ros.world.sensors.influences import MOTORS, PLACE, PUMP
+from cocorosim_ros.world.sensors.influences import MOTORS, PUMP
 from cocorosim_ros.world.sensors.pose import Rates, When, height
 from cocorosim_ros.world.sensors.sensor import Column, Field, Kind, MostError, Recorded, Sensor, fixed
 from cocorosim_ros.world.sensors.sight import Sight
@@ -56,7 +56,7 @@ PRESSURE = Sensor(
              noise_words="a reading of the pressure",
              words="the pressure",
              least_noise=1.0, least_motion=50.0, large_error=200.0,
-             error_follows=(*MOTORS, *PUMP, *PLACE, "u", "v", "r", "speed", "u*u", "speed*speed", "z*z", "r*r",
+             error_follows=(*MOTORS, *PUMP, "x", "y", "u", "v", "r", "speed", "u*u", "speed*speed", "z*z", "r*r",
                             "|w|", "|w|*w", "t*t"),
              shows=("z", "w"),
              most_error=MostError(2000.0, 0.1)),  # weather of a day; a gauge that is ten per cent off is broken

@@ -11,9 +11,9 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel
 from cocorosim_ros.world.six_degrees.vehicle import Vehicle, checked_mass_matrix
 
-FIN_SIZE = 7
-FIN_PLACE, FIN_NORMAL, FIN_LIFT = 0, 3, 6
-"""Columns of a fin: place (3) [m; body], normal (3) [body], lift per angle and square of speed [kg/m]."""
+FIN_SIZE = 8
+FIN_PLACE, FIN_NORMAL, FIN_LIFT, FIN_TRIM = 0, 3, 6, 7
+"""Columns of a fin: place (3) [m; body], normal (3) [body], lift per angle and square of speed [kg/m], trim [rad]."""
 
 
 class Bodies(NamedTuple):
@@ -80,7 +80,7 @@ def build_bodies(vehicles: Sequence[Vehicle], curves: Floats | None = None) -> B
         bodies.limit[robot, : len(vehicle.limit)] = vehicle.limit
         for number, fin in vehicle.fins.items():
             lift = 0.5 * vehicle.density * fin.area * fin.slope
-            bodies.fins[robot, number] = [*fin.place, *fin.normal, lift]
+            bodies.fins[robot, number] = [*fin.place, *fin.normal, lift, fin.trim]
         for number, way in vehicle.sliding.items():
             bodies.sliding[robot, number] = vehicle.gravity * way
     return bodies

@@ -36,7 +36,7 @@ def vehicle_of(platform: Platform) -> Vehicle:
         wrench=np.array([_wrench(part) for part in platform.actuators]).reshape(-1, 6),
         limit=platform.actuator_limits(),
         fins={
-            number: Fin(part.position, part.direction, part.area, _slope(part))
+            number: Fin(part.position, part.direction, part.area, _slope(part), part.trim or 0.0)
             for number, part in enumerate(platform.actuators)
             if isinstance(part, fin.Fin)
         },

@@ -18,7 +18,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.compiling.kernel import kernel, outlined_kernel
 from cocorosim_ros.foundation.compiling.stack import stack_array
 from cocorosim_ros.world.six_degrees.attitude import attitude_rate, to_body, to_world
-from cocorosim_ros.world.six_degrees.bodies import FIN_LIFT, FIN_NORMAL, FIN_PLACE, Body
+from cocorosim_ros.world.six_degrees.bodies import FIN_LIFT, FIN_NORMAL, FIN_PLACE, FIN_TRIM, Body
 from cocorosim_ros.world.six_degrees.state import ATTITUDE, ROLL_RATE, SURGE, X
 from cocorosim_ros.world.terms.control_surface import fin_lift
 from cocorosim_ros.world.water.flow import add_water_velocity
@@ -85,7 +85,7 @@ def add_fins(relative: Floats, angle: Floats, body: Body, total: Floats) -> None
             felt[axis] = relative[axis]
         add_cross(relative[3:], place, felt)
         across = felt[0] * normal[0] + felt[1] * normal[1] + felt[2] * normal[2]
-        lift = fin_lift(row[FIN_LIFT], felt[0], across, angle[fin])
+        lift = fin_lift(row[FIN_LIFT], felt[0], across, angle[fin] + row[FIN_TRIM])
         for axis in range(3):
             force[axis] = lift * normal[axis]
             total[axis] += force[axis]

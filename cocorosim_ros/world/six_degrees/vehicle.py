@@ -16,13 +16,15 @@ class Fin:
     """A control surface with its span across the flow; its lift grows with the angle.
 
     place: of its centre of pressure [m; body]. normal: (3,) unit vector of the force that a positive angle gives where
-    water comes from ahead [body]. area: [m^2]. slope: of the lift coefficient [1/rad].
+    water comes from ahead [body]. area: [m^2]. slope: of the lift coefficient [1/rad]. trim: angle at command zero
+    [rad].
     """
 
     place: tuple[float, float, float]
     normal: tuple[float, float, float]
     area: float
     slope: float
+    trim: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,7 @@ def _numbers(platform: Platform, fin: Fin) -> dict[str, float]:
         "slope": fin.lift_slope,
         "density": platform.water_density,
         "gain": 1.0 if fin.gain is None else fin.gain,
+        "trim": 0.0 if fin.trim is None else fin.trim,
     }
 
 

@@ -16,7 +16,7 @@ from cocorosim_ros.world.effects.rudder import RUDDER
 NEUTRAL = {number.name: number.neutral for number in RUDDER.parameters}
 OWN_NUMBERS = (
     "gain", "wake", "acceleration", "coverage", "straightening", "inflow_arm", "drag_share", "hull_gain",
-    "hull_position",
+    "hull_position", "trim",
 )  # fmt: skip
 """Numbers that a platform's file may leave open, by the same names there and in the effect."""
 

@@ -10,14 +10,20 @@ import numpy as np
 import pytest
 import ships
 
+from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
 from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.fitting.climbing import settled
 from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
+from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
+from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
+from cocorosim_ros.diagnosis.report.words import check_words
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
+from cocorosim_ros.scenario.parts.fin import Fin
+from cocorosim_ros.scenario.parts.platform import load_platform
 
 NOISE = np.array([0.005, 0.005, 0.005, 0.001])  # m, m, m, rad
 LARGEST = math.radians(20.0)
@@ -120,3 +126,37 @@ def test_a_hull_that_pitches_moves_its_fins_through_the_water(tmp_path: Path) ->
     rudders, planes = (angles["moving"] - angles["resting"]).T
     np.testing.assert_allclose(planes, -3.0 * 0.05 * np.cos(middles) / ahead, rtol=0.02, atol=1e-4)
     assert not rudders.any()
+
+
+def askew(folder: Path, trim: float) -> Any:
+    """The torpedo with rudders that stand askew at command zero, by this angle [rad]; of none its file says nothing."""
+    folder.mkdir(exist_ok=True)
+    told = f"    trim: {ships.number(trim, 'rad')}\n" if trim else ""
+    rudders = fin("rudders", "[0, 1, 0]", 1.0) + told
+    return ships.ship(folder, ships.PROPELLER + rudders + fin("planes", "[0, 0, 1]", 1.0))
+
+
+def test_a_trim_is_an_angle_beside_the_command(tmp_path: Path) -> None:
+    """Rudders of a torpedo that are told 0.1 of their largest angle less swim as others that stand askew by as much."""
+    commands = driven(60)
+    told = commands + np.array([0.0, 0.1, 0.0])
+    plain = ships.run(askew(tmp_path / "plain", 0.0), told, start=(0.8, 0.0, 0.0))
+    turned = ships.run(askew(tmp_path / "askew", 0.1 * LARGEST), commands, start=(0.8, 0.0, 0.0))
+    np.testing.assert_allclose(turned[:, :8], plain[:, :8], rtol=1e-9, atol=1e-9)
+
+
+def test_rudders_that_stand_askew_are_named_with_their_angle(tmp_path: Path) -> None:
+    """Of one of rudders and planes, and nothing else; the model that is written has it, and misses nothing."""
+    given, truth = askew(tmp_path / "given", 0.0), askew(tmp_path / "true", 0.05)
+    told = diagnose(recorded(given, truth, 720), lambda _words, _share: None)
+    (effect,) = told.effects
+    assert effect.id == "steering_trim" and set(effect.parameters) == {"rudders"} and check_words(effect.id)
+    assert effect.parameters["rudders"].holds(0.05)
+    path = tmp_path / "model.yaml"
+    origin = Origin(given, ("made",), ("ship",), 360.0)
+    path.write_text(model_yaml(as_platform(told, given), origin), encoding="utf-8")
+    model = load_platform(path)
+    trims = {each.name: each.trim for each in model.actuators if isinstance(each, Fin)}
+    assert trims == {"rudders": effect.parameters["rudders"].value, "planes": None}
+    again = diagnose(recorded(model, truth, 720), lambda _words, _share: None)
+    assert again.effects == ()

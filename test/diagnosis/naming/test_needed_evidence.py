@@ -68,6 +68,16 @@ def test_an_entry_of_the_same_group_needs_more_than_another(monkeypatch: pytest.
     assert NAMING.group_share > NAMING.form_share
 
 
+def test_a_clock_beside_late_commands_needs_a_share_of_theirs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What comes late may be a rest of what else does; an offset of a gauge, of no group, needs no more than alone."""
+    monkeypatch.setattr(needed_evidence, "likeness", lambda fit, candidate, other: 1.0)
+    delay = NamedEffect(candidate("command_delay", "late", "surge"), LARGE, (), HeldOutGain(np.zeros(0), 1.0))
+    fit: Any = SimpleNamespace(unknowns=())
+    skew, offset = candidate("clock_skew", "late", "clock"), candidate("pressure_offset", "", "pressure")
+    assert needed_nats((delay,), skew, fit) == pytest.approx(NAMING.group_share * LARGE)
+    assert needed_nats((delay,), offset, fit) == NAMING.threshold
+
+
 def test_a_force_that_swings_by_the_clock_stands_for_no_entry_of_the_catalogue() -> None:
     """Other laws of the same side may; and one that swings may stand for another law there."""
     lag, swing = candidate("thruster_lag", "late", "surge"), candidate("unknown:sway~sin_t", None, "sway", "sway")
