@@ -34,7 +34,7 @@ from cocorosim_ros.diagnosis.naming.detectability import is_blind, not_shown, sc
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
-from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names
+from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names, turned_remarks
 from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
@@ -131,6 +131,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         remarks=(
             *intake.evidence.remarks,
             *_of_form(form),
+            *turned_remarks(base.tracks[0].vehicle),
             *noise_remarks(naming.fit),
             *(() if is_exact(table) else rests_of_found(naming)),
         ),

@@ -12,7 +12,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
-from cocorosim_ros.diagnosis.fitting.unknowns import READING, Owner, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
@@ -92,6 +92,19 @@ def test_a_number_at_the_end_of_its_range(sound: Case) -> None:
         unknowns[place], q[place] = bias, value
         own = replace(sound, final=replace(sound.final, unknowns=tuple(unknowns), q=q.copy()))
         assert len(sentences(hard_stops.number_at_a_bound, own)) == said
+
+
+@pytest.mark.parametrize(("column", "said"), [("linear_drag.heave", 0), ("linear_drag.sway", 1)])
+def test_numbers_of_the_motion_upwards_say_nothing_against_a_turn(sound: Case, column: str, said: int) -> None:
+    """A drag upwards at the end of its range concerns a trim of the buoyancy, and no torque; one sideways does both."""
+    torque, trim = named(sound, "torque_bias", torque=1.5), named(sound, "buoyancy_trim", force=1.5)
+    both = replace(torque, found=(*torque.found, *trim.found), named=(*torque.named, *trim.named))
+    number, *_ = (each for each in both.final.unknowns if each.owner.effect == PLATFORM)
+    at_its_end = replace(number, column=column, base=0.0, logarithmic=False, bounds=(0.0, 1.0))
+    unknowns, q = (*both.final.unknowns, at_its_end), np.append(both.final.q, 1.0)
+    case = replace(both, final=replace(both.final, unknowns=unknowns, q=q))
+    (objection,) = hard_stops.number_at_a_bound(case)
+    assert [objection.concerns(each) for each in case.found] == [bool(said), True]
 
 
 def test_an_effect_at_the_end_of_what_is_looked_for(sound: Case) -> None:
@@ -225,6 +238,16 @@ def test_an_error_of_the_only_stream(sound: Case) -> None:
     assert sentences(hard_stops.only_witness, lever) == []
     for other in (named(sound, "torque_bias", torque=1.5), named(sound, "clock_skew", skew=2.0)):
         assert sentences(hard_stops.only_witness, alone(other)) == []
+
+
+def test_late_commands_beside_several_streams(sound: Case) -> None:
+    """All of them may be late by as much; a difference from other recordings, whose stamps were the same, is none."""
+    late = named(replace(sound, base=sound.final), "command_delay", delay=1.5)
+    (said,) = sentences(hard_stops.only_clock, late)
+    assert "all readings come late by as much" in said
+    (said,) = sentences(hard_stops.only_clock, alone(late))
+    assert "one stream, pose" in said
+    assert sentences(hard_stops.only_clock, replace(late, base=None)) == []
 
 
 def test_readings_of_the_only_stream_that_come_late(sound: Case) -> None:

@@ -112,9 +112,9 @@ def test_a_pair_is_an_asymmetry(tmp_path: Path) -> None:
 
 
 def test_thrusters_that_turn_are_not_looked_for_alone(tmp_path: Path) -> None:
-    """Of four aslant all are; with an azimuth at the first one the three others alone."""
+    """Of four aslant all are; with an azimuth at the first one the three others alone, and that is said."""
     from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
-    from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone
+    from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone, turned_remarks
 
     boat = boats.platform(tmp_path, DRAG, boats.with_four())
     assert [each.id for each in looked_for_alone(first_fit(drive(boat, 1)).tracks)] == [
@@ -126,6 +126,8 @@ def test_thrusters_that_turn_are_not_looked_for_alone(tmp_path: Path) -> None:
     (log,) = recording.robots
     angles = np.column_stack([log.command, 0.3 * np.sin(log.command_time)])
     evidence = replace(evidence, recordings=(replace(recording, robots=(replace(log, command=angles),)),))
-    assert [each.id for each in looked_for_alone(first_fit(evidence).tracks)] == [
-        f"thruster_gain:{name}" for name in boats.NAMES[1:]
-    ]
+    tracks = first_fit(evidence).tracks
+    assert [each.id for each in looked_for_alone(tracks)] == [f"thruster_gain:{name}" for name in boats.NAMES[1:]]
+    (said,) = turned_remarks(tracks[0].vehicle)
+    assert f"Whether one of {boats.NAMES[0]} is weak is not looked for" in said
+    assert turned_remarks(first_fit(drive(boat, 1)).tracks[0].vehicle) == ()

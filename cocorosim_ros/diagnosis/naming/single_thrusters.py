@@ -42,6 +42,18 @@ def looked_for_alone(tracks: Sequence[Track]) -> list[Entry]:
     ]
 
 
+def turned_remarks(vehicle: VehicleModel) -> tuple[str, ...]:
+    """Remark on thrusters that azimuths turn, whose gains are not looked for one by one."""
+    names = thruster_names(vehicle)
+    turned = [name for number, name in enumerate(names, 1) if _is_turned(vehicle, number)]
+    if not turned:
+        return ()
+    return (
+        f"Whether one of {', '.join(turned)} is weak is not looked for: azimuths turn them, and an angle that is off, "
+        "or late, looks the same. Weigh their thrust.",
+    )
+
+
 def _is_turned(vehicle: VehicleModel, number: int) -> bool:
     """Tell whether an azimuth turns a thruster, by its number from 1 on."""
     curve = vehicle.actuator_curve

@@ -25,7 +25,7 @@ def trim_entries(tracks: Sequence[Track]) -> list[Entry]:
     vehicle = tracks[0].vehicle
     trims = {key: each.column for key, each in vehicle.own.items() if key.startswith(begin) and key.endswith(end)}
     return [
-        _entry(key.removeprefix(begin).removesuffix(end), column, upright=_pushes_upwards(vehicle, column))
+        _entry(key.removeprefix(begin).removesuffix(end), column, upright=pushes_upwards(vehicle, column))
         for key, column in trims.items()
     ]
 
@@ -36,7 +36,7 @@ def trimmed(identifier: str) -> str:
     return name if kind == STEERING_TRIM else ""
 
 
-def _pushes_upwards(vehicle: VehicleModel, column: str) -> bool:
+def pushes_upwards(vehicle: VehicleModel, column: str) -> bool:
     """Tell whether a number is of a fin that pushes more upwards than to the side."""
     up, left = (COLUMN.get(f"{column.partition('.')[0]}.{part}") for part in ("up", "left"))
     return up is not None and left is not None and abs(vehicle.nominal[up]) > abs(vehicle.nominal[left])

@@ -31,15 +31,16 @@ class Case:
 
 
 class Objection(NamedTuple):
-    """A sentence against all effects of some robots, () for all robots, or against one effect alone."""
+    """A sentence against all effects of some robots, () for all robots, but for spared ones; or against one alone."""
 
     sentence: str
     robots: tuple[str, ...] = ()
     effect: FoundEffect | None = None
+    spared: tuple[FoundEffect, ...] = ()
 
     def concerns(self, found: FoundEffect) -> bool:
         """Tell whether an effect is concerned; one that was put right before any fit is never."""
-        if found.correction is not None:
+        if found.correction is not None or any(each is found for each in self.spared):
             return False
         if self.effect is not None:
             return self.effect is found

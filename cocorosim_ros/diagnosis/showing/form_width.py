@@ -23,7 +23,7 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, information
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
+from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, NEUTRAL, OWN_GAINS
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
@@ -67,9 +67,11 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
     """Standard deviation of q by which a number differs under other laws of the kind, as the file of its effect says.
 
     It is that for the effect itself, a share of what the number differs from that of no effect; what one robot has on
-    top of others is of the same law.
+    top of others is of the same law. The gain of one thruster is told beside others, which are not quite alike.
     """
     effect, _, name = unknown.column.partition(".")
+    if unknown.column in OWN_GAINS and unknown.column != ALL_THRUSTERS and not unknown.on_top:
+        return abs(FORM_WIDTH.thrusters * unknown.value(q) / unknown.slope(q))
     if effect not in EFFECTS or unknown.on_top:
         return 0.0
     share = {number.name: number.other_form for number in EFFECTS[effect].numbers}.get(name, 0.0)

@@ -16,8 +16,9 @@ from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
 from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robots_of
-from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
+from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.remainder import remainder
@@ -30,15 +31,22 @@ from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
+from cocorosim_ros.world.effects import FINS
 
 _LAGS = ("thruster_lag", "pump_lag")
+_LEVEL = ("sway", "yaw", "compass")
+"""Channels of effects that the motion upwards hardly touches; what drives a vehicle ahead it does where it pitches."""
 ALL_THRUST, ONE_SIDE = "battery_sag", "thruster_asymmetry"
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
 
 
 def number_at_a_bound(case: Case) -> Iterator[Objection]:
-    """Object to numbers of the platform that stand at the end of their range, but for effects that are absent there."""
+    """Object to numbers of the platform that stand at the end of their range, but for effects that are absent there.
+
+    Those of the motion upwards say nothing against what moves a vehicle sideways, turns it, or is of its compass.
+    """
+    level = tuple(found for found, named in effects_of(case) if named.candidate.entry.channel in _LEVEL)
     for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
         absent = "." in unknown.column and unknown.value(q) == NEUTRAL[COLUMN[unknown.column]]
         if unknown.owner.effect == PLATFORM and any(unknown.at_ends(q)) and not absent:
@@ -47,7 +55,16 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
                 f"stands at the end of its range, {said_quantity(unknown.value(q), unknown.owner.unit)}; the "
                 "recordings ask for a number that the platform's file leaves out.",
                 unknown.owner.robots,
+                spared=level if _is_upright(unknown, case.final.tracks) else (),
             )
+
+
+def _is_upright(unknown: Unknown, tracks: Sequence[Track]) -> bool:
+    """Tell whether a number is of the motion upwards alone."""
+    effect, _, name = unknown.column.partition(".")
+    if effect in FINS:
+        return all(pushes_upwards(tracks[number].vehicle, unknown.column) for number in unknown.tracks)
+    return "heave" in name or unknown.column in ("buoyancy_gain", "net_buoyancy", "buoyancy_trim.force")
 
 
 def effect_at_a_bound(case: Case) -> Iterator[Objection]:
@@ -129,9 +146,10 @@ def lasting_errors(case: Case) -> Iterator[Objection]:
 
 
 def only_clock(case: Case) -> Iterator[Objection]:
-    """Object to late readings of the only stream of a robot, to late commands there, and to lags beside them.
+    """Object to late readings of the only stream of a robot, to late commands, and to lags beside late streams.
 
     Nothing else there tells what time it is, and the sum of a delay and a lag is told far better than each of them.
+    Where there are several streams all of them may be late, as after filters and buffers that are alike.
     """
     effects = [found for found, _ in effects_of(case)]
     late = [each for each in effects if each.id in (LATE_READINGS, DELAY) and _has_one_stream(case, each)]
@@ -142,6 +160,13 @@ def only_clock(case: Case) -> Iterator[Objection]:
             "as much, as after a dead time of the actuators, these recordings cannot tell.",
             effect=found,
         )
+    for found in effects:
+        if found.id == DELAY and found not in late and case.base is not None:  # of differences stamps are as before
+            yield Objection(
+                "Whether the commands act late or all readings come late by as much, as after filters and buffers, "
+                "these recordings cannot tell: flash a light on a command, and see when each instrument shows it.",
+                effect=found,
+            )
     for found in effects:
         if found.id in _LAGS and any(not set(each.robots).isdisjoint(found.robots) for each in late):
             yield Objection(

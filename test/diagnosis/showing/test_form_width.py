@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.criteria.showing import FORM_WIDTH
+
 # Log relative risks of 13 trials of the BCG vaccine and their variances: Colditz et al., JAMA 271 (1994) 698, as
 # computed by Viechtbauer, Journal of Statistical Software 36 (2010) 3, who has Q = 152.23 and tau^2 = 0.3088 for the
 # estimator of DerSimonian and Laird.
@@ -115,3 +117,6 @@ def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -
     spread = spread_of_other_forms(ratio, q)
     assert spread * abs(ratio.slope(q)) == pytest.approx(share * (ratio.value(q) - 1.0))
     assert spread_of_other_forms(replace(sag, column="surge.drag"), q) == 0.0
+    gain = replace(ratio, column="own_gain.2", base=1.0, scale=0.3, logarithmic=True)
+    assert spread_of_other_forms(gain, 1.0) == pytest.approx(FORM_WIDTH.thrusters / 0.3)  # of its logarithm, over 0.3
+    assert spread_of_other_forms(replace(gain, column="own_gain.all"), 1.0) == 0.0
