@@ -281,8 +281,8 @@ class TiltCriteria:
     climb_span: float = 1.0
     """[s] over which heights are differenced. Chosen, not measured."""
     climb_readings: float = 2.0
-    """[readings] of the pressure over which depths are differenced where that is longer. Measured on a made torpedo
-    with two readings a second: over four of them the fit is 37 nats worse, over three 24."""
+    """[readings] of the pressure over which depths are differenced where that is longer. Measured: of a made
+    torpedo with two readings a second the fit is 37 nats worse over four of them, and 24 over three."""
     at_rest: float = 0.05
     """[m/s] of a speed ahead by which fins feel little. Chosen, not measured."""
     contradicted: float = 1.5

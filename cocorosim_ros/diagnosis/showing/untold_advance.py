@@ -22,13 +22,13 @@ from cocorosim_ros.diagnosis.showing.asked_at_last import asked_at_last
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, effects_of
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
 
-SKEW = "clock_skew"
+WRONG_CLOCK = "clock_skew"
 
 
 def untold_advance(case: Case) -> Iterator[Objection]:
     """Object to the skew of a clock where a constant time of that stream explains more, or as good as that."""
     for found, named in effects_of(case):
-        if found.id != SKEW or found.topic is None or case.base is None:
+        if found.id != WRONG_CLOCK or found.topic is None or case.base is None:
             continue
         smaller = without(case.final, named.candidate, case.base)
         every = expand([_of_either_sign(found.topic)], smaller.tracks, smaller.rows)

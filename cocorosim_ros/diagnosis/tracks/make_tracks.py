@@ -42,17 +42,17 @@ def _water(tracks: Sequence[Track]) -> tuple[Floats, Floats]:
     hulls too wide to come as near to a wall as is assumed no tank is known; of those that keep their depth no surface,
     whose distance never changes.
     """
-    vehicle = tracks[0].vehicle
     places = [track.log.streams["pose"].value[:, POSITION] for track in tracks if "pose" in track.log.streams]
     if not places:
         return np.full(3, -FAR), np.full(3, FAR)
-    everything = np.concatenate(places)
+    vehicle, everything = tracks[0].vehicle, np.concatenate(places)
     seen = np.isfinite(everything).any(axis=0)
     if not seen.all():
         return np.full(3, -FAR), np.full(3, FAR)
     low, high = np.nanquantile(everything[:, Z], (SURROUNDINGS.lowest, 1.0 - SURROUNDINGS.lowest))
     surface = 0.0 if high - low > vehicle.height else FAR
-    if 0.5 * vehicle.width > SURROUNDINGS.shore:
+    beside = 0.5 * vehicle.width
+    if beside > SURROUNDINGS.shore:
         return np.full(3, -FAR), np.array([FAR, FAR, surface])
     half = np.nanmax(np.abs(everything[:, PLANE]), axis=0) + SURROUNDINGS.shore
     if half.max() < SURROUNDINGS.alike * half.min():

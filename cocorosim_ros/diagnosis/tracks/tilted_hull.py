@@ -35,7 +35,7 @@ from cocorosim_ros.diagnosis.filter.records import Grid
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME
-from cocorosim_ros.world.state.state import X, Y
+from cocorosim_ros.world.state.state import X, Y, Z
 
 TOTAL_SPEED = FORM_BY_NAME["total_speed"]
 _MASS, _SWAY, _HEAVE = (
@@ -182,5 +182,5 @@ class TiltedHull:
 
 def _lifted(turns: Floats, velocity: Floats) -> Floats:
     """|u| v_k (2, n, 3), level axes, of the speeds v_k to the left and upwards; velocity (n, 3), turns (n, 3, 3)."""
-    across = np.abs(velocity[:, :1]) * velocity[:, 1:]
-    return np.asarray(np.einsum("nik,nk->kni", turns[:, :, 1:], across))
+    across = np.abs(velocity[:, X, None]) * velocity[:, Y : Z + 1]
+    return np.asarray(np.einsum("nik,nk->kni", turns[:, :, Y : Z + 1], across))

@@ -47,3 +47,8 @@ def test_a_wide_hull_has_no_walls_around_it() -> None:
 def test_what_keeps_its_depth_has_no_surface(width: float) -> None:
     """The surface is as near at all times, so that what it does to the drag is in the drag."""
     assert water_of(width, dives=False).upper[2] == FAR
+
+
+def test_a_recording_without_robots_has_no_water() -> None:
+    """Nothing stands in it, and nothing fails: of some of a day's drives no readings are left."""
+    assert introduced([]) == []

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cocorosim_ros.diagnosis.evidence.levelling import levelled
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog, Stream
 from cocorosim_ros.diagnosis.filter.records import Grid
@@ -171,20 +172,16 @@ def test_a_log_ahead_and_a_pressure_are_enough_where_a_hull_only_pitches() -> No
     attitude = Attitude(time, none, 0.6 * pitch(time))
     level = np.einsum("nij,nj->ni", attitude.turns(time), velocity)
     depth = -np.cumsum(level[:, 2]) * READ
-    ahead = np.column_stack([level[:, 0], np.full((len(time), 2), np.nan)])
+    ahead = np.column_stack([velocity[:, 0], np.full((len(time), 2), np.nan)])
+    pressure = Stream(time[::10], 9806.65 * depth[::10, None], np.zeros(1))
     logs = {
-        "whole": {"velocity": Stream(time, level, np.zeros(3))},
-        "ahead": {
-            "velocity": Stream(time, ahead, np.zeros(3)),
-            "pressure": Stream(time[::10], 9806.65 * depth[::10, None], np.zeros(1)),
-        },
+        "whole": {"velocity": Stream(time, velocity, np.zeros(3))},
+        "ahead": {"velocity": Stream(time, ahead, np.zeros(3)), "pressure": pressure},
     }
-    found = {
-        name: TiltedHull(RobotLog("auv", np.zeros(1), np.zeros((1, 1)), streams, attitude=attitude), GRID).wrench(
-            row_of("own_speed")
-        )[:, [0, 2]]
-        for name, streams in logs.items()
-    }
+    found = {}
+    for name, streams in logs.items():
+        log, _ = levelled(RobotLog("auv", np.zeros(1), np.zeros((1, 1)), streams, attitude=attitude))
+        found[name] = TiltedHull(log, GRID).wrench(row_of("own_speed"))[:, [0, 2]]
     scale = np.sqrt(np.mean(found["whole"] ** 2, axis=0))
     assert (scale > 0.3).all()
     assert (np.sqrt(np.mean((found["ahead"] - found["whole"]) ** 2, axis=0)) < 0.1 * scale).all()

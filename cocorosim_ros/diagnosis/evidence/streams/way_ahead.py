@@ -9,6 +9,7 @@ Source: Fossen (2021), section 2.2, with the axes of REP 103: pitch is positive 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
@@ -16,7 +17,7 @@ from scipy.integrate import cumulative_trapezoid
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import Stream
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import OVER_GROUND, THROUGH_WATER, U, W
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import AMBIENT, OVER_GROUND, THROUGH_WATER, U, V, W
 from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.pressure import PASCAL_PER_METRE
@@ -36,31 +37,39 @@ def way_ahead(streams: Mapping[str, Stream], attitude: Attitude) -> Velocities |
     time = attitude.time
     ahead = np.interp(time, found.time[known], found.value[known, U])
     sinking = cumulative_trapezoid(ahead * np.sin(attitude.pitch), time, initial=0.0)
-    half = 0.5 * max(TILT.climb_span, TILT.climb_readings * float(np.median(np.diff(depth[0]))))
-    risen = _gained(time, half, (depth[0], -depth[1])) + _gained(time, half, (time, sinking))
+    half = 0.5 * max(TILT.climb_span, TILT.climb_readings * float(np.median(np.diff(depth.time))))
+    risen = _gained(time, half, Course(depth.time, -depth.value)) + _gained(time, half, Course(time, sinking))
     upwards = risen / np.maximum(np.cos(attitude.pitch), TILT.least_cosine)
     return Velocities(time, np.column_stack([ahead, np.zeros(len(time)), upwards]))
 
 
 def shows_only_ahead(stream: Stream) -> bool:
     """Tell whether a velocity has readings ahead, and none sideways or upwards."""
-    known = np.isfinite(stream.value[:, U : W + 1])
-    return int(np.count_nonzero(known[:, 0])) >= TILT.fewest and not known[:, 1:].any()
+    known = np.isfinite(stream.value)
+    return int(np.count_nonzero(known[:, U])) >= TILT.fewest and not known[:, V : W + 1].any()
 
 
-def _depths(streams: Mapping[str, Stream]) -> tuple[Floats, Floats] | None:
-    """Times (n,) [s] and depths (n,) [m] by the pressure; None where too few were recorded."""
+class Course(NamedTuple):
+    """Times (n,) [s] and what was there (n,)."""
+
+    time: Floats
+    value: Floats
+
+
+def _depths(streams: Mapping[str, Stream]) -> Course | None:
+    """Depths [m] by the pressure; None where too few were recorded."""
     stream = streams.get("pressure")
     if stream is None:
         return None
-    known = np.isfinite(stream.value[:, 0])
+    pressure = stream.value[:, AMBIENT]
+    known = np.isfinite(pressure)
     if np.count_nonzero(known) < TILT.fewest:
         return None
-    return stream.time[known], stream.value[known, 0] / PASCAL_PER_METRE
+    return Course(stream.time[known], pressure[known] / PASCAL_PER_METRE)
 
 
-def _gained(moments: Floats, half: float, course: tuple[Floats, Floats]) -> Floats:
-    """Mean rate (m,) of a course, times and values, over `half` [s] before and behind the moments (m,)."""
+def _gained(moments: Floats, half: float, course: Course) -> Floats:
+    """Mean rate (m,) of a course over `half` [s] before and behind the moments (m,)."""
     time, value = course
     early, late = (np.clip(moments + shift, time[0], time[-1]) for shift in (-half, half))
     apart = np.maximum(late - early, half)
