@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -69,3 +70,15 @@ def test_numbers_that_no_reading_feels_are_not_told(swim: Any) -> None:
     (effect,) = case_of(base_fit(swim(load_platform("lily"), 40.0, 1)), "imu_bias").found
     assert set(effect.parameters) == {"gyro_z"}
     assert "accel" not in effect.equation
+
+
+@pytest.mark.parametrize(
+    ("found", "told"), [(3.522, 3.522 - 2.0 * math.pi), (-0.3, -0.3), (-3.2, -3.2 + 2.0 * math.pi)]
+)
+def test_an_angle_is_told_within_half_a_turn(found: float, told: float) -> None:
+    """A direction that a fit left a turn too far is the same direction, and so are the ends of its interval."""
+    from cocorosim_ros.diagnosis.findings import Estimate
+    from cocorosim_ros.diagnosis.showing.estimates import within_half_a_turn
+
+    angle = within_half_a_turn(Estimate(found, found - 0.02, found + 0.03, "rad"))
+    assert (angle.value, angle.low, angle.high) == pytest.approx((told, told - 0.02, told + 0.03))

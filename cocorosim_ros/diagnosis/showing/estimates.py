@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.stats import norm
@@ -77,6 +77,12 @@ def estimate(unknown: Unknown, q: float, spread: float, unit: str) -> Estimate:
     )
 
 
+def within_half_a_turn(angle: Estimate) -> Estimate:
+    """Copy an angle [rad] that means the same a full turn further, with its value within half a turn of 0."""
+    shift = math.remainder(angle.value, 2.0 * math.pi) - angle.value
+    return replace(angle, value=angle.value + shift, low=angle.low + shift, high=angle.high + shift)
+
+
 def _limits(unknown: Unknown, least: float, most: float, neutral: float) -> tuple[float, float]:
     """Limits of a number; of an effect's, no end at which the effect is absent: it is told as holding zero."""
     if unknown.owner.effect == PLATFORM:
@@ -131,7 +137,9 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         and not rivals
     )
     name = entry.name_with({each.unknown.column: each.estimate.value for each in mine})
-    told = {each.unknown.owner.parameter: each.estimate for each in mine}
+    turning = {each.name for each in entry.shapes if each.periodic}
+    every = {each.unknown.owner.parameter: each.estimate for each in mine}
+    told = {name: within_half_a_turn(each) if name in turning else each for name, each in every.items()}
     tier: Tier = "confirmed" if sure else "suspected"
     return FoundEffect(
         entry.id, name, entry.shown_equation(told), robots, tier, told, effect.nats, rivals, entry.topic,
