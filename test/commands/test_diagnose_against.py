@@ -84,14 +84,15 @@ def test_several_recordings_may_follow_the_option(
 def test_the_model_has_what_a_platform_file_can_hold(
     cocorosim: Command, seen: list[Any], bags: list[Path], tmp_path: Path
 ) -> None:
-    """A left thruster at 0.8 is a mean gain of 0.9 and an asymmetry of 2/9; a delay of commands has no place."""
+    """A left thruster at 0.8 is a mean gain of 0.9 and an asymmetry of 2/9; commands act 0.2 s late."""
     out = tmp_path / "out"
     assert cocorosim("diagnose", bags[0], "--against", bags[1], "--platform", "lily", "--out", out).status == 0
     model = load_platform(out / "model.yaml")
     assert model.drag == pytest.approx(3.0)
     assert model.thrust_gain == pytest.approx(0.9 * 1.2)
     assert model.effects["thruster_asymmetry"]["difference"] == pytest.approx(2.0 / 9.0)
-    assert set(model.effects) == {"thruster_asymmetry"}
+    assert model.effects["command_delay"] == {"delay": pytest.approx(0.2)}
+    assert set(model.effects) == {"thruster_asymmetry", "command_delay"}
 
 
 def test_the_same_recording_on_both_sides_is_refused(

@@ -22,8 +22,8 @@ def as_platform(diagnosis: Diagnosis, platform: Platform) -> Diagnosis:
 
     Where other recordings were compared with, the numbers are those that were learned, with the changes in them;
     effects of the platform's file stay in a number that has changed, with the change added. platform: the one that was
-    given. A delay of the commands is left out, as no platform file has it; so are effects that were learned without a
-    name.
+    given. Commands that act before they are logged are left out, as no vehicle has them; so are effects that were
+    learned without a name.
     """
     of_one = [effect for effect in diagnosis.effects if effect.id in (ONE_THRUSTER, STEERING_TRIM)]
     others = tuple(effect for effect in diagnosis.effects if effect not in of_one)
@@ -55,6 +55,8 @@ def _with_numbers(
 
 
 def _is_known(effect: FoundEffect) -> bool:
+    if effect.id == "command_delay" and effect.parameters["delay"].value < 0.0:
+        return False
     return effect.id in EFFECTS or effect.id in ERRORS or effect.law is not None or effect.correction is not None
 
 

@@ -357,6 +357,19 @@ def test_a_weak_thruster_is_written_as_the_gain_of_its_actuator(
         )
 
 
+@pytest.mark.parametrize(("delay", "written_as"), [(0.2, {"command_delay": {"delay": 0.2}}), (-0.2, {})])
+def test_no_vehicle_acts_before_it_is_told(
+    example: Example, tmp_path: Path, delay: float, written_as: dict[str, dict[str, float]]
+) -> None:
+    """Late commands are an effect of the model; early ones, a difference of clocks, are left out."""
+    lily = load_platform("lily")
+    late = {"delay": Estimate(delay, delay - 0.01, delay + 0.01, "s")}
+    effect = FoundEffect("command_delay", "", "", ("lily_01",), "confirmed", late, 50.0)
+    against = Comparison(("good",), (), ())
+    found = replace(example("mismatch"), effects=(effect,), recalibrated=(), all_recalibrated=(), against=against)
+    assert written(tmp_path, as_platform(found, lily), origin(lily)).effects == written_as
+
+
 def law(identifier: str, unit: str = "N/m", **numbers: float) -> FoundEffect:
     """A law outside the catalogue."""
     numbers = {"coefficient": -3e-4, **numbers}
