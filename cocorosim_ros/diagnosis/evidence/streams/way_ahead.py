@@ -38,7 +38,7 @@ def way_ahead(streams: Mapping[str, Stream], attitude: Attitude) -> Velocities |
     ahead = np.interp(time, found.time[known], found.value[known, U])
     sinking = cumulative_trapezoid(ahead * np.sin(attitude.pitch), time, initial=0.0)
     half = 0.5 * max(TILT.climb_span, TILT.climb_readings * float(np.median(np.diff(depth.time))))
-    risen = _gained(time, half, Course(depth.time, -depth.value)) + _gained(time, half, Course(time, sinking))
+    risen = _gained(time, half, Trace(depth.time, -depth.value)) + _gained(time, half, Trace(time, sinking))
     upwards = risen / np.maximum(np.cos(attitude.pitch), TILT.least_cosine)
     return Velocities(time, np.column_stack([ahead, np.zeros(len(time)), upwards]))
 
@@ -49,14 +49,14 @@ def shows_only_ahead(stream: Stream) -> bool:
     return int(np.count_nonzero(known[:, U])) >= TILT.fewest and not known[:, V : W + 1].any()
 
 
-class Course(NamedTuple):
+class Trace(NamedTuple):
     """Times (n,) [s] and what was there (n,)."""
 
     time: Floats
     value: Floats
 
 
-def _depths(streams: Mapping[str, Stream]) -> Course | None:
+def _depths(streams: Mapping[str, Stream]) -> Trace | None:
     """Depths [m] by the pressure; None where too few were recorded."""
     stream = streams.get("pressure")
     if stream is None:
@@ -65,12 +65,12 @@ def _depths(streams: Mapping[str, Stream]) -> Course | None:
     known = np.isfinite(pressure)
     if np.count_nonzero(known) < TILT.fewest:
         return None
-    return Course(stream.time[known], pressure[known] / PASCAL_PER_METRE)
+    return Trace(stream.time[known], pressure[known] / PASCAL_PER_METRE)
 
 
-def _gained(moments: Floats, half: float, course: Course) -> Floats:
-    """Mean rate (m,) of a course over `half` [s] before and behind the moments (m,)."""
-    time, value = course
+def _gained(moments: Floats, half: float, trace: Trace) -> Floats:
+    """Mean rate (m,) of a trace over `half` [s] before and behind the moments (m,)."""
+    time, value = trace
     early, late = (np.clip(moments + shift, time[0], time[-1]) for shift in (-half, half))
     apart = np.maximum(late - early, half)
     return np.asarray((np.interp(late, time, value) - np.interp(early, time, value)) / apart)
