@@ -70,8 +70,8 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
     top of others is of the same law. The gain of one thruster is told beside others, which are not quite alike.
     """
     effect, _, name = unknown.column.partition(".")
-    if unknown.column in OWN_GAINS and unknown.column != ALL_THRUSTERS and not unknown.on_top:
-        return abs(FORM_WIDTH.thrusters * unknown.value(q) / unknown.slope(q))
+    if unknown.column in OWN_GAINS and unknown.column != ALL_THRUSTERS:
+        return FORM_WIDTH.thrusters / abs(unknown.scale)  # of a logarithm, as all gains are fitted
     if effect not in EFFECTS or unknown.on_top:
         return 0.0
     share = {number.name: number.other_form for number in EFFECTS[effect].numbers}.get(name, 0.0)

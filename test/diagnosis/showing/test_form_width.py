@@ -119,4 +119,5 @@ def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -
     assert spread_of_other_forms(replace(sag, column="surge.drag"), q) == 0.0
     gain = replace(ratio, column="own_gain.2", base=1.0, scale=0.3, logarithmic=True)
     assert spread_of_other_forms(gain, 1.0) == pytest.approx(FORM_WIDTH.thrusters / 0.3)  # of its logarithm, over 0.3
+    assert spread_of_other_forms(replace(gain, on_top=True), 1.0) == spread_of_other_forms(gain, 1.0)
     assert spread_of_other_forms(replace(gain, column="own_gain.all"), 1.0) == 0.0
