@@ -68,11 +68,15 @@ def delay_entry() -> Entry:
     It is then an error of stamps, which with poses alone is one of the poses' stamps. So its channel is the clock, and
     it is told by the readings alone as theirs is, not by free runs.
     """
-    entry = next(each for each in ENTRIES if each.id == DELAY)
+    return replace(of_either_sign(next(each for each in ENTRIES if each.id == DELAY)), channel="clock")
+
+
+def of_either_sign(entry: Entry) -> Entry:
+    """Copy the entry of a delay, to be one that may be negative, however short, and is searched on both sides."""
     (late,) = entry.amplitudes
     ends = tuple(-each for each in reversed(late.searched))
     either = replace(late, least=-math.inf, negligible=(0.0, 0.0), searched=(*ends, *late.searched))
-    return replace(entry, channel="clock", amplitudes=(either,))
+    return replace(entry, amplitudes=(either,))
 
 
 def _has_pump(tracks: Sequence[Track]) -> bool:

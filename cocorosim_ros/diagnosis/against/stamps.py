@@ -52,7 +52,7 @@ def _told(robot: str, topic: str, later: float) -> FoundEffect:
         "other recordings"
     )
     is_command = topic == COMMAND
-    entry = delay_entry() if is_command else _of_stream(topic)
+    entry = delay_entry() if is_command else latency_entry(topic)
     late = -later if is_command else later
     told = {entry.amplitudes[0].name: Estimate(late, late - CLOCKS.far, late + CLOCKS.far, "s")}
     return FoundEffect(
@@ -61,5 +61,6 @@ def _told(robot: str, topic: str, later: float) -> FoundEffect:
     )  # fmt: skip
 
 
-def _of_stream(topic: str) -> Entry:
+def latency_entry(topic: str) -> Entry:
+    """The catalogue's entry of a stream that comes late."""
     return next(entry for entry in ENTRIES if entry.id == LATE_READINGS and entry.topic == topic)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from cocorosim_ros.diagnosis.against.numbers import DELAY
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
 from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
@@ -55,7 +56,7 @@ def _with_numbers(
 
 
 def _is_known(effect: FoundEffect) -> bool:
-    if effect.id == "command_delay" and effect.parameters["delay"].value < 0.0:
+    if effect.id == DELAY and effect.parameters["delay"].value < 0.0:
         return False
     return effect.id in EFFECTS or effect.id in ERRORS or effect.law is not None or effect.correction is not None
 

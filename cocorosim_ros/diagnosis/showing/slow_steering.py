@@ -19,8 +19,8 @@ def slow_steering(case: Case) -> Iterator[Objection]:
     if case.base is None:  # against other recordings, whose angles turned as slowly
         return
     for found, named in effects_of(case):
-        tracks = [case.final.tracks[number] for number in named.candidate.everybody]
-        if found.id in (DELAY, LAG) and any(_turns_unseen(track) for track in tracks):
+        tracks = (case.final.tracks[number] for number in named.candidate.everybody)
+        if found.id in (DELAY, LAG) and any(map(_turns_unseen, tracks)):
             yield Objection(
                 "This vehicle steers by angles of pods, rudders or fins, which no actuator reports: if they turn "
                 "slowly, that looks like commands that act late. Record the angles, or measure how fast they turn.",

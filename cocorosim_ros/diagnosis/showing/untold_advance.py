@@ -7,13 +7,10 @@ much the same. So where a skew is named, a constant time of either sign is asked
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from dataclasses import replace
 
-from cocorosim_ros.diagnosis.against.twins import LATE_READINGS
-from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.diagnosis.against.numbers import of_either_sign
+from cocorosim_ros.diagnosis.against.stamps import latency_entry
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.fitting.candidate import expand
 from cocorosim_ros.diagnosis.naming.contest import Refined, log_evidence
@@ -31,7 +28,7 @@ def untold_advance(case: Case) -> Iterator[Objection]:
         if found.id != WRONG_CLOCK or found.topic is None or case.base is None:
             continue
         smaller = without(case.final, named.candidate, case.base)
-        every = expand([_of_either_sign(found.topic)], smaller.tracks, smaller.rows)
+        every = expand([of_either_sign(latency_entry(found.topic))], smaller.tracks, smaller.rows)
         for candidate in (each for each in every if each.robots == named.candidate.robots):
             tried = asked_at_last(smaller, candidate)
             if log_evidence(smaller) + tried.nats - log_evidence(case.final) > -NAMING.ambiguity:
@@ -40,14 +37,6 @@ def untold_advance(case: Case) -> Iterator[Objection]:
                     "of the other instruments, or buffers of this one, do so.",
                     effect=found,
                 )
-
-
-def _of_either_sign(topic: str) -> Entry:
-    """Make the entry of a stream's latency one that may be negative, which is searched on both sides."""
-    entry = next(each for each in ENTRIES if each.id == LATE_READINGS and each.topic == topic)
-    (late,) = entry.amplitudes
-    starts = tuple(sorted({*late.searched, *(-each for each in late.searched)}))
-    return replace(entry, amplitudes=(replace(late, least=-math.inf, negligible=(0.0, 0.0), searched=starts),))
 
 
 def _when(tried: Refined) -> str:

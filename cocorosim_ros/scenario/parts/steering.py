@@ -43,8 +43,8 @@ class Rudder:
 
     position: of its stock [m; body]. area: that moves [m^2]. aspect_ratio: height over mean chord. propeller: the
     thruster in whose jet it stands, of propeller_diameter [m]. trim: angle at which it stands at command zero [rad], 0
-    if None. The other numbers below are explained where they act
-    (world.effects.rudder); None stands for their value there without a hull and with the whole jet.
+    if None. The other numbers below are explained where they act (world.effects.rudder); None stands for their value
+    there without a hull and with the whole jet.
     """
 
     name: str = field(metadata=TEXT)

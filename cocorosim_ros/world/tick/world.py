@@ -43,7 +43,7 @@ class World:
     channel: Channel | None = None  # of sound
     instant_radio: bool = False  # what is said is heard at the same tick
     faults: Faults | None = None  # of the instruments
-    command_delay: Floats = field(default_factory=lambda: np.zeros(0))  # (robots,) [s]; empty where none is late
+    command_delay: Floats = field(default_factory=lambda: np.zeros(0))  # (robots,) [s]; 0, or empty: none is late
     corruption: tuple[Corruption, ...] = ()
     seed: int = 0  # of what is random while the run goes on
     first_run: int = 0  # the number of the first of the runs, by which their random numbers differ
