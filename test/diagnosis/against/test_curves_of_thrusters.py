@@ -55,5 +55,5 @@ def test_a_weaker_thruster_is_told_beside_its_curve(swim: Callable[..., Any], go
     found = diagnose_against(recordings(swim, vehicle(0.75), BAD), good, lambda words, share: None)
     assert [effect.id for effect in found.effects] == ["thruster_asymmetry"]
     told = found.effects[0].parameters["left"]
-    assert told.holds(0.75) and told.high - told.low < 0.03
+    assert told.holds(0.75) and told.high - told.low < 0.04  # four spreads of 1 %: thrusters are not quite alike
     assert not found.recalibrated
