@@ -37,6 +37,7 @@ from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names, turned_remarks
 from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
+from cocorosim_ros.diagnosis.showing.beyond_the_floor import channels_beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
@@ -111,10 +112,18 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     case = Case(naming.fit, naming.named, effects, final_courses, table, naming.base, declared)
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
+    beyond = channels_beyond_the_floor(case)
     unlike, nothing_shown = unlike_regimes(found.unseen), unrecorded(base.tracks)
     return Diagnosis(
         verdict,
-        sentence_of(verdict, effects, moved, passed, collapsed=bool(steady.held or collapsed_channels(table))),
+        sentence_of(
+            verdict,
+            effects,
+            moved,
+            passed,
+            collapsed=bool(steady.held or collapsed_channels(table)),
+            beyond_floor=beyond,
+        ),
         moved,
         located,
         effects,
@@ -143,6 +152,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         untold=untold_errors(base.tracks, nothing_shown.readings),
         passed_over=passed,
         unlike=tuple(unlike),
+        beyond_floor=beyond,
         unrecorded=nothing_shown,
         screened_laws=screened_effects(naming.laws),
         held=steady.held,

@@ -321,6 +321,7 @@ class Diagnosis:
     passed_over: tuple[PassedOver, ...] = ()  # effects without a name, since there is doubt that they are there
     reasons: tuple[str, ...] = ()  # sentences: for which nothing could be tested
     unlike: tuple[str, ...] = ()  # quantities, such as the speed, by which free runs go through parts unlike the fitted
+    beyond_floor: tuple[str, ...] = ()  # channels in which free runs lack what no name and no number stands for
     unrecorded: Unrecorded = Unrecorded()
     screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first
     actuators: tuple[ActuatorReport, ...] = ()  # what these report of themselves

@@ -35,7 +35,7 @@ def row(nominal: float, recalibrated: float, augmented: float | None = None) -> 
     """Errors of free runs, each known to a tenth; without effects the augmented model is the recalibrated one."""
     errors = {"nominal": nominal, "recalibrated": recalibrated, "augmented": augmented or recalibrated}
     intervals = {model: (0.9 * error, 1.1 * error) for model, error in errors.items()}
-    return HeldOut(nominal, recalibrated, errors["augmented"], 0.001, "m", intervals)
+    return HeldOut(nominal, recalibrated, errors["augmented"], min(errors.values()), "m", intervals)
 
 
 def named(case: Case, identifier: str, **parameters: float) -> Case:
@@ -92,6 +92,43 @@ def test_a_number_at_the_end_of_its_range(sound: Case) -> None:
         unknowns[place], q[place] = bias, value
         own = replace(sound, final=replace(sound.final, unknowns=tuple(unknowns), q=q.copy()))
         assert len(sentences(hard_stops.number_at_a_bound, own)) == said
+
+
+def _asked(sentence: str) -> float:
+    """Number that a sentence says is asked for, in its unit."""
+    return float(sentence.partition("ask for ")[2].split()[0].replace("\u2212", "-"))
+
+
+def test_less_than_none_of_an_effect_that_the_file_has(sound: Case, swim: Any) -> None:
+    """A weight where the file's range has buoyancy alone is said; no buoyancy at all is not."""
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.quantity import Quantity
+    from cocorosim_ros.scenario.reading.ranges import Range
+
+    def lily(force: float) -> Any:
+        return replace(
+            load_platform("lily"), effect_quantities={"buoyancy_trim": {"force": Quantity(force, "N", "force")}}
+        )
+
+    declared = replace(lily(2e-4), ranges={"effects.buoyancy_trim.force": Range(0.0, 1e-3, "N")})
+    for force, said in ((-3e-4, 1), (0.0, 0)):
+        case = replace(sound, final=base_fit(swim(lily(force), 60.0, seed=31, base=declared)))
+        told = [each for each in sentences(hard_stops.number_at_a_bound, case) if "force of buoyancy trim" in each]
+        assert len(told) == said and all(-300.0 * 1.15 < _asked(each) < -300.0 / 1.15 for each in told)
+
+
+@pytest.mark.parametrize(("times", "said"), [(2.5, 0), (3.5, 1)])
+def test_free_runs_far_above_the_noise_floor(sound: Case, times: float, said: int) -> None:
+    """What is named explains a part of something else at most; it is said with the channel."""
+    far = replace(row(0.5, 0.5, 0.4), noise_floor=0.4 / times)
+    case = replace(named(sound, "torque_bias", torque=1.5), table={"depth": far})
+    told = sentences(hard_stops.beyond_the_floor, case)
+    assert len(told) == said and all("400\u00a0mm in depth, 3.50 times the noise floor" in each for each in told)
+    by_course = replace(case, table={"depth": replace(far, against="course")})
+    assert sentences(hard_stops.beyond_the_floor, by_course) == []
+    of_readings = replace(named(sound, "pressure_offset", offset=50.0), table=case.table)
+    assert sentences(hard_stops.beyond_the_floor, of_readings) == []
 
 
 @pytest.mark.parametrize(("column", "said"), [("linear_drag.heave", 0), ("linear_drag.sway", 1)])

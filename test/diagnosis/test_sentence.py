@@ -175,6 +175,24 @@ def test_what_has_no_name_is_likened_to_something() -> None:
     )
     assert "torque" not in sentence_of("mismatch", [LAG], [], [strong])
     assert "missing" in sentence_of("consistent", [], [], [none])
+
+
+def test_what_free_runs_lack_is_said_where_nothing_has_a_name() -> None:
+    """With the channel, before the numbers that have shifted; nothing says then that nothing is missing."""
+    shifted = [Recalibrated("drag", 1.0, Estimate(1.2, 1.1, 1.3, "1"), ("lily_01",))]
+    assert sentence_of("recalibrate", [], shifted, beyond_floor=["depth"]) == (
+        "Something without a name is missing in depth; the model's numbers have shifted: drag."
+    )
+    told = sentence_of("consistent", [], [], beyond_floor=["position", "heading"])
+    assert told == "Something without a name is missing in position and heading."
+
+
+def test_what_has_no_name_is_told_with_its_reason() -> None:
+    """In the lines below the headline."""
+    strong, none = (
+        PassedOver(replace(LAG, name=name, nats=nats), stands=stands, because=(), shortly=SIZE_MAY_BE_NOTHING)
+        for name, nats, stands in (("a torque", 12.0, True), ("a tether", 90.0, False))
+    )
     lines = [plain(line) for line in detail_lines(found(passed_over=(strong, none)))]
     assert lines == [
         "not named: a torque of lily_01 (12.0 nats), since its size may as well be nothing: "

@@ -71,6 +71,9 @@ class HardStopCriteria:
     worse: float = 1.1
     """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, not measured,
     as VERDICT.worse is."""
+    pressed: float = 8.0
+    """[nats] by slopes, for less than none of an effect that the platform's file has: as many as a name needs. Chosen,
+    not measured."""
     strayed: float = 3.0
     """[noise of the readings] by which a smoothed course may leave most of its readings: normal noise leaves it by one.
     Chosen, not measured."""
@@ -87,6 +90,15 @@ class HardStopCriteria:
     Chosen, not measured."""
     fewest: int = 30
     """[readings] fewer show no correlation. Chosen, not measured."""
+
+
+@dataclass(frozen=True)
+class BeyondFloorCriteria:
+    """Free runs that err far more than the noise floor (`showing.beyond_the_floor`)."""
+
+    clear: float = 3.0
+    """[of the noise floor] error of the model with all effects, from which something is missing. Measured: right models
+    of seventeen made recordings reached 1.3 times it, a weight outside of its range 20 times."""
 
 
 @dataclass(frozen=True)
@@ -140,6 +152,7 @@ ESTIMATES = EstimateCriteria()
 FORM_WIDTH = FormWidthCriteria()
 HARD_STOPS = HardStopCriteria()
 REMAINDER = RemainderCriteria()
+BEYOND_FLOOR = BeyondFloorCriteria()
 UNEVEN = UnevenNoiseCriteria()
 LOCATION = LocationCriteria()
 FRAMING = FramingCriteria()

@@ -3,7 +3,8 @@
 Every model starts from one state: what the recalibrated model's filter had made of the readings up to that moment,
 without later ones and without the named effects, so that what is compared differs by the models alone. Two things make
 exceptions, since with them the readings of one state are others: the errors of readings that count (`fixed_errors`),
-and water that moves, where a log shows the speed through it. From there a model takes no readings and no random force,
+and water that moves, where a log shows the speed through it or a receiver's places wander, which a filter without the
+current takes for the cause of the drift. From there a model takes no readings and no random force,
 and is measured against the readings that come. A smoothed course is no measure: it is bent by the model that made it.
 Where no reading shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
 """
@@ -24,7 +25,7 @@ from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitt
 from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
 from cocorosim_ros.diagnosis.foretelling.regimes import regimes_along
-from cocorosim_ros.diagnosis.tracks.columns import MOVING_WATER
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, MOVING_WATER, WANDER, WHITE
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
@@ -135,9 +136,13 @@ def rows_at_start(unseen: Unseen, rows: Floats, sensors: Floats) -> Floats:
     """
     started = sensors.copy()
     for number, track in enumerate(unseen.tracks):
-        if any(track.timeline.sees(name) for name, kind in KINDS.items() if kind.of_water):
+        if _reads_the_water(track) or unseen.rows[number, COLUMN[WANDER]] > WHITE:
             started[number, MOVING_WATER] = rows[number, MOVING_WATER]
     return started
+
+
+def _reads_the_water(track: Track) -> bool:
+    return any(track.timeline.sees(name) for name, kind in KINDS.items() if kind.of_water)
 
 
 def starts_under(unseen: Unseen, started: Floats) -> list[Floats]:

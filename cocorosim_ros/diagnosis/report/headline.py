@@ -19,6 +19,7 @@ from cocorosim_ros.diagnosis.report.verdict_words import is_of_instruments
 from cocorosim_ros.diagnosis.report.words import effect_words
 
 _NAMELESS = "something that no entry of the catalogue explains"
+_SHIFTED = "Nothing is shown to be missing, but the model's numbers have shifted:"
 _BEGIN = "Compared with when it was well"
 
 
@@ -36,21 +37,24 @@ def sentence_of(
     passed: Sequence[PassedOver] = (),
     *,
     collapsed: bool = False,
+    beyond_floor: Sequence[str] = (),
 ) -> str:
     """The headline of a diagnosis against a platform.
 
     passed: what gets no name; told only where nothing has one. collapsed: whether the recalibrated model foretells
-    unseen data worse than the platform as given.
+    unseen data worse than the platform as given. beyond_floor: channels in which free runs lack what
+    nothing stands for.
     """
     of_fit = [each for each in effects if each.correction is None]  # axes are put right before any fit
     if collapsed and (of_fit or not effects):
         return _of_collapsed(of_fit)
     if verdict == "insufficient":
         return "These recordings do not excite the vehicle enough to tell what its model lacks."
+    lacking = f"Something without a name is missing in {' and '.join(beyond_floor)}" if beyond_floor else ""
     if verdict == "consistent":
-        return "The model explains the recordings: nothing is missing that they could show."
+        return f"{lacking or 'The model explains the recordings: nothing is missing that they could show'}."
     if verdict == "recalibrate":
-        begin = "Nothing is shown to be missing, but the model's numbers have shifted:"
+        begin = f"{lacking}; the model's numbers have shifted:" if lacking else _SHIFTED
         return _named(_numbers(moved), lambda told: f"{begin} {told}.", "numbers")
     if not effects:
         return _short_enough(_without_name(passed))

@@ -14,11 +14,15 @@ import numpy as np
 from cocorosim_ros.diagnosis.against.numbers import DELAY
 from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
 from cocorosim_ros.diagnosis.catalogue.parameter_words import parameter_words
+from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robots_of
+from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
+from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
+from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.remainder import remainder
@@ -26,6 +30,7 @@ from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
 from cocorosim_ros.diagnosis.showing.untold_advance import untold_advance
+from cocorosim_ros.diagnosis.showing.untold_distortion import untold_distortion
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
@@ -44,19 +49,29 @@ FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it 
 def number_at_a_bound(case: Case) -> Iterator[Objection]:
     """Object to numbers of the platform that stand at the end of their range, but for effects that are absent there.
 
-    Those of the motion upwards say nothing against what moves a vehicle sideways, turns it, or is of its compass.
+    An effect is absent where the recordings do not ask for less than none of it, as for a weight where the file's range
+    has buoyancy alone. Numbers of the motion upwards say nothing against what moves a vehicle sideways, turns it, or is
+    of its compass.
     """
     level = tuple(found for found, named in effects_of(case) if named.candidate.entry.channel in _LEVEL)
-    for unknown, q in zip(case.final.unknowns, case.final.q.tolist(), strict=True):
-        absent = "." in unknown.column and unknown.value(q) == NEUTRAL[COLUMN[unknown.column]]
-        if unknown.owner.effect == PLATFORM and any(unknown.at_ends(q)) and not absent:
+    for place, (unknown, q) in enumerate(zip(case.final.unknowns, case.final.q.tolist(), strict=True)):
+        if unknown.owner.effect == PLATFORM and any(unknown.at_ends(q)) and (asked := _asked_beyond(case.final, place)):
             yield Objection(
                 f"The fit of {parameter_words(unknown.owner.parameter)} of {_listed(unknown.owner.robots)} "
                 f"stands at the end of its range, {said_quantity(unknown.value(q), unknown.owner.unit)}; the "
-                "recordings ask for a number that the platform's file leaves out.",
+                f"recordings ask for {asked} that the platform's file leaves out.",
                 unknown.owner.robots,
                 spared=level if _is_upright(unknown, case.final.tracks) else (),
             )
+
+
+def _asked_beyond(fit: Fit, place: int) -> str:
+    """Words for what a number at a bound is asked to be; '' for that of no effect, if it is hardly asked to be less."""
+    unknown = fit.unknowns[place]
+    if "." not in unknown.column or unknown.value(float(fit.q[place])) != NEUTRAL[COLUMN[unknown.column]]:
+        return "a number"
+    beyond = beyond_a_bound(fit, place)
+    return said_quantity(beyond.value, unknown.owner.unit) if beyond.nats > HARD_STOPS.pressed else ""
 
 
 def _is_upright(unknown: Unknown, tracks: Sequence[Track]) -> bool:
@@ -249,7 +264,9 @@ STOPS: tuple[Stop, ...] = (
     lasting_errors,
     only_clock,
     only_witness,
+    beyond_the_floor,
     untold_lever,
+    untold_distortion,
     untold_form,
     untold_advance,
     slow_steering,

@@ -12,7 +12,8 @@ so that at the threshold of naming an effect is about as likely as nothing, and 
 are tempered, because a likelihood that holds for one exact model is too sure where no model is exact (Grünwald and
 van Ommen, Bayesian Analysis 12 (2017) 1069). The last question is what has been passed over: nothing has the weight 1,
 something else `missing` or `further` times the share of effects that these recordings would not show (`hidden_share`);
-where evidence stands for something that gets no name, both are as probable as what a hard stop speaks against.
+where evidence or free runs stand for something that gets no name, both are as probable as what a hard stop speaks
+against.
 Where nothing was named, an entry of the catalogue that explains something has exp(temper * (nats - threshold)), so that
 none is more probable than nothing; its nats do not count if they would have sufficed: then it was fitted, and did not
 hold what its slope had promised. The answers are taken as independent. All weights are fields of
@@ -115,7 +116,7 @@ def _stopped(answers: Answers, most: float) -> Answers:
 def _of_the_rest(diagnosis: Diagnosis, by: ProbabilityCriteria) -> Answers:
     """Answers to whether a diagnosis has passed something over; beside a name, nothing of it has one."""
     hidden = hidden_share(diagnosis.screened, by)
-    without_name = any(each.stands for each in diagnosis.passed_over)
+    without_name = any(each.stands for each in diagnosis.passed_over) or bool(diagnosis.beyond_floor)
     if without_name or (diagnosis.verdict == "mismatch" and not diagnosis.effects):
         return {SOMETHING_ELSE: by.stopped, NO_EFFECT: 1.0 - by.stopped}
     if diagnosis.effects:

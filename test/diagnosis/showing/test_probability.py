@@ -156,6 +156,12 @@ def test_silence_is_mostly_nothing() -> None:
     assert blind == pytest.approx(1.0 / (1.0 + PROBABILITY.missing + PROBABILITY.outside))
 
 
+def test_what_free_runs_lack_may_well_be_there() -> None:
+    """Far above the noise floor, without a name: at even odds."""
+    found = probabilities_of(diagnosis(verdict="recalibrate", beyond_floor=("depth",)))
+    assert found.told == pytest.approx({"something else": 0.5, "nothing": 0.5})
+
+
 def test_a_recalibrated_platform_lacks_nothing() -> None:
     """Numbers that have moved are no physics."""
     assert probabilities_of(diagnosis(verdict="recalibrate")) == probabilities_of(diagnosis())
