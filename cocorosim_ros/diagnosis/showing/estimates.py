@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.fitting.beside_noise import variances_beside_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
-from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_between_parts
+from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts, variances_of_other_forms
 from cocorosim_ros.diagnosis.showing.several_tests import holm
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
 
@@ -57,8 +57,7 @@ def fitted(fit: Fit) -> tuple[Fitted, ...]:
     """
     values = np.array([unknown.value(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
     slopes = np.array([unknown.slope(float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)])
-    other = [spread_of_other_forms(unknown, float(q)) for unknown, q in zip(fit.unknowns, fit.q, strict=True)]
-    variance = variances_beside_noise(fit) + variances_between_parts(fit).between + np.square(other)
+    variance = variances_beside_noise(fit) + variances_between_parts(fit).between + variances_of_other_forms(fit)
     spread = np.hypot(np.sqrt(variance), ESTIMATES.numerical * np.abs(values / slopes))
     felt = np.any([np.any(slope, axis=0) for slope in information(fit).slopes], axis=0) | (
         np.abs(fit.q) > ESTIMATES.moved

@@ -12,7 +12,7 @@ estimates after Pregibon, Annals of Statistics 9 (1981) 705.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -28,7 +28,11 @@ from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.effects import EFFECTS
+from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
+from cocorosim_ros.world.terms.effect import Description
+
+DESCRIBED: Mapping[str, Description] = {**EFFECTS, **ERRORS}
 
 
 class Part(NamedTuple):
@@ -63,6 +67,22 @@ def variances_between_parts(fit: Fit) -> Heterogeneity:
     return Heterogeneity(*np.max(found, axis=0))
 
 
+def variances_of_other_forms(fit: Fit) -> Floats:
+    """Variances (unknowns,) of q by which numbers differ under other laws of the kind, those of other effects included.
+
+    What a law of another form leaves over, the numbers take on that are told from the same readings: a platform's drag
+    moves with a ratio of drags as far as the fit ties the two.
+    """
+    spread = np.array([spread_of_other_forms(each, q) for each, q in zip(fit.unknowns, fit.q.tolist(), strict=True)])
+    tied = covariance(fit)
+    own = np.diag(tied)
+    followed = np.divide(tied, own, out=np.zeros_like(tied), where=own > 0.0)
+    np.fill_diagonal(followed, 1.0)
+    alone = [unknown.column in OWN_GAINS for unknown in fit.unknowns]  # what others do follows not from one thruster
+    followed[:, alone] = np.eye(len(alone))[:, alone]
+    return np.asarray(np.square(followed * spread).sum(axis=1))
+
+
 def spread_of_other_forms(unknown: Unknown, q: float) -> float:
     """Standard deviation of q by which a number differs under other laws of the kind, as the file of its effect says.
 
@@ -72,9 +92,9 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
     effect, _, name = unknown.column.partition(".")
     if unknown.column in OWN_GAINS and unknown.column != ALL_THRUSTERS:
         return FORM_WIDTH.thrusters / abs(unknown.scale)  # of a logarithm, as all gains are fitted
-    if effect not in EFFECTS or unknown.on_top:
+    if effect not in DESCRIBED or unknown.on_top:
         return 0.0
-    share = {number.name: number.other_form for number in EFFECTS[effect].numbers}.get(name, 0.0)
+    share = {number.name: number.other_form for number in DESCRIBED[effect].numbers}.get(name, 0.0)
     return abs(share * (unknown.value(q) - float(NEUTRAL[COLUMN[unknown.column]])) / unknown.slope(q))
 
 

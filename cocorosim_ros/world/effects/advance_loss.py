@@ -42,7 +42,7 @@ ADVANCE_LOSS = Effect(
             gives="1",
             search=Strength(large=3.0),
             example=Example(2.0, "coast-down and full speed"),
-            other_form=0.04,  # thrust curves bend
+            other_form=0.1,  # thrust curves bend
         ),
     ),
     search=Search(channel="surge", group=DRAG, manoeuvre="coast_down"),

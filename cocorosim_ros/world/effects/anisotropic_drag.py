@@ -108,7 +108,7 @@ ANISOTROPIC_DRAG = Effect(
             multiplies="kg m/s^2",  # k U v
             gives="N",
             part="Y = -k_v U v with k_v unlike k_u",
-            other_form=0.12,  # powers of the speed from 1.5 to 2.5, at other speeds
+            other_form=0.16,  # powers of the speed from 1.5 to 2.5, at other speeds
             search=Strength(large=2.0, least=-0.45),
             example=Example(2.0, "towing"),
         ),

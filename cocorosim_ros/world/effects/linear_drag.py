@@ -36,7 +36,7 @@ LINEAR_DRAG = Effect(
             multiplies="m/s",
             gives="N",
             part="X = -d_u u",
-            other_form=0.15,  # powers of the speed from 0.75 to 1.6, at other speeds
+            other_form=0.25,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.01, "coast-down"),
         ),
@@ -47,7 +47,7 @@ LINEAR_DRAG = Effect(
             multiplies="m/s",
             gives="N",
             part="Y = -d_v v",
-            other_form=0.15,  # powers of the speed from 0.75 to 1.6, at other speeds
+            other_form=0.25,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.012, "coast-down"),
         ),
@@ -58,7 +58,7 @@ LINEAR_DRAG = Effect(
             multiplies="m/s",
             gives="N",
             part="Z = -d_w w",
-            other_form=0.15,  # powers of the speed from 0.75 to 1.6, at other speeds
+            other_form=0.25,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=0.02, least=0.0),
             example=Example(0.012, "coast-down"),
         ),
@@ -69,7 +69,7 @@ LINEAR_DRAG = Effect(
             multiplies="rad/s",
             gives="N m",
             part="N = -d_r r",
-            other_form=0.15,  # powers of the speed from 0.75 to 1.6, at other speeds
+            other_form=0.25,  # powers of the speed from 0.75 to 1.6, at other speeds
             search=Strength(large=3e-5, least=0.0),
             example=Example(1.5e-5, "spin-down"),
         ),

@@ -34,6 +34,7 @@ REVERSE_LOSS = Effect(
             "fraction of the thrust that is lost",
             multiplies="N",
             gives="N",
+            other_form=0.05,  # losses that set in with the speed or the thrust
             search=Strength(large=0.2),
             between=(-math.inf, 1.0),  # below zero where it pushes harder backwards
             example=Example(0.15, "bollard pull"),

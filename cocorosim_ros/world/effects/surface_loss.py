@@ -52,6 +52,7 @@ SURFACE_LOSS = Effect(
             sign="not negative",
             multiplies="N",
             gives="N",
+            other_form=0.2,  # from the reach to the surface in another curve
             search=Strength(large=0.3, least=0.0, most=3.0),
             between=SHARE,
             example=Example(0.3, "bollard pull at the surface and below"),

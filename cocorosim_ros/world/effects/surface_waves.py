@@ -83,6 +83,7 @@ SURFACE_WAVES = Effect(
             "m/s",
             "of the water to and fro at the surface; over deep water crest to trough is speed * period / pi",
             gives="m/s",
+            other_form=0.05,  # crests that are steeper than troughs, and waves of many periods
             search=Strength(large=0.007),
             example=Example(0.01, "drift"),
         ),

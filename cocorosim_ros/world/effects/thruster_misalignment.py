@@ -40,7 +40,7 @@ THRUSTER_MISALIGNMENT = Effect(
             "rad",
             "of the push, counter-clockwise positive",
             gives="rad",
-            other_form=0.02,  # flow around the hull turns a weak push more than a strong one
+            other_form=0.06,  # flow around the hull turns a weak push more than a strong one
             search=Strength(large=0.08),
             between=(-math.pi, math.pi),
             example=Example(0.05, "straight run"),

@@ -28,6 +28,7 @@ TORQUE_BIAS = Effect(
             "N m",
             "counter-clockwise positive",
             gives="N m",
+            other_form=0.03,  # a torque that differs from place to place, as a trim of the buoyancy does
             search=Strength(large=1e-5),
             example=Example(2e-6, "straight run"),
         ),

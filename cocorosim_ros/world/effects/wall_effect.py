@@ -43,7 +43,7 @@ WALL_EFFECT = Effect(
             gives="N",
             search=Strength(large=2.0, least=0.0),
             example=Example(0.8, "runs along a wall"),
-            other_form=0.25,  # powers of the distance
+            other_form=0.4,  # powers of the distance
         ),
         Number(
             "range",
@@ -56,7 +56,7 @@ WALL_EFFECT = Effect(
             gives="1",
             search=Grid(lambda scene: [0.05, 0.1, 0.2, 0.4], logarithmic=True),
             example=Example(0.15, "runs along a wall"),
-            other_form=0.25,  # powers of the distance
+            other_form=0.4,  # powers of the distance
         ),
     ),
     search=Search(channel="surge", group=DRAG, manoeuvre="along_wall"),

@@ -55,6 +55,7 @@ WIND = Effect(
             "m/s",
             "velocity of the air along x of the world",
             gives="m/s",
+            other_form=0.06,  # c_x and c_y from end to end of their ranges, and areas of a drawing; by the square root
             part="V_wx = x",
             search=Strength(large=0.3),
             example=Example(1.5, "anemometer"),
@@ -64,6 +65,7 @@ WIND = Effect(
             "m/s",
             "velocity of the air along y of the world",
             gives="m/s",
+            other_form=0.06,  # as for x
             part="V_wy = y",
             search=Strength(large=0.3),
             example=Example(-0.5, "anemometer"),

@@ -111,7 +111,7 @@ def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -
     q = 0.7
     spread = spread_of_other_forms(sag, q)
     assert spread * abs(sag.slope(q)) == pytest.approx(share * sag.value(q))
-    assert spread_of_other_forms(replace(sag, column="torque_bias.torque"), q) == 0.0
+    assert spread_of_other_forms(replace(sag, column="pressure_offset.offset"), q) == 0.0
     (share,) = [each.other_form for each in EFFECTS["anisotropic_drag"].numbers if each.name == "sway_ratio"]
     ratio = replace(sag, column="anisotropic_drag.sway_ratio", base=1.0)  # 1: drag that is the same on both axes
     spread = spread_of_other_forms(ratio, q)
@@ -121,3 +121,32 @@ def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -
     assert spread_of_other_forms(gain, 1.0) == pytest.approx(FORM_WIDTH.thrusters / 0.3)  # of its logarithm, over 0.3
     assert spread_of_other_forms(replace(gain, on_top=True), 1.0) == spread_of_other_forms(gain, 1.0)
     assert spread_of_other_forms(replace(gain, column="own_gain.all"), 1.0) == 0.0
+
+
+def test_numbers_that_are_tied_to_one_of_another_form_are_as_wide_as_they_follow_it(swim: Any) -> None:
+    """By how far the platform's drag moves if a linear drag is held a standard deviation off and all else fitted."""
+    from cocorosim_ros.diagnosis.fitting.climbing import improved
+    from cocorosim_ros.diagnosis.fitting.fit import evaluated
+    from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+    from cocorosim_ros.diagnosis.showing.form_width import spread_of_other_forms, variances_of_other_forms
+    from cocorosim_ros.scenario.parts.platform import load_platform
+    from cocorosim_ros.scenario.reading.quantity import Quantity, dimension_of
+    from cocorosim_ros.scenario.reading.ranges import Range
+
+    plain, unit = load_platform("lily"), "N s/m"
+    drag = {axis: Quantity(LINEAR, unit, dimension_of(unit)) for axis in ("surge", "heave")}
+    ranges = {f"effects.linear_drag.{axis}": Range(0.0, 10.0 * LINEAR, unit) for axis in drag}
+    own = replace(plain, effect_quantities={"linear_drag": drag}, ranges=ranges)
+    fit = base_fit(swim(own, 300.0, seed=11))
+    columns = [each.column for each in fit.unknowns]
+    square, linear = columns.index("drag"), [columns.index(f"linear_drag.{axis}") for axis in drag]
+    expected = 0.0
+    for place in linear:
+        unknowns, q = list(fit.unknowns), fit.q.copy()
+        q[place] += spread_of_other_forms(unknowns[place], float(q[place]))
+        unknowns[place] = replace(unknowns[place], bounds=(q[place], q[place]))
+        held = improved(evaluated(replace(fit, unknowns=tuple(unknowns), q=q)), 10)
+        expected += float(held.q[square] - fit.q[square]) ** 2
+    found = variances_of_other_forms(fit)
+    assert found[square] == pytest.approx(expected, rel=0.2)
+    assert all(found[place] >= spread_of_other_forms(fit.unknowns[place], float(fit.q[place])) ** 2 for place in linear)

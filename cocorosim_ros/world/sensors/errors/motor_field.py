@@ -35,6 +35,7 @@ MOTOR_FIELD = SensorError(
             "rad",
             "error of the heading at full thrust of all motors",
             gives="rad",
+            other_form=0.08,  # motors that are not equally near to the compass
             search=Strength(large=0.085),
             example=Example(0.05, "motors on and off"),
         ),
