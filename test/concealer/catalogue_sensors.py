@@ -152,6 +152,12 @@ def logged(time: FloatArray, speed: FloatArray, faults: Faults) -> FloatArray:
     return np.asarray(np.stack([ahead, left, speed[:, 2]], axis=1) * scale[:, None])
 
 
+def hung(speed: FloatArray, rate: FloatArray, faults: Faults) -> FloatArray:
+    """(n, 3) speeds u, v, w where a log hangs beside the centre, from a pole that leans in turns of (n,) rad/s."""
+    place = np.array(faults.log_place) * (1.0 + faults.log_swing * np.sign(rate)[:, None])
+    return np.asarray(speed + np.stack([-rate * place[:, 1], rate * place[:, 0], 0.0 * rate], axis=1))
+
+
 def marked(state: FloatArray, faults: Faults) -> FloatArray:
     """(n, 4) place and yaw of a marker that is put on beside the centre and askew; nearer the camera it looks wider."""
     ahead, left = faults.marker
@@ -181,6 +187,14 @@ def speed_log_misalignment(rng: np.random.Generator, amount: float, scene: Scene
     return Secret("speed_log_misalignment", {"angle": angle}, "each beam turned by itself; angle: the mean", "velocity")
 
 
+def speed_log_lever(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A log on a pole, which turns to one side lean outwards and those to the other inwards; the number is the mean."""
+    scene.fault.log_place, scene.fault.log_swing = direction(rng, amount), rng.uniform(-0.15, 0.15)
+    ahead, left = scene.fault.log_place
+    form = "(ahead, left) times 1 + s sign(r); ahead, left: the mean of both turns"
+    return Secret("speed_log_lever", {"ahead": ahead, "left": left}, form, "velocity")
+
+
 def pose_heading(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A marker that is put on askew, seen by a camera that is not quite above."""
     scene.fault.marker_turn, scene.fault.marker_wobble = signed(rng, amount), rng.uniform(-0.15, 0.15)
@@ -208,6 +222,6 @@ CATALOGUE: dict[str, Hide] = BODY | {
     for hide in (
         compass_distortion, pressure_offset, pressure_drift, sensor_latency, clock_skew, camera_scale, frame_mixup,
         imu_bias, speed_log_scale, speed_log_misalignment, pose_heading, pose_lever, motor_field, pressure_gain,
-        gyro_scale, soft_iron, command_delay,
+        gyro_scale, soft_iron, command_delay, speed_log_lever,
     )
 }  # fmt: skip

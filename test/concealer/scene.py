@@ -35,6 +35,8 @@ class Faults:
     log_scale: float = 0.0  # mean fraction by which the speed log shows too much
     log_warmth: tuple[float, float] = (1.0, 0.0)  # s, rad: period and phase with which that fraction swings
     log_turn: tuple[float, float] = (0.0, 0.0)  # rad, of its forward and of its sideways beam
+    log_place: tuple[float, float] = (0.0, 0.0)  # m ahead and to the left of the centre, of the speed log
+    log_swing: float = 0.0  # fraction by which a pole that it hangs from leans outwards in turns to the left
     marker_turn: float = 0.0  # rad, of the camera's marker
     marker_wobble: float = 0.0  # fraction of that by which it differs with the heading
     marker: tuple[float, float] = (0.0, 0.0)  # m ahead and to the left of the centre

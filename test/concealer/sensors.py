@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from concealer import layout as at
-from concealer.catalogue_sensors import compass_reading, logged, marked, overpressure
+from concealer.catalogue_sensors import compass_reading, hung, logged, marked, overpressure
 from concealer.layout import FloatArray
 from concealer.noises import in_digits, left_by_holes, noise
 from concealer.scene import Faults
@@ -161,8 +161,9 @@ class Observer:
         n = self.numbers["velocity"]
         time = self.beats(n["rate"])
         values = np.zeros((time.size, 6))
-        values[:, :3] = logged(time, self.seen(time, at.THROUGH_U, at.THROUGH_V, at.W), self.faults)
         values[:, 5] = self.seen(time, at.R)[:, 0]
+        speed = hung(self.seen(time, at.THROUGH_U, at.THROUGH_V, at.W), values[:, 5], self.faults)
+        values[:, :3] = logged(time, speed, self.faults)
         sigma = self.between(n["noise"])
         values[:, [0, 1, 2, 5]] += sigma * np.array([1.0, 1.0, 1.0, 5.0]) * self.noise(time, 4)
         values = self.digits("velocity", values)
@@ -188,6 +189,7 @@ def observe(
         streams.append(eye.imu())
     # Nor is one of the speed log, by leaving that out; nor the span of a gauge, which as well is a camera's scale.
     measured = faults.log_scale != 0.0 or faults.log_turn[0] != 0.0 or faults.gauge_gain != 0.0
+    measured = measured or faults.log_place != (0.0, 0.0)
     if rng.random() < numbers["velocity"]["present"] or measured:
         streams.append(eye.velocity())
     streams.append(sent(commands, faults, eye))

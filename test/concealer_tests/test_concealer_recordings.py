@@ -45,7 +45,7 @@ def test_the_same_seed_gives_the_same_bytes(trial: Path, tmp_path: Path, numbers
 
 def test_logs_and_markers_by_hand() -> None:
     """A scale at the crest of its swing, beams at right angles, a marker seen at its mean height."""
-    from concealer.catalogue_sensors import logged, marked
+    from concealer.catalogue_sensors import hung, logged, marked
     from concealer.scene import Faults
 
     speed = np.array([[0.3, -0.1, 0.02]])
@@ -53,6 +53,8 @@ def test_logs_and_markers_by_hand() -> None:
     np.testing.assert_allclose(logged(np.array([2.0]), speed, warm), 1.13 * speed, rtol=1e-12)
     turned = Faults(log_turn=(0.5 * math.pi, 0.5 * math.pi))
     np.testing.assert_allclose(logged(np.array([2.0]), speed, turned), [[-0.1, -0.3, 0.02]], atol=1e-15)
+    aside = hung(np.repeat(speed, 2, axis=0), np.array([0.5, -0.5]), Faults(log_place=(0.2, 0.1), log_swing=0.1))
+    np.testing.assert_allclose(aside, [[0.245, 0.01, 0.02], [0.345, -0.19, 0.02]], atol=1e-15)
     state = np.array([[1.0, 2.0, -1.0, 0.5 * math.pi]])
     beside = marked(state, Faults(marker=(0.3, -0.1), marker_turn=0.2, marker_wobble=0.5))
     np.testing.assert_allclose(beside, [[1.1, 2.3, -1.0, 0.5 * math.pi + 0.2]], atol=1e-12)

@@ -7,6 +7,7 @@ import numpy as np
 WITHOUT = {
     "ground_log_scale": "no vehicle of the trials has a log of its speed over ground",
     "ground_log_misalignment": "no vehicle of the trials has a log of its speed over ground",
+    "ground_log_lever": "no vehicle of the trials has a log of its speed over ground",
     "hull_lift": "no vehicle of the trials has a slender hull",
     "wash_loss": "no vehicle of the trials has a thruster in the jet of another",
 }

@@ -44,6 +44,14 @@ def turned(value: Any, log: Any) -> Any:
     return value
 
 
+def aside(value: Any, log: Any) -> Any:
+    """A log 0.03 m before the origin, and 0.012 m to the right of it; the gyroscope comes with every other pose."""
+    rate = np.interp(log.streams["velocity"].time, log.streams["imu"].time, log.streams["imu"].value[:, 0])
+    value[:, 0] += 0.012 * rate
+    value[:, 1] += 0.03 * rate
+    return value
+
+
 def askew(value: Any, log: Any) -> Any:
     """A marker that shows 4.1 degrees too much of heading."""
     value[:, 3] += math.radians(4.1)
@@ -70,6 +78,7 @@ def disturbed(value: Any, log: Any) -> Any:
     [
         ("speed_log_scale", "velocity", scaled, {"scale": 1.06}),
         ("speed_log_misalignment", "velocity", turned, {"angle": 0.1}),
+        ("speed_log_lever", "velocity", aside, {"ahead": 0.03, "left": -0.012}),
         ("pose_heading", "pose", askew, {"offset": math.radians(4.1)}),
         ("pose_lever", "pose", apart, {"ahead": 0.03, "left": -0.012}),
         ("motor_field", "compass", disturbed, {"field": 0.08}),
@@ -90,7 +99,11 @@ def test_it_is_named_with_its_number(
 
 @pytest.mark.parametrize(
     ("identifier", "change", "number", "true"),
-    [("ground_log_scale", scaled, "scale", 1.06), ("ground_log_misalignment", turned, "angle", 0.1)],
+    [
+        ("ground_log_scale", scaled, "scale", 1.06),
+        ("ground_log_misalignment", turned, "angle", 0.1),
+        ("ground_log_lever", aside, "ahead", 0.03),
+    ],
 )
 def test_of_two_logs_the_one_over_ground_is_named(
     swim_with_logs: Any, identifier: str, change: Callable[[Any, Any], Any], number: str, true: float

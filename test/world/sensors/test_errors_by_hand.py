@@ -18,10 +18,13 @@ Make = Callable[..., Any]
 START = [[[0.0, 0.0, -1.0, 0.7]]]
 
 
-def readings(make_simulation: Make, numbers: dict[str, float], forces: Any = (0.0, 0.0, 0.0)) -> Any:
-    """Readings of a robot at 0.3 m/s ahead, 0.1 m/s to the right and 0.02 m/s upwards, with these errors."""
+def readings(make_simulation: Make, numbers: dict[str, float], forces: Any = (0.0, 0.0, 0.0), rate: float = 0.0) -> Any:
+    """Readings of a robot at 0.3 m/s ahead, 0.1 m/s to the right and 0.02 m/s upwards, with these errors.
+
+    rate: at which it turns to the left [rad/s].
+    """
     simulation = make_simulation(START)
-    simulation.state[0, 0, 4:8] = (0.3, -0.1, 0.02, 0.0)
+    simulation.state[0, 0, 4:8] = (0.3, -0.1, 0.02, rate)
     simulation.state[0, 0, 8:11] = forces
     simulation.world.instruments.measured[...] = True
     found, vehicles = simulation.sense(), simulation.world.vehicles
@@ -45,6 +48,13 @@ def test_a_log_that_shows_too_much_of_what_it_sees(make_simulation: Make) -> Non
     shown = readings(make_simulation, numbers).velocity[0, 0]
     expected = 1.1 * np.array([0.8 * 0.3 - 0.06, -0.08 - 0.18, 0.02])
     np.testing.assert_allclose(shown[:3], expected, atol=1e-15)
+
+
+def test_a_log_off_the_origin(make_simulation: Make) -> None:
+    """Half a metre ahead and a fifth to the left of it, in a turn of 0.8 rad/s: (u - 0.16, v + 0.4, w)."""
+    numbers = {"speed_log_lever.ahead": 0.5, "speed_log_lever.left": 0.2}
+    shown = readings(make_simulation, numbers, rate=0.8).velocity[0, 0]
+    np.testing.assert_allclose(shown[:3], [0.14, 0.3, 0.02], atol=1e-15)
 
 
 @pytest.mark.parametrize(("left", "right", "share"), [(1.0, 1.0, 1.0), (1.0, -1.0, 1.0), (-0.5, 0.0, 0.25), (0, 0, 0)])

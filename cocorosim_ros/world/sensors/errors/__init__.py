@@ -9,6 +9,7 @@ from cocorosim_ros.world.sensors.errors.clock_skew import CLOCK_SKEW
 from cocorosim_ros.world.sensors.errors.command_delay import COMMAND_DELAY
 from cocorosim_ros.world.sensors.errors.compass_distortion import COMPASS_DISTORTION
 from cocorosim_ros.world.sensors.errors.frame_mixup import FRAME_MIXUP
+from cocorosim_ros.world.sensors.errors.ground_log_lever import GROUND_LOG_LEVER
 from cocorosim_ros.world.sensors.errors.ground_log_misalignment import GROUND_LOG_MISALIGNMENT
 from cocorosim_ros.world.sensors.errors.ground_log_scale import GROUND_LOG_SCALE
 from cocorosim_ros.world.sensors.errors.gyro_scale import GYRO_SCALE
@@ -21,6 +22,7 @@ from cocorosim_ros.world.sensors.errors.pressure_gain import PRESSURE_GAIN
 from cocorosim_ros.world.sensors.errors.pressure_offset import PRESSURE_OFFSET
 from cocorosim_ros.world.sensors.errors.sensor_latency import LATE_TOPICS, SENSOR_LATENCY
 from cocorosim_ros.world.sensors.errors.soft_iron import SOFT_IRON
+from cocorosim_ros.world.sensors.errors.speed_log_lever import SPEED_LOG_LEVER
 from cocorosim_ros.world.sensors.errors.speed_log_misalignment import SPEED_LOG_MISALIGNMENT
 from cocorosim_ros.world.sensors.errors.speed_log_scale import SPEED_LOG_SCALE
 from cocorosim_ros.world.sensors.sensor_error import Change, SensorError
@@ -39,8 +41,10 @@ ERRORS: dict[str, SensorError] = {
     "soft_iron": SOFT_IRON,
     "speed_log_misalignment": SPEED_LOG_MISALIGNMENT,
     "speed_log_scale": SPEED_LOG_SCALE,
+    "speed_log_lever": SPEED_LOG_LEVER,
     "ground_log_misalignment": GROUND_LOG_MISALIGNMENT,
     "ground_log_scale": GROUND_LOG_SCALE,
+    "ground_log_lever": GROUND_LOG_LEVER,
     "sensor_latency": SENSOR_LATENCY,
     "clock_skew": CLOCK_SKEW,
     "frame_mixup": FRAME_MIXUP,
