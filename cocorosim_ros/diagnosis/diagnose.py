@@ -62,6 +62,7 @@ from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.showing.uneven_noise import growth_remarks
 from cocorosim_ros.diagnosis.showing.unrecorded import unrecorded
+from cocorosim_ros.diagnosis.showing.unsteady_numbers import unsteady_numbers
 from cocorosim_ros.diagnosis.showing.untold import untold_errors
 
 Progress = Callable[[str, float], None]
@@ -148,7 +149,11 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         noise=noise_levels(naming.fit),
         drag_form=form.name if form else "",
         step=min(track.timeline.grid.step for track in base.tracks),
-        warnings=(*(each.sentence for each in against if each.effect is None), *unlike.values()),
+        warnings=(
+            *(each.sentence for each in against if each.effect is None),
+            *(() if is_exact(table) else unsteady_numbers(naming.fit)),
+            *unlike.values(),
+        ),
         untold=untold_errors(base.tracks, nothing_shown.readings),
         passed_over=passed,
         unlike=tuple(unlike),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -314,6 +315,38 @@ def test_a_loss_of_all_thrust_beside_sides_that_differ(sound: Case, difference: 
     assert len(sentences(hard_stops.one_side_alone, both)) == said
     assert sentences(hard_stops.one_side_alone, loss) == []
     assert all(each.effect is loss.found[0] for each in hard_stops.one_side_alone(both))
+
+
+@pytest.mark.parametrize(
+    ("nats", "equation", "said"), [(400.0, "world_x", 1), (50.0, "world_x", 0), (400.0, "heave", 0)]
+)
+def test_a_small_effect_beside_a_law_of_the_same_force(sound: Case, nats: float, equation: str, said: int) -> None:
+    """A tether of 20 nats beside a law of the place of 400; not beside one that is hardly stronger, or acts upwards."""
+    from cocorosim_ros.diagnosis.catalogue.law_forms import single
+    from cocorosim_ros.world.laws.law import Law
+
+    case = named(sound, "tether", stiffness=2.0)
+    (tether,), (effect,) = case.found, case.named
+    law = Law(equation, single("x"))
+    entry = replace(effect.candidate.entry, id=f"unknown:{equation}~x", channel=equation, form=law, law="law_1")
+    of_law = replace(effect, candidate=replace(effect.candidate, entry=entry), nats=nats)
+    found = (replace(tether, nats=20.0), replace(tether, id=f"unknown:{equation}~x", nats=nats))
+    both = replace(case, found=found, named=(effect, of_law))
+    assert len(sentences(hard_stops.beside_a_law, both)) == said
+    assert all(each.effect is found[0] for each in hard_stops.beside_a_law(both))
+
+
+@pytest.mark.parametrize(("level", "said"), [(2, 0), (4, 1)])
+def test_an_angle_of_all_thrusters_of_many(sound: Case, level: int, said: int) -> None:
+    """Of a pair it is said as it is; of four in the level plane one alone may be turned."""
+    case = named(sound, "thruster_misalignment", angle=1.5)
+    (track,) = case.final.tracks
+    wrench = np.zeros((level + 1, 4))
+    wrench[:level, 0], wrench[level, 2] = 1.0, 1.0
+    vehicle = SimpleNamespace(actuator_wrench=wrench, is_thruster=np.ones(level + 1, dtype=bool))
+    final: Any = SimpleNamespace(tracks=(SimpleNamespace(name=track.name, vehicle=vehicle),))
+    many = replace(case, final=final)
+    assert len(sentences(hard_stops.all_askew, many)) == said
 
 
 def test_noise_that_is_a_guess(sound: Case) -> None:

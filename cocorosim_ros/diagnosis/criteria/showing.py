@@ -71,6 +71,9 @@ class HardStopCriteria:
     worse: float = 1.1
     """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, not measured,
     as VERDICT.worse is."""
+    beside_law: float = 0.1
+    """[of the nats of a law outside the catalogue] below which an entry of the same force may be what that law leaves.
+    Chosen, not measured: as for confused entries beside an effect."""
     pressed: float = 8.0
     """[nats] by slopes, for less than none of an effect that the platform's file has: as many as a name needs. Chosen,
     not measured."""
@@ -99,6 +102,17 @@ class BeyondFloorCriteria:
     clear: float = 3.0
     """[of the noise floor] error of the model with all effects, from which something is missing. Measured: right models
     of seventeen made recordings reached 1.3 times it, a weight outside of its range 20 times."""
+
+
+@dataclass(frozen=True)
+class UnsteadyCriteria:
+    """Numbers that differ from one part of the recordings to the next (`showing.unsteady_numbers`)."""
+
+    material: float = 0.15
+    """[of the number] standard deviation between parts that is worth a sentence: what wears or warms changes less.
+    Chosen, not measured: of a thruster that lost half of its thrust halfway it was 0.32."""
+    beside: float = 0.8
+    """[of the greatest] below which others follow that number. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
@@ -153,6 +167,7 @@ FORM_WIDTH = FormWidthCriteria()
 HARD_STOPS = HardStopCriteria()
 REMAINDER = RemainderCriteria()
 BEYOND_FLOOR = BeyondFloorCriteria()
+UNSTEADY = UnsteadyCriteria()
 UNEVEN = UnevenNoiseCriteria()
 LOCATION = LocationCriteria()
 FRAMING = FramingCriteria()

@@ -67,6 +67,12 @@ def variances_between_parts(fit: Fit) -> Heterogeneity:
     return Heterogeneity(*np.max(found, axis=0))
 
 
+def variances_in_time(fit: Fit) -> Floats:
+    """Variances (unknowns,) of each q of a fit between parts of the recordings that follow one another; 0 if alike."""
+    parts = list(_parts(fit, _in_time(fit.tracks)))
+    return np.asarray(_variances(fit, parts, covariance(fit))[0])
+
+
 def variances_of_other_forms(fit: Fit) -> Floats:
     """Variances (unknowns,) of q by which numbers differ under other laws of the kind, those of other effects included.
 
@@ -101,11 +107,16 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
 def _divisions(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Iterator[list[Integers]]:
     """Number of the part of each reading (m,) of each track, in four divisions."""
     count = FORM_WIDTH.parts
-    yield [number * count + track.timeline.parts(count) for number, track in enumerate(tracks)]
+    yield _in_time(tracks)
     for quantity in (_speed, _turn_rate, _height):
         values = [quantity(course.mean)[_points(track)] for track, course in zip(tracks, courses, strict=True)]
         edges = np.quantile(np.concatenate(values), np.arange(1, count) / count)
         yield [np.searchsorted(edges, value) for value in values]
+
+
+def _in_time(tracks: Sequence[Track]) -> list[Integers]:
+    count = FORM_WIDTH.parts
+    return [number * count + track.timeline.parts(count) for number, track in enumerate(tracks)]
 
 
 def _speed(course: Floats) -> Floats:

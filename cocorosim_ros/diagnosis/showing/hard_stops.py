@@ -20,12 +20,14 @@ from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robot
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
+from cocorosim_ros.diagnosis.naming.choice import moves
+from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
 from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
-from cocorosim_ros.diagnosis.showing.remainder import remainder
+from cocorosim_ros.diagnosis.showing.remainder import HORIZONTAL, remainder
 from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
@@ -42,6 +44,7 @@ _LAGS = ("thruster_lag", "pump_lag")
 _LEVEL = ("sway", "yaw", "compass")
 """Channels of effects that the motion upwards hardly touches; what drives a vehicle ahead it does where it pitches."""
 ALL_THRUST, ONE_SIDE = "battery_sag", "thruster_asymmetry"
+ASKEW, PAIR = "thruster_misalignment", 2
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
 
@@ -240,6 +243,48 @@ def one_side_alone(case: Case) -> Iterator[Objection]:
             )
 
 
+def beside_a_law(case: Case) -> Iterator[Objection]:
+    """Object to an entry of motion beside a law outside the catalogue of the same channels that explains far more.
+
+    What a law of two regressors leaves of a force of another form resembles one entry or another.
+    """
+    moving = [(found, named) for found, named in effects_of(case) if moves(named.candidate)]
+    laws = [(found, named) for found, named in moving if named.candidate.entry.law is not None]
+    for found, named in moving:
+        if named.candidate.entry.law is None and any(
+            found.nats < HARD_STOPS.beside_law * law.nats and _share_a_force(named, of_law) for law, of_law in laws
+        ):
+            yield Objection(
+                "A law outside the catalogue explains far more of the same force: this may be what that law leaves of "
+                "a force of another form.",
+                effect=found,
+            )
+
+
+def _share_a_force(one: NamedEffect, other: NamedEffect) -> bool:
+    """Tell whether two effects act along the same axes, those of the level plane taken together."""
+    first, second = one.candidate.entry.channel, other.candidate.entry.channel
+    return first == second or {first, second} <= set(HORIZONTAL)
+
+
+def all_askew(case: Case) -> Iterator[Objection]:
+    """Object to the one angle of all thrusters of a vehicle that has more than two in the level plane."""
+    for found, _ in effects_of(case):
+        if found.id == ASKEW and any(_level_thrusters(track) > PAIR for track in _tracks_of(case, found)):
+            yield Objection(
+                "It turns all thrusters by the same angle, as a frame that is put in askew does. One of them alone, "
+                "turned further, explains much of the same: look along each.",
+                effect=found,
+            )
+
+
+def _level_thrusters(track: Track) -> int:
+    """Count the thrusters of a vehicle that push in the level plane."""
+    vehicle = track.vehicle
+    level = np.abs(vehicle.actuator_wrench[:, :2]).max(axis=1) > 0.0
+    return int(np.count_nonzero(vehicle.is_thruster & level))
+
+
 def unknown_noise(case: Case) -> Iterator[Objection]:
     """Object to readings many of which were interpolated or repeated, so that their noise is a guess."""
     for track in case.final.tracks:
@@ -271,6 +316,8 @@ STOPS: tuple[Stop, ...] = (
     untold_advance,
     slow_steering,
     one_side_alone,
+    all_askew,
+    beside_a_law,
     unknown_noise,
     remainder,
 )
