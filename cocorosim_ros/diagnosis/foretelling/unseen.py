@@ -4,9 +4,9 @@ Every model starts from one state: what the recalibrated model's filter had made
 without later ones and without the named effects, so that what is compared differs by the models alone. Two things make
 exceptions, since with them the readings of one state are others: the errors of readings that count (`fixed_errors`),
 and water that moves, where a log shows the speed through it or a receiver's places wander, which a filter without the
-current takes for the cause of the drift. From there a model takes no readings and no random force,
-and is measured against the readings that come. A smoothed course is no measure: it is bent by the model that made it.
-Where no reading shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
+current takes for the cause of the drift. From there a model takes no readings and no random force, and is measured
+against the readings that come. A smoothed course is no measure: it is bent by the model that made it. Where no reading
+shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
 """
 
 from __future__ import annotations

@@ -42,8 +42,8 @@ def sentence_of(
     """The headline of a diagnosis against a platform.
 
     passed: what gets no name; told only where nothing has one. collapsed: whether the recalibrated model foretells
-    unseen data worse than the platform as given. beyond_floor: channels in which free runs lack what
-    nothing stands for.
+    unseen data worse than the platform as given. beyond_floor: channels in which free runs lack what nothing
+    stands for.
     """
     of_fit = [each for each in effects if each.correction is None]  # axes are put right before any fit
     if collapsed and (of_fit or not effects):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
@@ -31,20 +32,22 @@ class Better(NamedTuple):
     nats: float
 
 
-def better_than_named(case: Case, entry: Entry, known: Collection[str]) -> Iterator[Better]:
+def better_than_named(case: Case, entry: Entry, known: Collection[str], alone: float = math.inf) -> Iterator[Better]:
     """Ask an error of readings that is not looked for, since no other readings show the states `known`.
 
-    It is asked for all robots, in place of all that is named, where any of that is motion.
+    It is asked for all robots, in place of all that is named, where any of that is motion; where nothing is named, it
+    has to explain more than `alone` nats.
     """
-    if case.base is None or not any(moves(named.candidate) for _, named in effects_of(case)):
+    moving = any(moves(named.candidate) for _, named in effects_of(case))
+    if case.base is None or not (moving or (math.isfinite(alone) and not case.named)):
         return
     told = {each.key for each in expand([entry], case.base.tracks, case.base.rows)}
     every = expand([entry], case.base.tracks, case.base.rows, known=known)
-    explained = log_evidence(case.final) - log_evidence(case.base)
+    explained = log_evidence(case.final) - log_evidence(case.base) if moving else alone
     for candidate in [each for each in every if each.key not in told and not each.known][:1]:
         tried = asked_at_last(case.base, candidate)
         if tried.nats > explained:
-            yield Better(tried, tried.nats - explained)
+            yield Better(tried, tried.nats - (explained if moving else 0.0))
 
 
 def value_of(tried: Refined, number: str) -> float:

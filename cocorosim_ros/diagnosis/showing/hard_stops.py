@@ -22,6 +22,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.naming.single_thrusters import SIDES
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
 from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
@@ -35,16 +36,18 @@ from cocorosim_ros.diagnosis.showing.untold_advance import untold_advance
 from cocorosim_ros.diagnosis.showing.untold_distortion import untold_distortion
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
+from cocorosim_ros.diagnosis.showing.untold_turn import untold_turn
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
 from cocorosim_ros.world.effects import FINS
+from cocorosim_ros.world.state.state import X, Y
 
 _LAGS = ("thruster_lag", "pump_lag")
 _LEVEL = ("sway", "yaw", "compass")
 """Channels of effects that the motion upwards hardly touches; what drives a vehicle ahead it does where it pitches."""
 ALL_THRUST, ONE_SIDE = "battery_sag", "thruster_asymmetry"
-ASKEW, PAIR = "thruster_misalignment", 2
+ASKEW = "thruster_misalignment"
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
 
@@ -270,7 +273,7 @@ def _share_a_force(one: NamedEffect, other: NamedEffect) -> bool:
 def all_askew(case: Case) -> Iterator[Objection]:
     """Object to the one angle of all thrusters of a vehicle that has more than two in the level plane."""
     for found, _ in effects_of(case):
-        if found.id == ASKEW and any(_level_thrusters(track) > PAIR for track in _tracks_of(case, found)):
+        if found.id == ASKEW and any(_level_thrusters(track) > SIDES for track in _tracks_of(case, found)):
             yield Objection(
                 "It turns all thrusters by the same angle, as a frame that is put in askew does. One of them alone, "
                 "turned further, explains much of the same: look along each.",
@@ -280,9 +283,9 @@ def all_askew(case: Case) -> Iterator[Objection]:
 
 def _level_thrusters(track: Track) -> int:
     """Count the thrusters of a vehicle that push in the level plane."""
-    vehicle = track.vehicle
-    level = np.abs(vehicle.actuator_wrench[:, :2]).max(axis=1) > 0.0
-    return int(np.count_nonzero(vehicle.is_thruster & level))
+    wrench = track.vehicle.actuator_wrench
+    level = (wrench[:, X] != 0.0) | (wrench[:, Y] != 0.0)
+    return int(np.count_nonzero(track.vehicle.is_thruster & level))
 
 
 def unknown_noise(case: Case) -> Iterator[Objection]:
@@ -312,6 +315,7 @@ STOPS: tuple[Stop, ...] = (
     beyond_the_floor,
     untold_lever,
     untold_distortion,
+    untold_turn,
     untold_form,
     untold_advance,
     slow_steering,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
+from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
 from cocorosim_ros.foundation.compiling.sources import PACKAGE
 from cocorosim_ros.library.explaining.explanation import Explanation
 from cocorosim_ros.library.explaining.shipped import trees, values
@@ -24,6 +26,7 @@ def table_entries() -> Iterator[Explanation]:
         yield from _described("effect", name, effect, "world/effects")
     for name, error in ERRORS.items():
         yield from _described("error of a sensor", name, error, "world/sensors/errors")
+    yield from _single_actuators()
     yield from _metrics()
     yield from _topics()
     yield from _controllers()
@@ -39,6 +42,32 @@ def _described(kind: str, name: str, what: Description, folder: str) -> Iterator
     yield Explanation(name, kind, what.summary, _known(facts), tuple(f"platform {user}" for user in users))
     for part in what.parameters:
         yield _number(f"number of the {kind} {name}", f"{name}.{part.name}", part)
+
+
+def _single_actuators() -> Iterator[Explanation]:
+    """Numbers of one actuator that a diagnosis looks for, by the name before the actuator's."""
+    yield Explanation(
+        ONE_THRUSTER,
+        "effect",
+        "thrust of one thruster unlike that of the others, as one that is fouled or has lost a blade",
+        {
+            "equation": "T = factor * T_model",
+            "numbers": "a factor [1] by the name of the thruster",
+            "found by": "cocorosim diagnose, of vehicles with more than two thrusters",
+            "in a platform file": "'gain' of that thruster",
+        },
+    )
+    yield Explanation(
+        STEERING_TRIM,
+        "effect",
+        "angle at which a rudder or a fin stands at command zero, as one whose linkage has slipped",
+        {
+            "equation": "angle = command + trim",
+            "numbers": "an angle [rad] by the name of the rudder or fin",
+            "found by": "cocorosim diagnose, where the file does not give it",
+            "in a platform file": "'trim' of that rudder or fin",
+        },
+    )
 
 
 def _number(kind: str, name: str, part: Parameter) -> Explanation:
