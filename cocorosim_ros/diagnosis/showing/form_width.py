@@ -22,7 +22,7 @@ from cocorosim_ros.diagnosis.criteria.showing import FORM_WIDTH
 from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, information
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
-from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, NEUTRAL, OWN_GAINS
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
@@ -76,15 +76,16 @@ def variances_in_time(fit: Fit) -> Floats:
 def variances_of_other_forms(fit: Fit) -> Floats:
     """Variances (unknowns,) of q by which numbers differ under other laws of the kind, those of other effects included.
 
-    What a law of another form leaves over, the numbers take on that are told from the same readings: a platform's drag
-    moves with a ratio of drags as far as the fit ties the two.
+    What an effect of another form leaves over, the numbers take on that are told from the same readings: a platform's
+    drag moves with a ratio of drags as far as the fit ties the two. Of numbers that the platform's file declares the
+    form is the vehicle's own, and of the gain of one thruster nothing follows for others.
     """
     spread = np.array([spread_of_other_forms(each, q) for each, q in zip(fit.unknowns, fit.q.tolist(), strict=True)])
     tied = covariance(fit)
     own = np.diag(tied)
     followed = np.divide(tied, own, out=np.zeros_like(tied), where=own > 0.0)
     np.fill_diagonal(followed, 1.0)
-    alone = [unknown.column in OWN_GAINS for unknown in fit.unknowns]  # what others do follows not from one thruster
+    alone = [unknown.column in OWN_GAINS or unknown.owner.effect == PLATFORM for unknown in fit.unknowns]
     followed[:, alone] = np.eye(len(alone))[:, alone]
     return np.asarray(np.square(followed * spread).sum(axis=1))
 
