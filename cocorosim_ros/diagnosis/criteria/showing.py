@@ -115,6 +115,8 @@ class UnsteadyCriteria:
     material: float = 0.15
     """[of the number] standard deviation between parts that is worth a sentence: what wears or warms changes less.
     Chosen, not measured: of a thruster that lost half of its thrust halfway it was 0.32."""
+    most: float = 1.0
+    """[of the number] beyond which parts tell hardly anything of it. Chosen, not measured."""
     beside: float = 0.8
     """[of the greatest] below which others follow that number. Chosen, not measured."""
 
