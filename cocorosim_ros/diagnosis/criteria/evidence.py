@@ -43,6 +43,16 @@ class NoiseCriteria:
     """[steps] by which a multiple of the step may miss a whole number. Chosen, not measured."""
     most_levels: float = 0.5
     """[of the readings] more different values than that are no coarse steps. Chosen, not measured."""
+    finest_of_turn: float = 2e-7
+    """[turns] smaller steps of angles come from the digits in which quaternions are written. Reckoned from those of
+    single precision, 6e-8."""
+    ends_of_turns: float = 0.05
+    """[share of the steps between levels of angles] that are at the ends of turns, and no whole steps. Chosen, not
+    measured: steps of two degrees have one of 180 there."""
+    dithered: float = 0.58
+    """[steps] below this standard deviation readings in steps follow what moves them too little or too much. Known of
+    quantisation (Widrow and Kollár 2008): errors of rounding hardly depend on what is rounded if that spreads by half a
+    step, with which its rounded values spread by 0.58."""
 
 
 @dataclass(frozen=True)

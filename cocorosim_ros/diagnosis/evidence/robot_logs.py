@@ -13,12 +13,13 @@ from cocorosim_ros.diagnosis.evidence.levelling import levelled
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude, attitude_of
 from cocorosim_ros.diagnosis.evidence.streams.filled_in import filled_in
 from cocorosim_ros.diagnosis.evidence.streams.log import STREAMS, RobotLog, Stream
-from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.evidence.streams.noise import hides_motion, noise_of
 from cocorosim_ros.diagnosis.evidence.streams.outliers import away, outliers
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import FELT, PLANE
 from cocorosim_ros.diagnosis.evidence.streams.turning import period_of, turned_by_gyro, unwrapped
 from cocorosim_ros.diagnosis.evidence.topic_rows import COMMAND, TopicRows
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.counted import either
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.world.sensors import SENSORS
 
@@ -89,8 +90,11 @@ def _finished(name: str, topic: str, streams: Mapping[str, Stream], remarks: lis
         angle = unwrapped(stream.time, value[:, column], period)
         turned = turned_by_gyro(stream.time, angle, streams.get("imu"))
         value[:, column] = angle if turned is None else unwrapped(stream.time, angle, period, turned)
-    filled = _leave_out_filled_in(name, topic, stream.time, value, remarks)
-    noise = np.array([noise_of(stream.time, column) for column in value.T])
+    if topic == "imu":
+        _leave_out_coarse(name, value, remarks)
+    turns = [period if HEADINGS.get(topic) == column else 0.0 for column in range(value.shape[1])]
+    filled = _leave_out_filled_in(name, topic, stream.time, value, turns, remarks)
+    noise = np.array([noise_of(stream.time, column, turn) for column, turn in zip(value.T, turns, strict=True)])
     _leave_out(name, topic, stream.time, value, noise, remarks)
     if topic in HEADINGS:
         _leave_out_leaps(name, stream.time, value[:, HEADINGS[topic]], float(noise[HEADINGS[topic]]), remarks)
@@ -98,11 +102,32 @@ def _finished(name: str, topic: str, streams: Mapping[str, Stream], remarks: lis
     return replace(stream, time=stream.time[kept], value=value[kept], noise=noise, full_turn=period, filled_in=filled)
 
 
-def _leave_out_filled_in(name: str, topic: str, time: Floats, value: Floats, remarks: list[str]) -> tuple[str, ...]:
-    """Write NaN over readings that nothing measured; return the columns that had them."""
+def _leave_out_coarse(name: str, value: Floats, remarks: list[str]) -> None:
+    """Write NaN over the accelerations (readings, columns) of an IMU in steps so coarse that they hide the motion.
+
+    Accelerometers measure some g, of which a slow vehicle needs thousandths. Other readings in such steps stay, since
+    they still keep a course where it is.
+    """
+    coarse = [number for number in range(FELT.start, FELT.stop) if hides_motion(value[:, number])]
+    if coarse:
+        columns = ", ".join(STREAMS["imu"][number] for number in coarse)
+        remarks.append(
+            f"{name}: {columns} hardly {either(len(coarse), 'leaves', 'leave')} one step of the instrument's digits, "
+            f"which hide the motion; {either(len(coarse), 'it was', 'they were')} left out."
+        )
+        value[:, coarse] = np.nan
+
+
+def _leave_out_filled_in(
+    name: str, topic: str, time: Floats, value: Floats, turns: Sequence[float], remarks: list[str]
+) -> tuple[str, ...]:
+    """Write NaN over readings that nothing measured; return the columns that had them.
+
+    turns: a full turn [unit of the column] of each column that is an angle, 0 of the others.
+    """
     found = []
-    for column, shown in zip(STREAMS[topic], value.T, strict=True):
-        made_up = filled_in(time, shown)
+    for column, shown, turn in zip(STREAMS[topic], value.T, turns, strict=True):
+        made_up = filled_in(time, shown, turn)
         if made_up.any():
             shown[made_up] = np.nan
             found.append(column)

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from cocorosim_ros.diagnosis.evidence.streams.filled_in import filled_in
+from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.evidence.streams.turning import FULL_TURN
 
 TIME = 0.5 * np.arange(400)
 
@@ -67,3 +69,18 @@ def test_missing_readings_do_not_hide_the_pattern() -> None:
     assert made_up[1:-4:4].mean() > 0.9
     assert not made_up[knots].any()
     assert not made_up[np.isnan(value)].any()
+
+
+@pytest.mark.parametrize("step", [2.0, 1.9], ids=["of which a turn has 180", "of which a turn has no whole number"])
+@pytest.mark.parametrize("lost", [0.0, 2.4e-7], ids=["exact", "single precision"])
+def test_a_coarse_heading_of_a_vehicle_that_turns_is_measured(step: float, lost: float) -> None:
+    """Headings in steps of 2 degrees, counted on over 17 turns, with the digits that are lost on the way."""
+    rng = np.random.default_rng(6)
+    time = 0.1 * np.arange(3000)
+    degrees = np.degrees(0.8 * time * (np.floor(time / 30.0) % 2)) + 0.8 * rng.standard_normal(3000)
+    turns = np.floor(degrees / 360.0)
+    shown = np.radians(step) * np.rint((degrees - 360.0 * turns) / step) + lost * rng.uniform(-1.0, 1.0, 3000)
+    counted_on = shown + FULL_TURN * turns
+    assert not filled_in(time, counted_on, FULL_TURN).any()
+    noise = np.radians(np.hypot(0.8, step / np.sqrt(12.0)))
+    assert noise_of(time, counted_on, FULL_TURN) == pytest.approx(noise, rel=0.15)

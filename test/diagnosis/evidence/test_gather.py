@@ -140,6 +140,22 @@ def test_an_imu_without_rate(record: Record, circle: Any, topic: Any, lily_platf
     np.testing.assert_allclose(stream.value[:, 1:], readings[:, 1:])
 
 
+def test_accelerations_in_steps_that_hide_the_motion(
+    record: Record, circle: Any, topic: Any, lily_platform: Platform, is_said: Any
+) -> None:
+    """They are left out and said to be; the rate beside them stays, and so do accelerations in finer steps."""
+    time = circle[POSE].stamp
+    felt = 0.02 * np.random.default_rng(3).standard_normal((time.size, 3))
+    readings = np.column_stack(
+        [np.full(time.size, 0.1), np.rint(felt / [0.1, 0.1, 0.01]) * [0.1, 0.1, 0.01] + [0.0, 0.0, 9.8]]
+    )
+    circle["/lily_01/imu"] = topic(time, readings)
+    recording = gather_recording(record(circle), lily_platform)
+    value = recording.robots[0].streams["imu"].value
+    assert np.isnan(value[:, 1:3]).all() and np.isfinite(value[:, [0, 3]]).all()
+    assert is_said(recording.remarks, "accel_x, accel_y hardly leave one step of the instrument's digits")
+
+
 def test_an_imu_that_tells_the_attitude_alone(record: Record, circle: Any, topic: Any, lily_platform: Platform) -> None:
     """Its pitch is known; without rates and forces it is no stream of readings, and nothing that follows meets one."""
     time = circle[POSE].stamp

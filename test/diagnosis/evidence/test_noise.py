@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.evidence.streams.noise import hides_motion, noise_of
 
 WITHIN = 0.15
 Motion = Callable[[np.ndarray], np.ndarray]
@@ -120,6 +120,16 @@ def test_repeated_readings_count_once() -> None:
     rng = np.random.default_rng(11)
     value = np.repeat(np.cumsum(0.01 * rng.standard_normal(2000)) * 0 + 0.02 * rng.standard_normal(2000), 5)
     assert noise_of(np.arange(value.size) * 0.02, value) == pytest.approx(0.02, rel=WITHIN)
+
+
+def test_steps_that_hide_the_motion() -> None:
+    """In steps of 0.05 m/s^2 a swing of 0.02 with noise of 0.01 is hidden, one with noise of half a step is not."""
+    rng = np.random.default_rng(12)
+    swing = 0.02 * np.sin(0.3 * np.arange(0.0, 300.0, 0.1))
+    hidden, shown = (0.05 * np.rint((swing + each * rng.standard_normal(3000)) / 0.05) for each in (0.01, 0.025))
+    assert hides_motion(hidden) and not hides_motion(shown)
+    assert np.polyfit(swing, hidden, 1)[0] < 0.7 and np.polyfit(swing, shown, 1)[0] == pytest.approx(1.0, abs=0.1)
+    assert not hides_motion(swing) and not hides_motion(np.zeros(3000)) and not hides_motion(np.full(9, np.nan))
 
 
 def test_nothing_to_be_seen() -> None:

@@ -8,28 +8,31 @@ from __future__ import annotations
 
 import numpy as np
 
-from cocorosim_ros.diagnosis.criteria.evidence import FILLED_IN
+from cocorosim_ros.diagnosis.criteria.evidence import FILLED_IN, NOISE
+from cocorosim_ros.diagnosis.evidence.streams.levels import steps_between
 from cocorosim_ros.foundation.arrays import Flags, Floats
 
 
-def filled_in(time: Floats, value: Floats) -> Flags:
+def filled_in(time: Floats, value: Floats, turn: float = 0.0) -> Flags:
     """Flags (n,) of the readings that lie on the straight line between their neighbours, or repeat the last one.
 
-    time (n,) [s] ascending, value (n,), NaN where not given. None is flagged unless such readings are many, lie among
-    others that miss the line by far, and are no result of rounding: a robot at rest, or in steady motion without noise,
-    has many in a row; a coarse instrument misses the line by a few of its steps.
+    time (n,) [s] ascending, value (n,), NaN where not given; turn: a full turn [unit of value] of angles, 0 for what is
+    none. None is flagged unless such readings are many, lie among others that miss the line by far, and are no result
+    of rounding: a robot at rest, or in steady motion without noise, has many in a row; a coarse instrument misses the
+    line by a few of its steps.
     """
     flags = np.zeros(len(value), dtype=bool)
     given = np.flatnonzero(np.isfinite(value))
     if len(given) < FILLED_IN.fewest:
         return flags
     shown = value[given]
-    levels = np.unique(shown)
-    if len(levels) < FILLED_IN.fewest:  # an instrument of so few levels repeats itself
+    exact = FILLED_IN.exact * float(np.ptp(shown))
+    steps = steps_between(shown, exact, turn)
+    if len(steps) + 1 < FILLED_IN.fewest:  # an instrument of so few levels repeats itself
         return flags
-    tolerance = max(FILLED_IN.on_the_line * float(np.diff(levels).min()), FILLED_IN.exact * float(np.ptp(levels)))
+    tolerance = max(FILLED_IN.on_the_line * float(steps.min()), exact)
     off, step = _off_the_line(time[given], shown), np.abs(np.diff(shown))[:-1]
-    for size, limit in ((step, 0.0), (off, tolerance)):
+    for size, limit in ((step, NOISE.finest_of_turn * turn), (off, tolerance)):
         if _are_many_among_others(size <= limit, size, tolerance):
             flags[given[1:-1]] = size <= limit
             return flags

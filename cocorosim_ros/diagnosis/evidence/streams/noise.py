@@ -5,16 +5,18 @@ from __future__ import annotations
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.evidence import NOISE
+from cocorosim_ros.diagnosis.evidence.streams.levels import steps_between
 from cocorosim_ros.foundation.arrays import Floats
 
 LOW_ORDER, HIGH_ORDER = 4, 6  # of differences, which vanish for polynomials of lower degree
 WITHIN_ONE_SIGMA = 0.6826894921370859  # share of a normal distribution
 
 
-def noise_of(time: Floats, value: Floats) -> float:
+def noise_of(time: Floats, value: Floats, turn: float = 0.0) -> float:
     """The standard deviation of a single reading [unit of value]; NaN for too few readings or a constant one.
 
-    time (n,) [s] ascending, value (n,) with NaN where not given; angles unwrapped.
+    time (n,) [s] ascending, value (n,) with NaN where not given; turn: a full turn [unit of value] of angles, which are
+    unwrapped, and 0 for what is none.
 
     The residual of a reading from the polynomial of degree 3 (or 5) through its neighbours, at their real stamps, is
     noise alone if the motion is smooth over five (seven) readings. The estimate is the size below which 68 % of these
@@ -23,8 +25,8 @@ def noise_of(time: Floats, value: Floats) -> float:
 
     Motion that bends between two readings adds to the residuals; the estimate is then an upper bound.
     """
-    time, value = _informative(time, value)
-    step = quantum_of(value)
+    time, value = _informative(time, value, turn)
+    step = quantum_of(value, turn)
     if not step > 0.0 and not (value.size and np.ptp(value) > 0.0):
         return float("nan")
     low = contrast_residuals(time, value, LOW_ORDER)
@@ -61,30 +63,40 @@ def contrast_residuals(time: Floats, value: Floats, order: int) -> Floats:
     return np.asarray((weights * (values - values.mean(axis=1, keepdims=True))).sum(axis=1))
 
 
-def quantum_of(value: Floats) -> float:
-    """The step of which all readings are multiples, up to a constant; 0 if no step shows."""
-    levels = np.unique(value)
-    if levels.size < 2:
+def quantum_of(value: Floats, turn: float = 0.0) -> float:
+    """The step of which all readings are multiples, up to a constant; 0 if no step shows.
+
+    value (n,), finite; turn: a full turn [unit of value] of angles, 0 for what is none.
+    """
+    if not value.size:
         return 0.0
-    steps = np.diff(levels)
-    rounding = NOISE.rounding * max(float(np.abs(levels).max()), float(levels[-1] - levels[0]))
-    steps = steps[steps > rounding]
+    steps = steps_between(value, NOISE.rounding * max(float(np.abs(value).max()), float(np.ptp(value))), turn)
     if not steps.size:
         return 0.0
     step = float(steps.min())
     whole = np.abs(steps / step - np.rint(steps / step))
-    seen_often = levels.size < NOISE.most_levels * value.size
-    return step if seen_often and bool((whole < NOISE.whole).all()) else 0.0
+    seen_often = steps.size + 1 < NOISE.most_levels * value.size
+    needed = 1.0 - NOISE.ends_of_turns if turn else 1.0
+    return step if seen_often and float(np.mean(whole < NOISE.whole)) >= needed else 0.0
 
 
-def _informative(time: Floats, value: Floats) -> tuple[Floats, Floats]:
+def hides_motion(value: Floats) -> bool:
+    """Tell whether readings (n,), NaN where not given, are in steps so coarse that most of what moves them is rounded.
+
+    They then tell of small motions that there are none, and of larger ones too much.
+    """
+    given = value[np.isfinite(value)]
+    return bool(given.size) and float(np.std(given)) < NOISE.dithered * quantum_of(given)
+
+
+def _informative(time: Floats, value: Floats, turn: float) -> tuple[Floats, Floats]:
     """Leave out missing readings, and those that repeat the one before if a slow sensor makes many of these."""
     given = np.isfinite(value)
     time, value = time[given], value[given]
     if value.size < 2:
         return time, value
-    fresh = np.append(True, np.diff(value) != 0.0)
-    if np.mean(~fresh) > NOISE.repeated and quantum_of(value) == 0.0:
+    fresh = np.append(True, np.abs(np.diff(value)) > NOISE.finest_of_turn * turn)
+    if np.mean(~fresh) > NOISE.repeated and quantum_of(value, turn) == 0.0:
         return time[fresh], value[fresh]
     return time, value
 
