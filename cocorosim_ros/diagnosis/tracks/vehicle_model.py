@@ -23,6 +23,7 @@ from cocorosim_ros.diagnosis.tracks.columns import (
 )
 from cocorosim_ros.diagnosis.tracks.own_curves import own_curves
 from cocorosim_ros.diagnosis.tracks.own_numbers import Declared, gain_key, own_numbers
+from cocorosim_ros.diagnosis.tracks.surge_drag import with_surge_drag
 from cocorosim_ros.diagnosis.tracks.surroundings import OPEN_WATER, RecordedSurroundings
 from cocorosim_ros.foundation.arrays import Flags, Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -136,6 +137,7 @@ class VehicleModel:
 
     def actuating_body(self, row: Floats) -> Body:
         """Make the body with the actuators alone, which turn commands into forces along the robot's own axes."""
+        row = with_surge_drag(row)
         around = self.surroundings
         return Body(
             row[PHYSICS].copy(),

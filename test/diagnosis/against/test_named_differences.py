@@ -19,6 +19,8 @@ WELL = {
     "linear_drag": {"surge": 0.02, "sway": 0.03, "heave": 0.02, "yaw": 3e-5},
     "anisotropic_drag": {"sway_ratio": 2.0, "heave_ratio": 1.5},
 }
+FOULED_AHEAD = {**WELL, "anisotropic_drag": {"sway_ratio": 2.0 / 1.5, "heave_ratio": 1.0}}
+"""Effects of the well vehicle with 1.5 times the drag, that of the other axes as before."""
 GOOD, BAD = (1, 2, 3, 4), (11, 12, 13)  # seeds of recordings
 
 
@@ -29,14 +31,14 @@ def weakened(actuators: Any, shares: dict[str, float]) -> Any:
     )
 
 
-def vehicle(hidden: dict[str, dict[str, float]], left: float = 1.0) -> Any:
-    """A Lily with these effects, whose left thruster has so much of its thrust."""
+def vehicle(hidden: dict[str, dict[str, float]], left: float = 1.0, drag: float = 1.0) -> Any:
+    """A Lily with these effects, whose left thruster has so much of its thrust, and that has so much more drag."""
     from hidden_effects import hiding
 
     from cocorosim_ros.scenario.parts.platform import load_platform
 
     plain = hiding(load_platform("lily"), hidden)
-    return replace(plain, actuators=weakened(plain.actuators, {"left": left}))
+    return replace(plain, drag=drag * plain.drag, actuators=weakened(plain.actuators, {"left": left}))
 
 
 def recordings(swim: Any, platform: Any, seeds: tuple[int, ...], altered: Callable[[Any], Any] | None = None) -> Any:
@@ -111,6 +113,7 @@ def compass_after(seconds: float) -> Callable[[Any], Any]:
 
 CASES: dict[str, tuple[Any, Callable[[Any], Any] | None, str, str, float]] = {
     "one thruster weak": ((WELL, 0.8), None, "thruster_asymmetry", "left", 0.8),
+    "fouled ahead": ((FOULED_AHEAD, 1.0, 1.5), None, "surge_drag", "surge_drag", 1.5),
     "compass askew": ((WELL,), shifted("compass", 0.1), "compass_distortion", "offset", 0.1),
     "pressure too high": ((WELL,), shifted("pressure", 300.0), "pressure_offset", "offset", 300.0),
     "lengths too long": ((WELL,), stretched, "camera_scale", "scale", 1.06),
