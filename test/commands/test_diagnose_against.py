@@ -27,7 +27,7 @@ def found(bad: Any, good: Any) -> Diagnosis:
     )
     drag = Recalibrated("drag", 2.0, Estimate(3.0, 2.9, 3.1, "kg/m"), robots)
     left = {"difference": Estimate(2.0 / 9.0, 0.2, 0.25, "1"), "left": Estimate(0.8, 0.78, 0.82, "1")}
-    weak = FoundEffect("thruster_asymmetry", "thrust of left that differs", "T = f T", robots, "confirmed", left, 90.0)
+    weak = FoundEffect("thruster_asymmetry", "thrust of left", "T = f T", robots, "confirmed", left, 90.0)
     late = {"delay": Estimate(0.2, 0.19, 0.21, "s")}
     delay = FoundEffect("command_delay", "commands that act later", "F(t) = F(t - d)", robots, "confirmed", late, 50.0)
     against = Comparison(

@@ -229,11 +229,18 @@ def test_a_collapsed_fit_knows_nothing() -> None:
     )
     for verdict in ("consistent", "recalibrate", "mismatch", "insufficient"):
         assert "is not known" in sentence_of(verdict, [], [DRAG], collapsed=True)
-    assert "do not excite" in sentence_of("insufficient", [], [])
     mixed = replace(LAG, id="frame_mixup", name="axes that are mixed up", correction="in degrees")  # before any fit
     assert (
         sentence_of("mismatch", [mixed], [], collapsed=True) == "The readings of lily_01 err: axes that are mixed up."
     )
+
+
+def test_recordings_that_excite_too_little_may_show_numbers() -> None:
+    """What they show of the platform's numbers is said in the same sentence."""
+    blind = "These recordings do not excite the vehicle enough to tell what its model lacks"
+    assert sentence_of("insufficient", [], []) == f"{blind}."
+    assert sentence_of("insufficient", [], [DRAG]) == f"{blind}; its numbers have shifted: yaw drag."
+    assert len(sentence_of("insufficient", [], 9 * [DRAG]).split()) <= 25
 
 
 def test_what_may_as_well_be_nothing_is_not_told_as_a_number() -> None:

@@ -14,13 +14,23 @@ import numpy as np
 from cocorosim_ros.diagnosis.catalogue.shown_by import erring, is_shown, own_state
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, TIMING
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
-from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.foundation.arrays import Floats, Integers
 from cocorosim_ros.world.laws.readings import READINGS
 from cocorosim_ros.world.sensors.errors import ERROR_COLUMNS, ERRORS
 from cocorosim_ros.world.sensors.law import SENSOR_LAWS
 
 STATE_OF_FORCE = {"accel_x": "u", "accel_y": "v", "accel_z": "w"}
 """The state of which an accelerometer shows the rate."""
+
+
+OF_READINGS: Integers = np.array(
+    [
+        *range(TIMING.start, TIMING.stop),
+        *(COLUMN[name] for name in ERROR_COLUMNS),
+        *(COLUMN[f"{place}.{number.name}"] for place, numbers in SENSOR_LAWS.items() for number in numbers),
+    ]
+)
+"""Places in a row of all errors of readings and stamps."""
 
 
 def with_fixed_errors(plain: Floats, row: Floats, timeline: Timeline) -> Floats:

@@ -4,9 +4,11 @@ Every model starts from one state: what the recalibrated model's filter had made
 without later ones and without the named effects, so that what is compared differs by the models alone. Two things make
 exceptions, since with them the readings of one state are others: the errors of readings that count (`fixed_errors`),
 and water that moves, where a log shows the speed through it or a receiver's places wander, which a filter without the
-current takes for the cause of the drift. From there a model takes no readings and no random force, and is measured
-against the readings that come. A smoothed course is no measure: it is bent by the model that made it. Where no reading
-shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent.
+current takes for the cause of the drift. With errors of readings a model starts from what its own filter made of them,
+because the recalibrated one was fitted to readings that err. From there a model takes no readings and no random force,
+and is measured against the readings that come. A smoothed course is no measure: it is bent by the model that made it.
+Where no reading shows a channel, the recalibrated model's smoothed course stands in, which no named effect has bent;
+where readings err, it is bent by them, and nothing stands in.
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUNS
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks, smoothed_under
-from cocorosim_ros.diagnosis.foretelling.fixed_errors import with_fixed_errors
+from cocorosim_ros.diagnosis.foretelling.fixed_errors import OF_READINGS, with_fixed_errors
 from cocorosim_ros.diagnosis.foretelling.held_out_parts import Span, Split, fitted_to_the_rest, split_tracks, whole
 from cocorosim_ros.diagnosis.foretelling.horizon import window_length
 from cocorosim_ros.diagnosis.foretelling.nameless_force import explained_forces
@@ -132,10 +134,14 @@ def rows_at_start(unseen: Unseen, rows: Floats, sensors: Floats) -> Floats:
     """Rows (tracks, columns) by which a model reads what comes before its free runs.
 
     rows (tracks, columns): the model. sensors (tracks, columns): the recalibrated one, with those errors of readings
-    and stamps of the model that count.
+    and stamps of the model that count. Where some do, the model reads by its own numbers: those of the recalibrated one
+    were fitted to readings that err.
     """
     started = sensors.copy()
     for number, track in enumerate(unseen.tracks):
+        if not np.array_equal(sensors[number], unseen.rows[number]):
+            started[number] = rows[number]
+            started[number, OF_READINGS] = sensors[number, OF_READINGS]
         if _reads_the_water(track) or unseen.rows[number, COLUMN[WANDER]] > WHITE:
             started[number, MOVING_WATER] = rows[number, MOVING_WATER]
     return started

@@ -101,7 +101,7 @@ def factor_entry(identifier: str, column: str, channel: str, group: str, name: s
     amplitude = Amplitude(
         column, name or identifier, "1", FACTORS.large, neutral=1.0, factor=True, least=least, most=most
     )
-    return Entry(identifier, f"{words} that differs", f"{words} = factor * before", channel, (amplitude,), group=group)
+    return Entry(identifier, words, f"{words} = factor * before", channel, (amplitude,), group=group)
 
 
 def number_words(identifier: str) -> str:

@@ -49,7 +49,7 @@ def sentence_of(
     if collapsed and (of_fit or not effects):
         return _of_collapsed(of_fit)
     if verdict == "insufficient":
-        return "These recordings do not excite the vehicle enough to tell what its model lacks."
+        return _of_blind(moved)
     lacking = f"Something without a name is missing in {' and '.join(beyond_floor)}" if beyond_floor else ""
     if verdict == "consistent":
         return f"{lacking or 'The model explains the recordings: nothing is missing that they could show'}."
@@ -109,6 +109,13 @@ def whose_words(robots: Sequence[str]) -> str:
 def plain(name: str) -> str:
     """A name of the catalogue or of a number, without underscores."""
     return name.replace("_", " ")
+
+
+def _of_blind(moved: Sequence[Recalibrated]) -> str:
+    begin = "These recordings do not excite the vehicle enough to tell what its model lacks"
+    if not moved:
+        return f"{begin}."
+    return _named(_numbers(moved), lambda told: f"{begin}; its numbers have shifted: {told}.", "numbers")
 
 
 def _of_collapsed(effects: Sequence[FoundEffect]) -> str:

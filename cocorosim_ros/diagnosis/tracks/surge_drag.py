@@ -1,8 +1,8 @@
 """Drag ahead alone, as a factor: a bracket or a fouled bow slows a hull ahead and leaves it as it was to the side.
 
-In rows of models the drag is that ahead, and ratios have that of the other axes: so these fall as it rises. Motion along
-another axis then feels what it felt before, in all forms of the drag; motion along two at once does so too, but for the
-forms that add to the drag by the total speed what goes with each axis' own (`effects.anisotropic_drag`).
+In rows of models the drag is that ahead, and ratios have that of the other axes: so these fall as it rises. Motion
+along another axis then feels what it felt before, in all forms of the drag; motion along two at once does so too, but
+for the forms that add to the drag by the total speed what goes with each axis' own (`effects.anisotropic_drag`).
 """
 
 from __future__ import annotations

@@ -124,3 +124,27 @@ def test_an_antenna_off_the_centre_counts_beside_a_compass(tmp_path: Path, with_
     rows = with_numbers(base, {**true, "pose_lever.ahead": AHEAD, "pose_lever.left": LEFT})
     found, without = position_error(unseen, rows, rows), position_error(unseen, plain, plain)
     assert found < 0.5 * without if with_compass else found == without
+
+
+def shown_late(folder: Path, late: float) -> Evidence:
+    """A drive whose poses are stamped so late [s], and the compass beside them in time."""
+    evidence = of_an_antenna(folder, with_compass=True)
+    boat, truth, _ = drive(folder, 4)
+    (recording,) = boats.recorded(boat, truth, SECONDS, 4).recordings
+    (log,) = recording.robots
+    (beside,) = evidence.recordings[0].robots
+    streams = {**log.streams, "compass": beside.streams["compass"]}
+    streams["pose"] = replace(streams["pose"], time=streams["pose"].time + late)
+    return replace(evidence, recordings=(replace(recording, robots=(replace(log, streams=streams),)),))
+
+
+def test_a_model_with_late_poses_begins_by_its_own_numbers(tmp_path: Path) -> None:
+    """The model of the punctual boat, with the delay, errs by less than a tenth of what the recalibrated one does.
+
+    The numbers of that one stand for the delay, and so does what its filter makes of the readings.
+    """
+    late = 0.6
+    rows = base_fit(shown_late(tmp_path, 0.0)).filled.copy()
+    rows[:, COLUMN["sensor_latency.pose"]] = late
+    unseen = unseen_parts(base_fit(shown_late(tmp_path, late)))
+    assert position_error(unseen, rows, rows) < 0.1 * position_error(unseen, unseen.rows, unseen.rows)
