@@ -44,6 +44,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names
 from cocorosim_ros.diagnosis.report.headline import difference_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
+from cocorosim_ros.diagnosis.showing.beside_a_law import beside_nameless
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
@@ -191,7 +192,7 @@ def _told(
     courses = smoothed_tracks(base), smoothed_tracks(final)
     case = Case(final, naming.named, effects, courses[1], table)
     of_vehicles = (*to_learned, *as_another_vehicle(moved, effects), *undone(case, base))
-    stops = (*of_vehicles, *unexplained(intake), *objections(case))
+    stops = (*of_vehicles, *unexplained(intake), *objections(case), *beside_nameless(case, naming.nameless))
     effects = as_asymmetries(stopped(effects, stops), thruster_names(base.tracks[0].vehicle))
     traces, unsettled = (names_of(naming, each) for each in (naming.traces, naming.unsettled))
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}

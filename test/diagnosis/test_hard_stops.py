@@ -16,6 +16,7 @@ from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
+from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_nameless
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, objections, stopped
@@ -332,8 +333,20 @@ def test_a_small_effect_beside_a_law_of_the_same_force(sound: Case, nats: float,
     of_law = replace(effect, candidate=replace(effect.candidate, entry=entry), nats=nats)
     found = (replace(tether, nats=20.0), replace(tether, id=f"unknown:{equation}~x", nats=nats))
     both = replace(case, found=found, named=(effect, of_law))
-    assert len(sentences(hard_stops.beside_a_law, both)) == said
-    assert all(each.effect is found[0] for each in hard_stops.beside_a_law(both))
+    assert len(sentences(beside_a_law, both)) == said
+    assert all(each.effect is found[0] for each in beside_a_law(both))
+
+
+@pytest.mark.parametrize(
+    ("law", "said"), [("unknown:surge~|u|^0.5*u", 1), ("unknown:heave~w", 0), ("unknown:pressure~u*u", 0), ("", 0)]
+)
+def test_an_effect_beside_what_is_left_without_a_name(sound: Case, law: str, said: int) -> None:
+    """A linear drag beside a force ahead of another form; not beside one upwards, or an error of readings."""
+    drag = named(sound, "linear_drag", surge=2.0)
+    assert drag.named[0].candidate.entry.channel in ("surge", "sway")
+    assert len(list(beside_nameless(drag, law))) == said
+    compass = named(sound, "compass_distortion", offset=1.5)
+    assert list(beside_nameless(compass, law)) == []
 
 
 @pytest.mark.parametrize(("level", "said"), [(2, 0), (4, 1)])

@@ -20,15 +20,14 @@ from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robot
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
-from cocorosim_ros.diagnosis.naming.choice import moves
-from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.single_thrusters import SIDES
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
+from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law
 from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
-from cocorosim_ros.diagnosis.showing.remainder import HORIZONTAL, remainder
+from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
 from cocorosim_ros.diagnosis.showing.uneven_noise import uneven_noise
@@ -244,30 +243,6 @@ def one_side_alone(case: Case) -> Iterator[Objection]:
                 "alone may lose thrust, as one that fouls does.",
                 effect=found,
             )
-
-
-def beside_a_law(case: Case) -> Iterator[Objection]:
-    """Object to an entry of motion beside a law outside the catalogue of the same channels that explains far more.
-
-    What a law of two regressors leaves of a force of another form resembles one entry or another.
-    """
-    moving = [(found, named) for found, named in effects_of(case) if moves(named.candidate)]
-    laws = [(found, named) for found, named in moving if named.candidate.entry.law is not None]
-    for found, named in moving:
-        if named.candidate.entry.law is None and any(
-            found.nats < HARD_STOPS.beside_law * law.nats and _share_a_force(named, of_law) for law, of_law in laws
-        ):
-            yield Objection(
-                "A law outside the catalogue explains far more of the same force: this may be what that law leaves of "
-                "a force of another form.",
-                effect=found,
-            )
-
-
-def _share_a_force(one: NamedEffect, other: NamedEffect) -> bool:
-    """Tell whether two effects act along the same axes, those of the level plane taken together."""
-    first, second = one.candidate.entry.channel, other.candidate.entry.channel
-    return first == second or {first, second} <= set(HORIZONTAL)
 
 
 def all_askew(case: Case) -> Iterator[Objection]:

@@ -66,6 +66,7 @@ OF_TIME = frozenset((*LATENCY, *SKEW, COMMAND_DELAY))  # columns of errors of st
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
 EXPONENTS = stretch_of(COLUMN, OWN_EXPONENTS)
+DRAGS = stretch_of(COLUMN, (SURGE_DRAG,))
 ACTUATING = np.flatnonzero(
     ((bits("command") | bits("thrust") | bits("response")) & BIT != 0)
     | np.isin(NAMES, (*GAINS, *OWN_GAINS, *OWN_EXPONENTS, COMMAND_DELAY))
@@ -76,7 +77,7 @@ NEUTRAL[PHYSICS] = neutral_row()
 NEUTRAL[SENSORS] = NEUTRAL_SENSORS
 NEUTRAL[THRUSTERS] = 1.0
 NEUTRAL[EXPONENTS] = 1.0
-NEUTRAL[COLUMN[SURGE_DRAG]] = 1.0
+NEUTRAL[DRAGS] = 1.0
 NEUTRAL[[COLUMN[column] for column in WATER_GROWTH]] = NO_GROWTH
 NEUTRAL[MEMORY_COLUMNS] = WHITE
 NEUTRAL[COLUMN[WANDER]] = WHITE
