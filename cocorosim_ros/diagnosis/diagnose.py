@@ -17,6 +17,7 @@ from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, PassedOver, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
+from cocorosim_ros.diagnosis.fitting.borne_out import borne_out
 from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, finite
@@ -75,7 +76,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
 
 def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     progress("checking the recordings", 0.0)
-    intake = take_in(evidence)
+    intake = borne_out(take_in(evidence), lambda: take_in(evidence, by_commands=False))
     if intake.reasons:
         return abstained(evidence, intake.reasons)
     progress("fitting the platform's own numbers", 0.05)

@@ -39,14 +39,21 @@ class Intake:
     reasons: tuple[str, ...]
 
 
-def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = (), right: Sequence[RecordingLog] = ()) -> Intake:
+def take_in(
+    evidence: Evidence,
+    beside: Sequence[RecordingLog] = (),
+    right: Sequence[RecordingLog] = (),
+    *,
+    by_commands: bool = True,
+) -> Intake:
     """Leave out robots with too little information, and bring streams into the frames and units of the contract.
 
     Streams are compared in all recordings of a robot together, for mix-ups that one recording is too short to show or
     to tell from others, then in every recording alone. A stream that cannot be corrected, or then still contradicts
     another one, is left out. Remarks report every change.
     beside: further recordings of the same robots that the evidence is fitted together with; they are not changed.
-    right: recordings of the same robots that are in axes and units of the contract.
+    right: recordings of the same robots that are in axes and units of the contract. by_commands: whether streams are
+    compared with the motion that is commanded as well, and not with each other alone.
     """
     reasons = reasons_to_abstain(evidence, beside)
     if reasons:
@@ -57,7 +64,7 @@ def take_in(evidence: Evidence, beside: Sequence[RecordingLog] = (), right: Sequ
     for name in sorted({robot.name for recording in recordings for robot in recording.robots}):
         places = [number for number, recording in enumerate(recordings) if _robot(recording, name)]
         known = [robot for recording in right if (robot := _robot(recording, name))]
-        sought = partial(needed_corrections, beside=known)
+        sought = partial(needed_corrections if by_commands else _needed_among_streams, beside=known)
         if len(places) > 1:
             found += _put_right(recordings, places, name, sought, evidence.platform)
         for number in places:
@@ -79,6 +86,17 @@ def _robot(recording: RecordingLog, name: str) -> RobotLog | None:
 
 def _contradictory(logs: Sequence[RobotLog], platform: Platform) -> tuple[FrameCorrection, ...]:
     return tuple(contradictions(motion_together(logs, platform)))
+
+
+def _needed_among_streams(
+    logs: Sequence[RobotLog], platform: Platform, beside: Sequence[RobotLog]
+) -> tuple[FrameCorrection, ...]:
+    """Corrections that streams need to agree with each other, whatever was commanded."""
+    return needed_corrections(_without_commands(logs), platform, _without_commands(beside))
+
+
+def _without_commands(logs: Sequence[RobotLog]) -> list[RobotLog]:
+    return [replace(log, command_time=log.command_time[:0], command=log.command[:0]) for log in logs]
 
 
 def _put_right(

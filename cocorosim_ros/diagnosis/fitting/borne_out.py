@@ -1,0 +1,43 @@
+"""Changes of axes and signs that commands ask for, and whether the vehicle's physics bears them out.
+
+What streams show is compared with rough motion under the commands. Where a turn is short beside a drift, or a hull is
+turned by its speed more than by its thrusters, that motion may be the opposite of the true one, and commands or streams
+look exchanged in one recording of many. The platform's model, fitted to the readings, knows better: it explains
+commands that really are exchanged worse by hundreds of nats.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from cocorosim_ros.diagnosis.criteria.frames import AXES
+from cocorosim_ros.diagnosis.evidence.intake import Intake
+from cocorosim_ros.diagnosis.fitting.fit import finite
+from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+
+
+def borne_out(intake: Intake, without_commands: Callable[[], Intake]) -> Intake:
+    """Choose between an intake and one in which no commands were compared, the former unless physics clearly objects.
+
+    Nothing is asked where both change the same, or where not both keep all readings.
+    """
+    if not intake.mixups:
+        return intake
+    other = without_commands()
+    if other.reasons or other.mixups == intake.mixups or _readings(other) != _readings(intake):
+        return intake
+    return other if _explained(other) > _explained(intake) + AXES.margin else intake
+
+
+def _explained(intake: Intake) -> float:
+    """Objective [nats] of the platform's model, fitted to the readings of an intake; -inf where it runs away."""
+    fit = base_fit(intake.evidence)
+    return fit.objective if finite(fit) else -math.inf
+
+
+def _readings(intake: Intake) -> int:
+    logs = (log for recording in intake.evidence.recordings for log in recording.robots)
+    return sum(int(np.isfinite(stream.value).sum()) for log in logs for stream in log.streams.values())
