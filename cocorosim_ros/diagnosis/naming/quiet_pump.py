@@ -1,10 +1,10 @@
-"""Evidence for faults of a pump that comes from small movements of it, and is therefore not counted.
+"""Evidence for faults of a pump, or of thrusters upwards, from small movements of them, which is not counted.
 
 A depth controller moves the pump a little in answer to the water, and may see the water's push sooner or better than
 the recorded sensors. Such a command tells of the water: a sound pump then looks weak or late, and a sound pressure
 sensor late. The reason is that likelihoods given the commands hold only for commands that follow from what was recorded
 (Ljung, System Identification, 1999, section 13.4). A pulse, a ramp or a new depth moves the pump by far more than an
-answer to the water does; such movements count.
+answer to the water does; such movements count. Of thrusters that push upwards all this is true as well.
 """
 
 from __future__ import annotations
@@ -19,10 +19,11 @@ from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.arrays import Flags, Floats
+from cocorosim_ros.world.state.state import Z
 
 
 def quiet_gain(base: Fit, more: Fit) -> float:
-    """Nats that the fit `more` gains over `base` on vertical readings while the pump was hardly moved; at least 0."""
+    """Nats that the fit `more` gains over `base` on vertical readings while nothing drove it upwards; at least 0."""
     gain = 0.0
     rows = more.filled  # in `base` a pump's fault passes for random force, beside which movements look small
     for track, row, one, other in zip(base.tracks, rows, base.passes, more.passes, strict=True):
@@ -32,12 +33,13 @@ def quiet_gain(base: Fit, more: Fit) -> float:
 
 
 def _is_loud(track: Track, row: Floats) -> Flags:
-    """Flags (m,), one for each reading of the track: whether the pumps moved by more than the water can ask for.
+    """Flags (m,), one for each reading of the track: whether it was driven upwards by more than the water can ask for.
 
-    They did where their force [N], within the PUMP.memory before the reading, changed by more than PUMP.loud times
-    the rms of the random force in heave. row: a model's numbers.
+    It was where the force of pumps and thrusters upwards [N], within the PUMP.memory before the reading, changed by
+    more than PUMP.loud times the rms of the random force in heave. row: a model's numbers.
     """
-    force = track.actuation.pump_force(track.actuation.drive(row))
+    drive = track.actuation.drive(row)
+    force = track.actuation.pump_force(drive) + track.actuation.thrust(drive)[:, Z]
     grid = track.timeline.grid
     width = max(1, round(slowness(track.vehicle) * PUMP.memory / grid.step))
     back = {"size": width, "origin": (width - 1) // 2, "mode": "nearest"}  # the window ends at each point
