@@ -10,12 +10,12 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.entry import Entry
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.naming.single_thrusters import factor_entry, thruster_entries, told_alone
-from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, SURGE_DRAG
+from cocorosim_ros.diagnosis.tracks.columns import ALL_THRUSTERS, COLUMN, OWN_SURGE_DRAG
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.groups import DRAG, TURN, WEIGHT
 
-THRUST, DELAY = "thrust_gain", "command_delay"
+THRUST, DELAY, SURGE_DRAG = "thrust_gain", "command_delay", "surge_drag"
 # By column: identifier, channel and group. The gain of all thrusters together is a number of its own, and so is the
 # drag ahead alone.
 _WHERE = {
@@ -38,7 +38,7 @@ def number_entries(tracks: Sequence[Track], rows: Floats) -> list[Entry]:
         if (rows[:, COLUMN[column]] > 0.0).all() and (column != "buoyancy_gain" or _has_pump(tracks))
     ]
     if (rows[:, COLUMN["drag"]] > 0.0).all():
-        found.append(factor_entry("surge_drag", SURGE_DRAG, "surge", DRAG))
+        found.append(factor_entry(SURGE_DRAG, OWN_SURGE_DRAG, "surge", DRAG))
     if tracks[0].vehicle.is_thruster.any():
         found.append(factor_entry(THRUST, ALL_THRUSTERS, "surge", DRAG))
     found.append(delay_entry())

@@ -43,14 +43,14 @@ MOST_THRUSTERS = 8  # that have a gain and a curve of their own; more are looked
 # Gains of the thrusters' maximum forces, of all and of single ones by number, and the delay of the commands [s].
 ALL_THRUSTERS, COMMAND_DELAY = "own_gain.all", "command_delay.delay"
 OWN_GAINS = (ALL_THRUSTERS, *(f"own_gain.{number}" for number in range(1, MOST_THRUSTERS + 1)))
-SURGE_DRAG = "own_drag.surge"  # factor of the drag ahead alone, see tracks.surge_drag
+OWN_SURGE_DRAG = "own_drag.surge"  # factor of the drag ahead alone, see tracks.surge_drag
 # Exponents of the curves of single thrusters, see tracks.own_curves.
 OWN_EXPONENTS = tuple(f"own_exponent.{number}" for number in range(1, MOST_THRUSTERS + 1))
 
 COLUMN: dict[str, int] = numbered(
     [
         *PARAMETER_COLUMNS, *SENSOR_COLUMNS, *LATENCY, *SKEW, *WATER_NOISE, WANDER, *READING_NOISE, *READING_LAWS,
-        *OWN_GAINS, *OWN_EXPONENTS, SURGE_DRAG, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
+        *OWN_GAINS, *OWN_EXPONENTS, OWN_SURGE_DRAG, COMMAND_DELAY, *WATER_GROWTH, *READING_MEMORY,
     ]
 )  # fmt: skip
 """Column of every number of a model, by name; physics come first, so that their columns are the simulator's."""
@@ -66,7 +66,7 @@ OF_TIME = frozenset((*LATENCY, *SKEW, COMMAND_DELAY))  # columns of errors of st
 TIMING = stretch_of(COLUMN, (*LATENCY, *SKEW))
 THRUSTERS = stretch_of(COLUMN, OWN_GAINS)
 EXPONENTS = stretch_of(COLUMN, OWN_EXPONENTS)
-DRAGS = stretch_of(COLUMN, (SURGE_DRAG,))
+DRAGS = stretch_of(COLUMN, (OWN_SURGE_DRAG,))
 ACTUATING = np.flatnonzero(
     ((bits("command") | bits("thrust") | bits("response")) & BIT != 0)
     | np.isin(NAMES, (*GAINS, *OWN_GAINS, *OWN_EXPONENTS, COMMAND_DELAY))

@@ -7,10 +7,10 @@ for the forms that add to the drag by the total speed what goes with each axis' 
 
 from __future__ import annotations
 
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, SURGE_DRAG
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, OWN_SURGE_DRAG
 from cocorosim_ros.foundation.arrays import Floats
 
-_FACTOR, _DRAG = COLUMN[SURGE_DRAG], COLUMN["drag"]
+_FACTOR, _DRAG = COLUMN[OWN_SURGE_DRAG], COLUMN["drag"]
 _RATIOS = [COLUMN["anisotropic_drag.sway_ratio"], COLUMN["anisotropic_drag.heave_ratio"]]
 
 

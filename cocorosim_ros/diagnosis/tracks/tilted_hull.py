@@ -32,7 +32,7 @@ from cocorosim_ros.diagnosis.evidence.streams.stream_columns import TURN_RATE
 from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
 from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import whole_velocity
 from cocorosim_ros.diagnosis.filter.records import Grid
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, SURGE_DRAG
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, OWN_SURGE_DRAG
 from cocorosim_ros.diagnosis.tracks.surge_drag import with_surge_drag
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.effects.anisotropic_drag import FORM_BY_NAME
@@ -49,7 +49,7 @@ _INERTIA, _ADDED_INERTIA = COLUMN["yaw_inertia"], COLUMN["added_mass.yaw"]
 _YAW_LINEAR, _YAW_DRAG = COLUMN["linear_drag.yaw"], COLUMN["yaw_drag"]
 _LIFTS = [COLUMN["hull_lift.sway_by_drift"], COLUMN["hull_lift.heave_by_climb"]]
 _AROUND = [_INERTIA, _ADDED_INERTIA, _YAW_LINEAR, _YAW_DRAG]
-TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, COLUMN[SURGE_DRAG], _FORM, *_RATIOS, *_LIFTS, *_AROUND]
+TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, COLUMN[OWN_SURGE_DRAG], _FORM, *_RATIOS, *_LIFTS, *_AROUND]
 """Columns of the numbers that these forces depend on."""
 
 

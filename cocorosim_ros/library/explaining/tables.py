@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from cocorosim_ros.diagnosis.against.numbers import SURGE_DRAG
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
 from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
 from cocorosim_ros.foundation.compiling.sources import PACKAGE
@@ -27,6 +28,7 @@ def table_entries() -> Iterator[Explanation]:
     for name, error in ERRORS.items():
         yield from _described("error of a sensor", name, error, "world/sensors/errors")
     yield from _single_actuators()
+    yield _drag_ahead()
     yield from _metrics()
     yield from _topics()
     yield from _controllers()
@@ -66,6 +68,20 @@ def _single_actuators() -> Iterator[Explanation]:
             "numbers": "an angle [rad] by the name of the rudder or fin",
             "found by": "cocorosim diagnose, where the file does not give it",
             "in a platform file": "'trim' of that rudder or fin",
+        },
+    )
+
+
+def _drag_ahead() -> Explanation:
+    return Explanation(
+        SURGE_DRAG,
+        "effect",
+        "drag ahead that is another than when the vehicle was well, as that of a bracket or a fouled bow",
+        {
+            "equation": "X = -factor k U u, with sway and heave as before",
+            "numbers": "a factor [1]",
+            "found by": "cocorosim diagnose --against",
+            "in a platform file": "'drag' times the factor, 'anisotropic_drag' over it",
         },
     )
 

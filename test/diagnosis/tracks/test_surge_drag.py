@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cocorosim_ros.diagnosis.tracks.columns import COLUMN, SURGE_DRAG
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, OWN_SURGE_DRAG
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.scenario.parts.platform import load_platform
 from cocorosim_ros.world.effects.anisotropic_drag import (
@@ -31,7 +31,7 @@ def acceleration(velocity: list[float], form: float, factor: float) -> Any:
     row = vehicle.row
     numbers = {"sway_ratio": 2.4, "heave_ratio": 1.3, "form": form, "length": 0.13}
     row[[COLUMN[f"anisotropic_drag.{name}"] for name in numbers]] = list(numbers.values())
-    row[COLUMN[SURGE_DRAG]] = factor
+    row[COLUMN[OWN_SURGE_DRAG]] = factor
     state, rate = np.zeros(STATE_SIZE), np.zeros(STATE_SIZE)
     state[[SURGE, SWAY, HEAVE]] = velocity
     state_rate(state, 0.0, vehicle.body(row), rate)
