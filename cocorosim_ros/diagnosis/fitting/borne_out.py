@@ -2,8 +2,8 @@
 
 What streams show is compared with rough motion under the commands. Where a turn is short beside a drift, or a hull is
 turned by its speed more than by its thrusters, that motion may be the opposite of the true one, and commands or streams
-look exchanged in one recording of many. The platform's model, fitted to the readings, knows better: it explains
-commands that really are exchanged worse by hundreds of nats.
+look exchanged in one recording of many. The platform's model, fitted to the readings, knows better: where commands
+really are exchanged and stay so, it explains the readings worse by hundreds of nats.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def borne_out(intake: Intake, without_commands: Callable[[], Intake]) -> Intake:
     if not intake.mixups:
         return intake
     other = without_commands()
-    if other.reasons or other.mixups == intake.mixups or _readings(other) != _readings(intake):
+    if other.reasons or _changes(other) == _changes(intake) or _readings(other) != _readings(intake):
         return intake
     return other if _explained(other) > _explained(intake) + AXES.margin else intake
 
@@ -36,6 +36,11 @@ def _explained(intake: Intake) -> float:
     """Objective [nats] of the platform's model, fitted to the readings of an intake; -inf where it runs away."""
     fit = base_fit(intake.evidence)
     return fit.objective if finite(fit) else -math.inf
+
+
+def _changes(intake: Intake) -> set[tuple[str, str, tuple[str, ...]]]:
+    """Topic, fault and robots of each change."""
+    return {(each.correction.topic, each.correction.wrong, each.robots) for each in intake.mixups}
 
 
 def _readings(intake: Intake) -> int:

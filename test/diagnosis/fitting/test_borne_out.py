@@ -53,6 +53,19 @@ def test_commands_that_are_exchanged_are_put_right(sound: Evidence) -> None:
     assert borne_out(intake, lambda: take_in(mixed, by_commands=False)) is intake
 
 
+def test_what_streams_show_among_each_other_needs_no_physics(sound: Evidence, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A gyroscope of the other sign contradicts poses and compass, whatever was commanded: both change the same."""
+    (recording,) = sound.recordings
+    (log,) = recording.robots
+    imu = replace(log.streams["imu"], value=log.streams["imu"].value * [-1.0, 1.0, 1.0, 1.0])
+    robots = (replace(log, streams={**log.streams, "imu": imu}),)
+    mixed = replace(sound, recordings=(replace(recording, robots=robots),))
+    intake = take_in(mixed)
+    assert [mixup.correction.topic for mixup in intake.mixups] == ["imu"]
+    monkeypatch.setattr("cocorosim_ros.diagnosis.fitting.borne_out.base_fit", lambda _: pytest.fail("asked in vain"))
+    assert borne_out(intake, lambda: take_in(mixed, by_commands=False)) is intake
+
+
 def test_nothing_is_asked_where_nothing_was_changed(sound: Evidence) -> None:
     """A second intake costs a fit, and is made for a change alone."""
     intake = take_in(sound)
