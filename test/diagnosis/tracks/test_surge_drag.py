@@ -18,7 +18,7 @@ from cocorosim_ros.world.effects.anisotropic_drag import (
     TOTAL_SPEED,
 )
 from cocorosim_ros.world.motion.dynamics import state_rate
-from cocorosim_ros.world.state.state import HEAVE, STATE_SIZE, SURGE, SWAY
+from cocorosim_ros.world.state.state import HEAVE, SURGE, SWAY, row_size
 
 FACTOR = 1.6
 ALONE = [[0.3, 0.0, 0.0], [0.0, 0.2, 0.0], [0.0, 0.0, -0.1]]
@@ -32,7 +32,7 @@ def acceleration(velocity: list[float], form: float, factor: float) -> Any:
     numbers = {"sway_ratio": 2.4, "heave_ratio": 1.3, "form": form, "length": 0.13}
     row[[COLUMN[f"anisotropic_drag.{name}"] for name in numbers]] = list(numbers.values())
     row[COLUMN[OWN_SURGE_DRAG]] = factor
-    state, rate = np.zeros(STATE_SIZE), np.zeros(STATE_SIZE)
+    state, rate = np.zeros((2, row_size(len(vehicle.is_pump))))
     state[[SURGE, SWAY, HEAVE]] = velocity
     state_rate(state, 0.0, vehicle.body(row), rate)
     return rate[[SURGE, SWAY, HEAVE]]
