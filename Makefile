@@ -42,7 +42,8 @@ endif
 WAITING_TESTS := test/graph/ test/examples/ # nodes that mostly wait for each other: beside others, on all cores
 WHOLE_DIAGNOSES := against/test_named_differences against/test_strangers test_nothing_twice test_naming test_choice \
 	test_drag_forms test_water_and_surface test_errors_of_instruments test_shipped_bag test_velocity_over_ground \
-	against/test_good_that_is_not_well
+	against/test_good_that_is_not_well against/test_curves_of_thrusters against/test_lengths_of_the_vehicle \
+	foretelling/test_restraint test_similarity test_offset_centre
 ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
 PYTEST_JOBS ?= 2
 ON_ALL_CORES = -n $(PYTEST_JOBS) --dist loadfile
