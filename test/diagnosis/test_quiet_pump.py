@@ -20,12 +20,10 @@ RANDOM_FORCE = 1e-4  # N
 STEP = 0.1  # s
 
 
-def fits(
-    force: Any, nats: Any, kind: int = POSE_Z, before: float = RANDOM_FORCE, *, by_thrusters: bool = False
-) -> tuple[Any, Any]:
+def fits(force: Any, nats: Any, kind: int = POSE_Z, before: float = RANDOM_FORCE) -> tuple[Any, Any]:
     """Two fits of one robot with a reading at each grid point, the second better by `nats` (points,) at each.
 
-    force (points,) [N; up]: of the pump, or by_thrusters. before: random force [N] that the first fit needs.
+    before: random force [N] that the first fit needs.
     """
     rows = np.tile(NEUTRAL, (2, 1, 1))
     rows[:, 0, COLUMN["random.heave_force"]] = math.log(before), math.log(RANDOM_FORCE)
@@ -33,9 +31,7 @@ def fits(
     grid = Grid(0.0, STEP, len(force))
     upright = np.full(len(force), kind in UPRIGHT)
     timeline = SimpleNamespace(is_upright=upright, kind=np.full(len(force), kind), stamp=stamps, grid=grid)
-    of_pump = np.zeros(len(force)) if by_thrusters else force
-    wrench = np.outer(force - of_pump, [0.0, 0.0, 1.0, 0.0])
-    actuation = SimpleNamespace(drive=lambda row: None, pump_force=lambda drive: of_pump, thrust=lambda drive: wrench)
+    actuation = SimpleNamespace(drive=lambda row: force, lift=lambda drive: drive)
     track = SimpleNamespace(timeline=timeline, actuation=actuation, vehicle=vehicle_model(load_platform("lily")))
     one = SimpleNamespace(innovation=np.sqrt(2.0 * nats), variance=np.ones(len(force)))
     other = SimpleNamespace(innovation=np.zeros(len(force)), variance=np.ones(len(force)))
@@ -51,15 +47,10 @@ def test_small_commands_do_not_count() -> None:
     assert quiet_gain(*fits(force, np.full(200, 0.1))) == pytest.approx(20.0)
 
 
-@pytest.mark.parametrize("by_thrusters", [False, True])
-def test_what_follows_a_step_counts(by_thrusters: bool) -> None:
-    """A step by a hundred times the random force tells of the pump for five seconds: fifty readings of two hundred.
-
-    Of thrusters that push upwards, where there is no pump, it does too.
-    """
+def test_what_follows_a_step_counts() -> None:
+    """A step by a hundred times the random force tells of the pump for five seconds: fifty readings of two hundred."""
     force = np.where(np.arange(200) < 100, 0.0, 100.0 * RANDOM_FORCE)
-    quiet = quiet_gain(*fits(force, np.full(200, 0.1), by_thrusters=by_thrusters))
-    assert quiet == pytest.approx(0.1 * 151, abs=0.25)
+    assert quiet_gain(*fits(force, np.full(200, 0.1))) == pytest.approx(0.1 * 151, abs=0.25)
 
 
 def test_readings_that_are_level_are_not_asked() -> None:

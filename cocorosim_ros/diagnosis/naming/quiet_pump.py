@@ -19,7 +19,6 @@ from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_size import slowness
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.world.state.state import Z
 
 
 def quiet_gain(base: Fit, more: Fit) -> float:
@@ -38,8 +37,7 @@ def _is_loud(track: Track, row: Floats) -> Flags:
     It was where the force of pumps and thrusters upwards [N], within the PUMP.memory before the reading, changed by
     more than PUMP.loud times the rms of the random force in heave. row: a model's numbers.
     """
-    drive = track.actuation.drive(row)
-    force = track.actuation.pump_force(drive) + track.actuation.thrust(drive)[:, Z]
+    force = track.actuation.lift(track.actuation.drive(row))
     grid = track.timeline.grid
     width = max(1, round(slowness(track.vehicle) * PUMP.memory / grid.step))
     back = {"size": width, "origin": (width - 1) // 2, "mode": "nearest"}  # the window ends at each point

@@ -121,6 +121,11 @@ class Actuation:
         """Force (points,) of the pumps [N], upwards positive."""
         return np.asarray(drive.force[:, self.vehicle.acting_pump].sum(axis=1))
 
+    def lift(self, drive: Drive) -> Floats:
+        """Force (points,) of pumps and thrusters along the robot's upward axis [N], without what the hull adds."""
+        commanded = drive.force[:, : len(self.vehicle.actuator_wrench)]
+        return np.asarray(commanded @ self.vehicle.actuator_wrench[:, Z])
+
     def course_along(self, smoothed: Smoothed, row: Floats) -> Course:
         """Quantities that laws may depend on, along a smoothed course, with the actuators under a row (columns,)."""
         drive, vehicle = self.drive(row, with_rates=True), self.vehicle

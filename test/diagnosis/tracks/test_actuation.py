@@ -11,6 +11,7 @@ from cocorosim_ros.diagnosis.tracks.actuation import Actuation
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.vehicle_model import vehicle_model
 from cocorosim_ros.scenario.parts.platform import load_platform
+from cocorosim_ros.world.state.state import Z
 
 LIFT = 1000.0 * 9.81 * 10e-6  # N of the pump at full command
 
@@ -28,6 +29,19 @@ def test_a_command_acts_from_its_moment_on(steps: Actuation) -> None:
     drive = steps.drive(steps.vehicle.row)
     np.testing.assert_allclose(steps.pump_force(drive), [0.0] * 4 + [0.5 * LIFT] * 9)
     assert not steps.thrust(drive).any()
+
+
+def test_the_lift_is_that_of_pumps_and_of_thrusters_upwards(steps: Actuation) -> None:
+    """Of a Lily its pump's; of a BlueROV2 that of four thrusters of eight, of which one is told half of its force."""
+    np.testing.assert_allclose(steps.lift(steps.drive(steps.vehicle.row)), [0.0] * 4 + [0.5 * LIFT] * 9)
+    rov = load_platform("bluerov2_heavy")
+    upwards = np.flatnonzero(vehicle_model(rov).actuator_wrench[:, Z])
+    commands = np.ones((1, 8))
+    commands[0, upwards] = [0.5, 0.0, 0.0, 0.0]
+    driven = Actuation(vehicle_model(rov), RobotLog("rov", np.zeros(1), commands, {}), Grid(0.0, 0.25, 200))
+    drive = driven.drive(driven.vehicle.row)
+    assert len(upwards) == 4 and drive.force[-1, upwards[0]] > 1.0
+    np.testing.assert_allclose(driven.lift(drive)[-1], drive.force[-1, upwards[0]])
 
 
 def test_a_number_of_the_row_changes_the_force(steps: Actuation) -> None:
