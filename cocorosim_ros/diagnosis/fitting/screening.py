@@ -231,7 +231,8 @@ class _Products:
     def _pair(self, i: int, j: int) -> Floats:
         """Information (n, n) of two directions with each other, the part along the unknowns of the model taken out."""
         if (i, j) not in self._found:
-            own = self._sum(self._directions[i], self._directions[j]) - self._cross[i].T @ self._absorbed[j]
+            with np.errstate(over="ignore", invalid="ignore"):  # of a model that runs away: it promises nothing
+                own = self._sum(self._directions[i], self._directions[j]) - self._cross[i].T @ self._absorbed[j]
             self._found[i, j], self._found[j, i] = own, own.T
         return self._found[i, j]
 

@@ -132,7 +132,7 @@ def against_regressor(pair: Pair, located: Located) -> Markup:
                 top = max(top, _scatter(axes, points, said_law(located), shown.colour))
             axes.set_title(shown.label)
         for axes in drawing.axes[0]:
-            axes.set_ylim(-top, top)
+            axes.set_ylim(-(top or 1.0), top or 1.0)  # nothing is left where a model has no random force
     return drawing.svg
 
 
