@@ -13,11 +13,10 @@ from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
-from cocorosim_ros.diagnosis.evidence.intake import take_in
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, PassedOver, Recalibrated, Verdict
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
-from cocorosim_ros.diagnosis.fitting.borne_out import borne_out
+from cocorosim_ros.diagnosis.fitting.borne_out import soundly_taken_in
 from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
 from cocorosim_ros.diagnosis.fitting.drag_forms import ChosenForm, with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, finite
@@ -76,7 +75,7 @@ def diagnose(evidence: Evidence, progress: Progress) -> Diagnosis:
 
 def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     progress("checking the recordings", 0.0)
-    intake = borne_out(take_in(evidence), lambda: take_in(evidence, by_commands=False))
+    intake = soundly_taken_in(evidence)
     if intake.reasons:
         return abstained(evidence, intake.reasons)
     progress("fitting the platform's own numbers", 0.05)

@@ -10,9 +10,9 @@ import numpy as np
 from cocorosim_ros.diagnosis.against.same_vehicle import check_same_vehicle
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
 from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, put_right
-from cocorosim_ros.diagnosis.evidence.intake import Intake, Mixup, take_in
+from cocorosim_ros.diagnosis.evidence.intake import Intake, Mixup
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog, Stream
-from cocorosim_ros.diagnosis.fitting.borne_out import borne_out
+from cocorosim_ros.diagnosis.fitting.borne_out import soundly_taken_in
 from cocorosim_ros.diagnosis.tracks.lateness import clocks_of
 from cocorosim_ros.foundation.arrays import Flags
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -51,13 +51,9 @@ def taken_in(bad: Evidence, good: Evidence) -> tuple[Intake, Intake]:
     So the mix-ups of the judged side are those that the other does not have; remarks say what both have. Which of two
     streams is mirrored may show only beside the other side.
     """
-    well = _taken_in(good, bad.recordings)
+    well = soundly_taken_in(good, bad.recordings)
     recordings = tuple(_put_right_alike(recording, well.mixups) for recording in bad.recordings)
-    return _taken_in(replace(bad, recordings=recordings), good.recordings, well.evidence.recordings), well
-
-
-def _taken_in(evidence: Evidence, beside: Sequence[RecordingLog], right: Sequence[RecordingLog] = ()) -> Intake:
-    return borne_out(take_in(evidence, beside, right), lambda: take_in(evidence, beside, right, by_commands=False))
+    return soundly_taken_in(replace(bad, recordings=recordings), good.recordings, well.evidence.recordings), well
 
 
 def _put_right_alike(recording: RecordingLog, mixups: Sequence[Mixup]) -> RecordingLog:

@@ -9,14 +9,26 @@ really are exchanged and stay so, it explains the readings worse by hundreds of 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.frames import AXES
-from cocorosim_ros.diagnosis.evidence.intake import Intake
+from cocorosim_ros.diagnosis.evidence.intake import Intake, take_in
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog
 from cocorosim_ros.diagnosis.fitting.fit import finite
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
+
+
+def soundly_taken_in(
+    evidence: Evidence, beside: Sequence[RecordingLog] = (), right: Sequence[RecordingLog] = ()
+) -> Intake:
+    """Take evidence in, as `evidence.intake` does, with those changes alone that are borne out.
+
+    beside: further recordings of the same robots that the evidence is fitted together with. right: recordings of the
+    same robots that are in axes and units of the contract.
+    """
+    return borne_out(take_in(evidence, beside, right), lambda: take_in(evidence, beside, right, by_commands=False))
 
 
 def borne_out(intake: Intake, without_commands: Callable[[], Intake]) -> Intake:

@@ -117,10 +117,6 @@ class Actuation:
         thrusters = ~self.vehicle.acting_pump
         return np.asarray(drive.force[:, thrusters] @ self.vehicle.acting_wrench[thrusters])
 
-    def pump_force(self, drive: Drive) -> Floats:
-        """Force (points,) of the pumps [N], upwards positive."""
-        return np.asarray(drive.force[:, self.vehicle.acting_pump].sum(axis=1))
-
     def lift(self, drive: Drive) -> Floats:
         """Force (points,) of pumps and thrusters along the robot's upward axis [N], without what the hull adds."""
         commanded = drive.force[:, : len(self.vehicle.actuator_wrench)]

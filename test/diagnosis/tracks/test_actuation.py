@@ -27,13 +27,12 @@ def steps() -> Actuation:
 def test_a_command_acts_from_its_moment_on(steps: Actuation) -> None:
     """Nothing until 1 s, then half of the pump's lift; the thrusters nothing at all."""
     drive = steps.drive(steps.vehicle.row)
-    np.testing.assert_allclose(steps.pump_force(drive), [0.0] * 4 + [0.5 * LIFT] * 9)
+    np.testing.assert_allclose(steps.lift(drive), [0.0] * 4 + [0.5 * LIFT] * 9)
     assert not steps.thrust(drive).any()
 
 
-def test_the_lift_is_that_of_pumps_and_of_thrusters_upwards(steps: Actuation) -> None:
-    """Of a Lily its pump's; of a BlueROV2 that of four thrusters of eight, of which one is told half of its force."""
-    np.testing.assert_allclose(steps.lift(steps.drive(steps.vehicle.row)), [0.0] * 4 + [0.5 * LIFT] * 9)
+def test_thrusters_upwards_lift_as_pumps_do() -> None:
+    """A BlueROV2 has four of them among eight, of which one is told half of its force."""
     rov = load_platform("bluerov2_heavy")
     upwards = np.flatnonzero(vehicle_model(rov).actuator_wrench[:, Z])
     commands = np.ones((1, 8))
@@ -48,9 +47,9 @@ def test_a_number_of_the_row_changes_the_force(steps: Actuation) -> None:
     """A gain of 1.2 of the pumps, after one of 1 was asked for and before it is asked for again."""
     plain, stronger = steps.vehicle.row, steps.vehicle.row
     stronger[COLUMN["buoyancy_gain"]] *= 1.2
-    before = steps.pump_force(steps.drive(plain))
-    np.testing.assert_allclose(steps.pump_force(steps.drive(stronger)), 1.2 * before)
-    np.testing.assert_array_equal(steps.pump_force(steps.drive(plain)), before)
+    before = steps.lift(steps.drive(plain))
+    np.testing.assert_allclose(steps.lift(steps.drive(stronger)), 1.2 * before)
+    np.testing.assert_array_equal(steps.lift(steps.drive(plain)), before)
 
 
 def test_rates_are_reckoned_only_for_those_who_ask(steps: Actuation) -> None:
