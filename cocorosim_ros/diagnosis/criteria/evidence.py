@@ -183,6 +183,11 @@ class BurstCriteria:
     """[readings] over which the period is taken: long beside a burst. Chosen, not measured."""
     swiftest: float = 0.05
     """[1] quantile of the time that so many readings take: slower rows have lost readings. Chosen, not measured."""
+    together: float = 0.5
+    """[periods] readings that come closer to each other than that belong to a burst. Chosen, not measured."""
+    lacking: float = 1.5
+    """[periods] missing before a burst, from which times within it are not known: of one more than that, a lost
+    reading, they err by a period at most. Chosen, not measured."""
 
 
 @dataclass(frozen=True)
