@@ -5,7 +5,8 @@ world axes), heave and yaw, each with the gust that drives it. The mean is carri
 covariance to second order in the step, in two blocks (horizontal and vertical) that are taken as independent of each
 other. Readings between two steps are predicted by a Taylor series from the nearer one. A reading beyond GATE pulls as
 one at the gate would (Huber's function): without its pull, a model in error would lose its robot for good, at a moment
-that depends on the model's numbers, and the likelihood would jump.
+that depends on the model's numbers, and the likelihood would jump. For the same reason an angle that is more than a
+quarter turn off pulls less, and nothing at half a turn.
 
 Source: Kristensen, Madsen and Jorgensen, Automatica 40 (2004) 225; Jazwinski, Stochastic Processes and Filtering
 Theory (1970), section 8.3; Masreliez and Martin, IEEE Trans. Automatic Control 22 (1977) 361.
@@ -39,6 +40,7 @@ from cocorosim_ros.diagnosis.filter.motion import (
 )
 from cocorosim_ros.diagnosis.filter.random_force import fading
 from cocorosim_ros.diagnosis.filter.reading import (
+    certainty_of_turn,
     deviation,
     expected,
     is_of_water,
@@ -165,6 +167,7 @@ def _filter(
             left = numbers.left[index]
             innovation -= error_left(readings, index, left, motion, sensor, water, motors)
             variance *= 1.0 - left * left
+            certain = certainty_of_turn(kind, innovation)
             if is_upright(kind):
                 sensitivity_upright(kind, after, row, sensor, parts.high_slope, seen)
                 if left > 0.0:
@@ -174,7 +177,10 @@ def _filter(
                 sensitivity(kind, after, row, sensor, parts.wide_slope, seen)
                 if left > 0.0:
                     take_off_before(readings, index, left, row, sensor, parts.wide_slope, seen)
-                variance = update(parts.wide, seen, variance, gain, innovation * innovation)
+                squared = innovation * innovation if certain == 1.0 else math.inf
+                variance = update(parts.wide, seen, variance, gain, squared)
+                for column in range(0 if certain == 1.0 else HORIZONTAL):
+                    gain[column] *= certain
             if innovation * innovation > GATE * GATE * variance:
                 innovation = math.copysign(GATE * math.sqrt(variance), innovation)
             belief.innovation[origin], belief.variance[origin] = innovation, variance

@@ -108,6 +108,18 @@ def deviation(kind: int, value: float, expected: float) -> float:
     return difference
 
 
+@kernel
+def certainty_of_turn(kind: int, innovation: float) -> float:
+    """Share of its pull that a reading keeps: less beyond a quarter turn, nothing at half a turn; 1 for all but angles.
+
+    Half a turn off, an angle does not tell which way to turn. At full pull the state would leap where a number of the
+    model hardly changes, and the likelihood with it (redescending influence: Hampel et al., Robust Statistics, 1986,
+    section 2.6).
+    """
+    left = 2.0 * (1.0 - abs(innovation) / math.pi)
+    return left if is_angle(kind) and left < 1.0 else 1.0
+
+
 class Along(NamedTuple):
     """Moments of a course at which readings are expected."""
 

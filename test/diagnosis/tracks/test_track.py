@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import pytest
 
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.make_tracks import make_tracks
@@ -72,3 +73,31 @@ def test_angles_change_by_the_shorter_way() -> None:
     np.testing.assert_allclose(
         own.change_to(other, np.array([True, False, False])), [2.0 * np.pi - 6.2, -6.2, 0.0], atol=1e-12
     )
+
+
+def test_no_likelihood_leaps_where_a_heading_lies_half_a_turn_off(swim: Callable[..., Any]) -> None:
+    """After a gap, a heading just under half a turn off and one just over it are equally likely, all told."""
+    evidence = swim(load_platform("lily"), 12.0)
+    (log,) = evidence.recordings[0].robots
+    pose = log.streams["pose"]
+    alone = np.flatnonzero(pose.time > 8.0)[0]
+    kept = (pose.time < 6.0) | (pose.time > 8.3)
+    kept[alone] = True
+
+    def likelihood(turned: float) -> float:
+        value = pose.value.copy()
+        value[alone, 3] += turned
+        stream = replace(pose, time=pose.time[kept], value=value[kept])
+        only = replace(log, streams={"pose": stream})
+        (track,) = make_tracks(replace(evidence, recordings=(replace(evidence.recordings[0], robots=(only,)),)))
+        found = track.filter.full(track.vehicle.row)
+        at = np.flatnonzero((track.timeline.stamp > 7.9) & (track.timeline.stamp < 8.2) & track.timeline.is_angle)
+        own.append(float(found.innovation[at[0]]))
+        return found.log_likelihood
+
+    own: list[float] = []
+    likelihood(0.0)
+    half = np.pi - own[0]
+    under, over = likelihood(half - 1e-7), likelihood(half + 1e-7)
+    assert own[1] > 0.0 > own[2]
+    assert under == pytest.approx(over, abs=1e-3)
