@@ -49,7 +49,7 @@ def fit(kind: int, values: np.ndarray, **numbers: float) -> Any:
         share=np.full(len(TIME), 0.25),
         grid=Grid(0.0, 0.1, 101),
     )
-    log = SimpleNamespace(streams={"compass": SimpleNamespace(noise=np.array([0.02]))})
+    log = SimpleNamespace(streams=dict.fromkeys(("compass", "imu"), SimpleNamespace(noise=np.array([0.02]))))
     without_laws = SimpleNamespace(law_shift=lambda row: np.zeros(len(TIME)))
     vehicle = SimpleNamespace(
         is_pump=np.zeros(2, dtype=bool), actuator_curve=np.zeros((2, 0)), actuator_limit=np.full((2, 2), 0.05)
@@ -104,9 +104,11 @@ def test_a_late_stream_is_off_by_rate_times_delay() -> None:
     assert reading.after[10:] == pytest.approx(0.0, abs=1e-9)
 
 
-def held_out_fit(values: np.ndarray, hidden: list[str], poses: bool = True, **numbers: float) -> Any:
+def held_out_fit(
+    values: np.ndarray, hidden: list[str], poses: bool = True, kind: int = COMPASS, **numbers: float
+) -> Any:
     """A fit whose compass has these values; `hidden` notes the streams without which a course was smoothed."""
-    one = fit(COMPASS, values, **numbers)
+    one = fit(kind, values, **numbers)
     (track,) = one.tracks
     track.timeline.sees = lambda *kinds: poses and "pose_yaw" in kinds
     track.filter.smoothed = lambda row: SimpleNamespace(
@@ -132,6 +134,23 @@ def test_held_out_errors_of_a_stream() -> None:
     assert (row.unit, row.against) == ("rad", "course")
     assert row.augmented == pytest.approx(0.0, abs=1e-9)
     assert row.intervals["nominal"] == pytest.approx((0.05, 0.05))
+
+
+@pytest.mark.parametrize(("skew", "poses", "left_out"), [(0.0, True, []), (1e-3, True, ["imu"]), (1e-3, False, None)])
+def test_a_stream_with_other_stamps_does_not_show_its_own_course(
+    skew: float, poses: bool, left_out: list[str] | None
+) -> None:
+    """A gyroscope in time is seen on a course that it shows too; one whose clock a model has as wrong is not.
+
+    Where nothing else shows the turn, it is not measured at all.
+    """
+    hidden: list[str] = []
+    plain = held_out_fit(0.1 + 0.0 * TIME, hidden, poses, kind=GYRO)
+    other = held_out_fit(0.1 + 0.0 * TIME, [], poses, kind=GYRO, clock_skew__imu=skew)
+    models = {"nominal": plain.filled, "recalibrated": plain.filled, "augmented": other.filled}
+    table = held_out_streams(plain.tracks, plain.filled, models, HeldOutPart([[(6.0, 10.0)]], 2.0))
+    assert list(table) == ([] if left_out is None else ["imu"])
+    assert hidden == (left_out or [])
 
 
 def test_a_stream_that_alone_shows_its_state_has_no_errors() -> None:

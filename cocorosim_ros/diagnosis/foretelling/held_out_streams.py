@@ -2,7 +2,8 @@
 
 A stream is measured where other readings show the same state, on the course that the recalibrated model's smoother sees
 in those others alone: on a course that has followed the stream itself, its errors would seem smaller than they are, and
-the law that is right would seem wrong.
+the law that is right would seem wrong. So a stream whose stamps a model changes has no part in its course either: a
+gyroscope whose clock runs wrong makes the turns of a course come at wrong times.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.foretelling.bootstrap import drawn, interval_of_root
 from cocorosim_ros.diagnosis.foretelling.deviation import KIND_OF_TOPIC, deviation, unit_of_kind
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
@@ -32,6 +34,8 @@ class Stream(NamedTuple):
     column: int  # of the state that it shows
     factor: float  # of the reading by that state, 0 for one that no single state shows; of a pressure per water_weight
 
+
+PLACE = ("pose_x",)  # kind of reading that shows speeds too, of streams that any other may show
 
 COMPARED_STREAMS: Mapping[str, Stream] = {
     **dict.fromkeys((topic for topic in KIND_OF_TOPIC if topic != POSE.topic), Stream((), False, Z, 0.0)),
@@ -72,7 +76,8 @@ def held_out_streams(
             for number, track in enumerate(tracks)
             if np.any(track.timeline.kind == kind) and _is_shown(track, stream) and part.spans[number]
         ]
-        courses = {number: _course(tracks[number], plain[number], topic) for number in seen}
+        retimed = _is_retimed(topic, plain, models)
+        courses = {number: _course(tracks[number], plain[number], topic, retimed=retimed) for number in seen}
         means = {
             name: np.concatenate(
                 [
@@ -103,9 +108,20 @@ def _is_shown(track: Track, stream: Stream) -> bool:
     return not stream.shown_by or track.timeline.sees(*stream.shown_by)
 
 
-def _course(track: Track, row: Floats, topic: str) -> Smoothed:
-    """The recalibrated model's course, seen without the stream where that would lead it astray."""
-    return (track.without_stream(topic) if COMPARED_STREAMS[topic].hidden else track).filter.smoothed(row)
+def _is_retimed(topic: str, plain: Floats, models: Mapping[str, Floats]) -> bool:
+    """Tell whether any model has other stamps of a topic than the model that makes the courses."""
+    columns = [COLUMN[f"{error}.{topic}"] for error in ("sensor_latency", "clock_skew")]
+    return any(not np.array_equal(rows[:, columns], plain[:, columns]) for rows in models.values())
+
+
+def _course(track: Track, row: Floats, topic: str, *, retimed: bool) -> Smoothed:
+    """The recalibrated model's course, seen without the stream where that would lead it astray.
+
+    retimed: whether the models differ in the stream's stamps. Then it is left out where others show the same.
+    """
+    stream = COMPARED_STREAMS[topic]
+    hidden = stream.hidden or (retimed and track.timeline.sees(*(stream.shown_by or PLACE)))
+    return (track.without_stream(topic) if hidden else track).filter.smoothed(row)
 
 
 def _noise(track: Track, topic: str, course: Smoothed) -> float:
