@@ -133,6 +133,21 @@ def test_free_runs_far_above_the_noise_floor(sound: Case, times: float, said: in
     assert sentences(hard_stops.beyond_the_floor, of_readings) == []
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "said"), [(0.2, 0.19, 0), (0.2, 0.203, 0), (0.2, 0.23, 1), (1e-6, 2e-6, 0)]
+)
+def test_free_runs_that_are_worse_with_all_that_is_named(sound: Case, before: float, after: float, said: int) -> None:
+    """However each effect did when it was named; not of a hundredth more, nor of what the filter's steps make."""
+    table = {"position": replace(row(0.5, before, after), noise_floor=before)}
+    case = replace(named(sound, "torque_bias", torque=1.5), table=table)
+    told = sentences(hard_stops.foretold_no_better, case)
+    assert len(told) == said and all("err more with all that is named" in each for each in told)
+    by_course = replace(case, table={"position": replace(table["position"], against="course")})
+    assert sentences(hard_stops.foretold_no_better, by_course) == []
+    of_readings = replace(named(sound, "pressure_offset", offset=50.0), table=table)
+    assert sentences(hard_stops.foretold_no_better, of_readings) == []
+
+
 @pytest.mark.parametrize(("column", "said"), [("linear_drag.heave", 0), ("linear_drag.sway", 1)])
 def test_numbers_of_the_motion_upwards_say_nothing_against_a_turn(sound: Case, column: str, said: int) -> None:
     """A drag upwards at the end of its range concerns a trim of the buoyancy, and no torque; one sideways does both."""

@@ -36,6 +36,7 @@ from cocorosim_ros.diagnosis.showing.untold_distortion import untold_distortion
 from cocorosim_ros.diagnosis.showing.untold_form import untold_form
 from cocorosim_ros.diagnosis.showing.untold_lever import untold_lever
 from cocorosim_ros.diagnosis.showing.untold_turn import untold_turn
+from cocorosim_ros.diagnosis.showing.whole_gain import foretold_no_better
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL, OF_TIME
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.units.quantity_text import said_quantity
@@ -280,6 +281,7 @@ STOPS: tuple[Stop, ...] = (
     effect_at_a_bound,
     interval_holds_zero,
     foretells_nothing,
+    foretold_no_better,
     uneven_pushes,
     collapsed_base,
     strayed_course,
