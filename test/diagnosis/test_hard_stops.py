@@ -16,7 +16,7 @@ from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, HeldOut
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, READING, Owner, Unknown
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
 from cocorosim_ros.diagnosis.showing import hard_stops
-from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_nameless
+from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_an_error, beside_nameless
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, objections, stopped
@@ -350,6 +350,31 @@ def test_a_small_effect_beside_a_law_of_the_same_force(sound: Case, nats: float,
     both = replace(case, found=found, named=(effect, of_law))
     assert len(sentences(beside_a_law, both)) == said
     assert all(each.effect is found[0] for each in beside_a_law(both))
+
+
+@pytest.mark.parametrize(
+    ("reading", "nats", "said"), [("pose_z", 1000.0, 1), ("pose_z", 100.0, 0), ("pose_x", 1000.0, 0)]
+)
+def test_a_small_law_of_readings_beside_an_error_of_the_same_depth(
+    sound: Case, reading: str, nats: float, said: int
+) -> None:
+    """A law of the pose's depth of 20 nats beside a drift of the pressure; one of its place is another matter."""
+    from cocorosim_ros.world.laws.law import Law, Product
+
+    case = named(sound, "pressure_drift", rate=2.0)
+    (drift,), (effect,) = case.found, case.named
+    entry = replace(
+        effect.candidate.entry,
+        id="unknown:pose~x*x",
+        topic="pose",
+        form=Law(reading, Product.parse("x*x")),
+        law="law_1",
+    )
+    of_law = replace(effect, candidate=replace(effect.candidate, entry=entry), nats=20.0)
+    found = (replace(drift, nats=nats), replace(drift, id="unknown:pose~x*x", topic="pose", nats=20.0))
+    both = replace(case, found=found, named=(effect, of_law))
+    assert len(sentences(beside_an_error, both)) == said
+    assert all(each.effect is found[1] for each in beside_an_error(both))
 
 
 @pytest.mark.parametrize(

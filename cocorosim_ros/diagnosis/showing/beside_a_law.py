@@ -1,14 +1,16 @@
-"""Names beside a law outside the catalogue of the same force: they may be pieces of a force of another form."""
+"""Names beside far stronger ones of the same force, or of the same reading: they may be pieces of another form."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from cocorosim_ros.diagnosis.catalogue.shown_by import own_state
 from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.naming.choice import moves
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, effects_of
 from cocorosim_ros.diagnosis.showing.remainder import HORIZONTAL
 from cocorosim_ros.world.laws.law import subject_and_product
+from cocorosim_ros.world.sensors.errors import ERRORS
 
 
 def beside_a_law(case: Case) -> Iterator[Objection]:
@@ -29,6 +31,33 @@ def beside_a_law(case: Case) -> Iterator[Objection]:
                 "a force of another form.",
                 effect=found,
             )
+
+
+def beside_an_error(case: Case) -> Iterator[Objection]:
+    """Object to a law of readings beside an error of the catalogue that explains far more of what shows the same state.
+
+    An error that drifts by another form than its law leaves a rest that follows whatever changes as slowly.
+    """
+    of_readings = [(found, named) for found, named in effects_of(case) if not moves(named.candidate)]
+    errors = [(found, named) for found, named in of_readings if named.candidate.entry.id in ERRORS]
+    for found, named in of_readings:
+        form = named.candidate.entry.form
+        if form is not None and any(
+            found.nats < HARD_STOPS.beside_law * error.nats
+            and set(own_state(form.of)) & _states_of(error.id)
+            and not set(found.robots).isdisjoint(error.robots)
+            for error, _ in errors
+        ):
+            yield Objection(
+                "An error of an instrument that shows the same explains far more: this may be what that error leaves "
+                "where it has another form.",
+                effect=found,
+            )
+
+
+def _states_of(error: str) -> set[str]:
+    """States that the readings show which an error of the catalogue changes."""
+    return {state for change in ERRORS[error].changes for state in own_state(change.kind)}
 
 
 def beside_nameless(case: Case, law: str) -> Iterator[Objection]:

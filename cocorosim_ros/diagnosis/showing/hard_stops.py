@@ -22,7 +22,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.naming.single_thrusters import SIDES
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
-from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law
+from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_an_error
 from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
@@ -299,6 +299,7 @@ STOPS: tuple[Stop, ...] = (
     one_side_alone,
     all_askew,
     beside_a_law,
+    beside_an_error,
     unknown_noise,
     remainder,
 )
