@@ -79,8 +79,12 @@ class Case:
         return [truth for truth in self.truth["effects"] if not any(names(effect, truth) for effect in self.effects)]
 
     def spurious(self) -> list[dict[str, Any]]:
-        """Reported effects that name no secret."""
-        return [effect for effect in self.effects if not any(names(effect, t) for t in self.truth["effects"])]
+        """Reported effects that name no secret, and no part of one that is an entry of its own."""
+        return [
+            effect
+            for effect in self.effects
+            if effect["id"] not in self.tolerated() and not any(names(effect, t) for t in self.truth["effects"])
+        ]
 
     def exact(self) -> bool:
         """Everything hidden is named and nothing else."""
@@ -131,7 +135,7 @@ class Case:
         return bool(self.unknowns()) or (self.verdict == "mismatch" and not self.named)
 
     def tolerated(self) -> set[str]:
-        """Catalogue entries that have something to do with a law outside it."""
+        """Catalogue entries that have something to do with a law outside it, or are a part of what was hidden."""
         return {n for e in self.truth["effects"] for n in [*e["tolerated"], *e.get("twins", [])]}
 
     def named_wrongly(self) -> bool:

@@ -36,7 +36,8 @@ def compass_distortion(rng: np.random.Generator, amount: float, scene: Scene) ->
         "sin": float(2.0 * np.mean(error * np.sin(yaw))),
         "cos": float(2.0 * np.mean(error * np.cos(yaw))),
     }
-    return Secret("compass_distortion", {**found}, "field vector with hard and soft iron", "compass")
+    form = "field vector with hard and soft iron"
+    return Secret("compass_distortion", {**found}, form, "compass", tolerated=("soft_iron",))
 
 
 def soft_iron(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:

@@ -168,6 +168,14 @@ def test_an_effect_of_another_stream_or_with_a_second_one_is_not_exact() -> None
     assert not case("single", shear, [reported("tidal_current")]).exact()
 
 
+def test_a_part_of_what_was_hidden_that_has_an_entry_of_its_own_is_nothing_else() -> None:
+    """Hard iron with some soft iron, of both of which there are entries; without the hard iron it is not exact."""
+    iron = [secret("compass_distortion") | {"tolerated": ["soft_iron"]}]
+    assert case("single", iron, [reported("compass_distortion"), reported("soft_iron")]).exact()
+    assert not case("single", iron, [reported("soft_iron")]).exact()
+    assert not case("single", iron, [reported("compass_distortion"), reported("motor_field")]).exact()
+
+
 def test_effects_are_found_on_the_robots_that_have_them() -> None:
     """The robot that has it and no other; what is not named is found on no robot."""
     lag = [secret("thruster_lag", robots=["a"])]
