@@ -16,6 +16,9 @@ from concealer.physics import drive
 from concealer.prior import Plot, entries
 from concealer.scene import Faults, Scene, Secret
 
+SURFACING = frozenset(("hull_emergence", "surface_loss"))
+"""What acts near the surface alone: a programme comes up for it, which others need not."""
+
 SPREAD = (at.MASS, at.INERTIA, at.DRAG, at.YAW_DRAG, at.THRUST, at.LEVER, at.PUMP)
 
 
@@ -86,7 +89,7 @@ def forces(rng: np.random.Generator, plot: Plot, ticks: int) -> FloatArray:
 def move(rng: np.random.Generator, plot: Plot, scene: Scene) -> tuple[FloatArray, FloatArray]:
     """Trajectory (rows, robots, ROW) and commands (ticks, robots, 3)."""
     ticks, depth = round(plot.duration / at.TICK), -float(scene.own[at.FLOOR])
-    surfacing = "hull_emergence" in plot.hidden  # a programme that comes up, which others need not
+    surfacing = not SURFACING.isdisjoint(plot.hidden)
     margin = 0.25 if surfacing or "wall_effect" in plot.hidden else 0.5
     deepest = min(at.TALL, depth) if surfacing else depth
     pool = Pool(0.5 * plot.side, deepest, plot.duration, margin, "neighbour_wake" in plot.hidden, plot.style)

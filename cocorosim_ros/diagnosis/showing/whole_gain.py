@@ -1,4 +1,4 @@
-"""What the whole of the named effects gains: free runs with all of them against free runs without any.
+"""Gain of all named effects together: free runs with all of them against free runs without any.
 
 Each effect is judged when it is named, by the model as it is then. Together they may still foretell worse than the
 platform's numbers alone, as where a dead band stands for a curve of the thrust that has another form.

@@ -52,7 +52,7 @@ SURFACE_LOSS = Effect(
             sign="not negative",
             multiplies="N",
             gives="N",
-            other_form=0.2,  # from the reach to the surface in another curve
+            other_form=0.4,  # from the reach to the surface in another curve, most of which no vehicle visits
             search=Strength(large=0.3, least=0.0, most=3.0),
             between=SHARE,
             example=Example(0.3, "bollard pull at the surface and below"),
