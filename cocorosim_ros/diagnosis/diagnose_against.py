@@ -15,12 +15,12 @@ from cocorosim_ros.diagnosis.against.halves import changed_halfway
 from cocorosim_ros.diagnosis.against.joint import below, joint_fit, part_of, with_streams_of
 from cocorosim_ros.diagnosis.against.learned_once import learned_once
 from cocorosim_ros.diagnosis.against.learning import learned_effects
+from cocorosim_ros.diagnosis.against.nameless import differ_namelessly, left_over_words
 from cocorosim_ros.diagnosis.against.out_of_sight import numbers_not_shown, sizes_seen
 from cocorosim_ros.diagnosis.against.running import Running, runnable, runs_away
 from cocorosim_ros.diagnosis.against.stamps import other_clocks
 from cocorosim_ros.diagnosis.against.torn import as_learned, is_torn, surer
 from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
-from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
@@ -198,7 +198,8 @@ def _told(
     seen = {*(effect.id for effect in effects), *doubted, *(name.partition(":")[0] for name in doubted)}
     unseen = tuple(name for name in not_shown(naming.screened) if name not in seen)
     tried = {each.candidate.entry.id for each in naming.screened}
-    verdict = _verdict((*effects, *doubted), moved, unseen, naming.nameless)
+    nameless = "" if differ_namelessly(against.control) else naming.nameless
+    verdict = _verdict((*effects, *doubted), moved, unseen, nameless)
     named = {*seen, *(each.parameter for each in moved)}
     silent = (
         *unseen,
@@ -207,7 +208,7 @@ def _told(
     )
     return Diagnosis(
         verdict,
-        difference_sentence(verdict, effects, moved, naming.nameless, vague, either),
+        difference_sentence(verdict, effects, moved, nameless, vague, either),
         moved,
         (),
         effects,
@@ -224,7 +225,10 @@ def _told(
         remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back), *against.remarks),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),
-        warnings=(*(each.sentence for each in stops if each.effect is None), *_of_nameless(naming.nameless)),
+        warnings=(
+            *(each.sentence for each in stops if each.effect is None),
+            *left_over_words(naming.nameless, against.control),
+        ),
         untold=(
             *doubts(REFUSED, against.in_doubt),
             *doubts(VAGUE, vague),
@@ -257,16 +261,6 @@ def _clearly_moved(numbers: Sequence[Recalibrated]) -> tuple[tuple[Recalibrated,
     """Numbers that are not what they were before, and the names of those whose 99 % interval holds that value."""
     vague = [each for each in numbers if each.estimate.wider(COMPARISON.surer).holds(each.nominal)]
     return tuple(each for each in numbers if each not in vague), tuple(each.parameter for each in vague)
-
-
-def _of_nameless(law: str) -> tuple[str, ...]:
-    """Warning of a difference that has no name."""
-    if not law:
-        return ()
-    return (
-        f"Something differs that no entry of the catalogue clearly explains. It looks like {identifier_words(law)}, "
-        "but this often stands in for something else; look at the residuals.",
-    )
 
 
 def _judged_part(naming: Naming, fit: Fit, judged: Judged) -> Fit:
