@@ -35,7 +35,7 @@ class Stream(NamedTuple):
     factor: float  # of the reading by that state, 0 for one that no single state shows; of a pressure per water_weight
 
 
-PLACE = ("pose_x",)  # kind of reading that shows speeds too, of streams that any other may show
+BY_PLACES = ("pose_x",)  # kind of reading that shows speeds too, of streams that any other may show
 
 COMPARED_STREAMS: Mapping[str, Stream] = {
     **dict.fromkeys((topic for topic in KIND_OF_TOPIC if topic != POSE.topic), Stream((), False, Z, 0.0)),
@@ -120,7 +120,7 @@ def _course(track: Track, row: Floats, topic: str, *, retimed: bool) -> Smoothed
     retimed: whether the models differ in the stream's stamps. Then it is left out where others show the same.
     """
     stream = COMPARED_STREAMS[topic]
-    hidden = stream.hidden or (retimed and track.timeline.sees(*(stream.shown_by or PLACE)))
+    hidden = stream.hidden or (retimed and track.timeline.sees(*(stream.shown_by or BY_PLACES)))
     return (track.without_stream(topic) if hidden else track).filter.smoothed(row)
 
 
