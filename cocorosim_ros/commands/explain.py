@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _MOST_IN_FULL = 4
 
 
-@with_examples("cocorosim explain lockstep.patience", "cocorosim explain wall_effect")
+@with_examples("cocorosim explain lockstep.patience", "cocorosim explain wall_effect", "cocorosim explain effects")
 @click.command("explain", short_help="what a key, an effect, a metric, a topic or a controller means")
 @click.argument("key", required=False, shell_complete=explained)
 @json_option
@@ -31,19 +31,20 @@ def command(key: str | None, json_file: Path | None, force: bool) -> None:
     """Say of KEY what it means, its unit, range and default, where it stands with which source, and what uses it.
 
     KEY is a key of a scenario, a platform or a map (`lockstep.patience`, or its last word), an effect (`wall_effect`)
-    or a number of it (`wall_effect.gain`), a metric, a topic, a controller or its parameter. Without KEY all are
-    listed.
+    or a number of it (`wall_effect.gain`), a metric, a topic, a controller or its parameter. `effects` lists
+    the catalogue: every effect and error of a sensor that a platform file may have. Without KEY all are listed.
     """
     from cocorosim_ros.library.explain import explain
     from cocorosim_ros.library.explaining.index import every_explanation
 
     console = console_beside(json_file, force=force)
     found = every_explanation() if key is None else explain(key)
-    if key is not None and len(found) <= _MOST_IN_FULL:
-        for each in found:
-            _show(console, each)
-    else:
-        _list(console, found)
+    few = key is not None and len(found) <= _MOST_IN_FULL
+    in_full = [each for each in found if few or each.name == key]
+    for each in in_full:
+        _show(console, each)
+    if len(in_full) < len(found):
+        _list(console, [each for each in found if each not in in_full])
     give_json(console, json_file, {"explanations": [each.tree() for each in found]})
 
 

@@ -43,6 +43,20 @@ def test_all_that_there_is(cocorosim: Run) -> None:
     assert {"key of a scenario", "key of a platform", "key of a map", "effect", "metric", "topic"} <= kinds
 
 
+def test_the_catalogue_alone(cocorosim: Run) -> None:
+    """Below the key itself a row for each entry, with its name and what it is, and for nothing else."""
+    done = cocorosim("explain", "effects")
+    assert done.status == 0, done.err
+    lines = done.out.splitlines()
+    assert lines[0] == "effects, key of a platform"
+    rows = [[cell.strip() for cell in line.strip("\u2502").split("\u2502")] for line in lines if line[0] == "\u2502"]
+    assert ["wall_effect", "effect", "drag that grows near walls"] in rows
+    assert ["pressure_offset", "error of a sensor", "pressure reading that is shifted"] in rows
+    assert {kind for _, kind, _ in rows} == {"effect", "error of a sensor"}
+    listed = json.loads(cocorosim("explain", "effects", "--json", "-").out)["explanations"]
+    assert [each["name"] for each in listed] == ["effects", *(name for name, _, _ in rows)]
+
+
 def test_a_name_that_there_is_not(cocorosim: Run) -> None:
     """One sentence with the nearest name, status 2."""
     done = cocorosim("explain", "patiense")

@@ -16,6 +16,8 @@ from cocorosim_ros.wire.topics.topics import TOPICS
 from cocorosim_ros.world.effects import CATALOGUE_EFFECTS
 from cocorosim_ros.world.sensors import SENSORS
 from cocorosim_ros.world.sensors.errors import ERRORS
+from cocorosim_ros.world.sensors.law import SENSOR_LAWS
+from cocorosim_ros.world.vehicle_model.platform_effects import KNOWN_EFFECTS
 
 NAMES = {(each.kind, each.name): each for each in every_explanation()}
 WITH_NAMES_OF_THEIR_OWN = re.compile(r"^(effects|robots|ranges|frame_corrections)\.|\.overrides\.|\.parameters\.")
@@ -83,6 +85,14 @@ def test_a_key_by_its_last_word_or_in_full() -> None:
     gains = {"pressure_gain.gain", "wall_effect.gain", "neighbour_wake.gain", "actuators.gain", "depth_agreement.gain"}
     assert {each.name for each in cocorosim.explain("gain")} == gains
     assert cocorosim.explain("swarm[].start") == cocorosim.explain("swarm.start")
+
+
+def test_the_catalogue_stands_below_effects() -> None:
+    """What a platform file may have there, and nothing else, each with its place in the file."""
+    key, *catalogue = cocorosim.explain("effects")
+    assert (key.name, key.kind) == ("effects", "key of a platform")
+    assert {each.name for each in catalogue} == set(KNOWN_EFFECTS) - set(SENSOR_LAWS)
+    assert all(each.facts["in a platform file"] == f"effects.{each.name}" for each in catalogue)
 
 
 def test_values_come_with_their_sources() -> None:

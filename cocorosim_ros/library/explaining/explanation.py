@@ -8,6 +8,10 @@ from typing import Any
 
 from cocorosim_ros.foundation.card import Card, Shown
 
+CATALOGUE = "effects"
+"""The key of a platform below which the catalogue's effects and errors of sensors stand."""
+PLACE = "in a platform file"
+"""The fact that says where a platform file has it."""
 _MOST_NAMED = 4
 
 

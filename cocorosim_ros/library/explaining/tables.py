@@ -8,7 +8,7 @@ from cocorosim_ros.diagnosis.against.numbers import SURGE_DRAG
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
 from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
 from cocorosim_ros.foundation.compiling.sources import PACKAGE
-from cocorosim_ros.library.explaining.explanation import Explanation
+from cocorosim_ros.library.explaining.explanation import CATALOGUE, PLACE, Explanation
 from cocorosim_ros.library.explaining.shipped import trees, values
 from cocorosim_ros.scenario.parts.controller_file import load_controller
 from cocorosim_ros.scenario.parts.parameter import Parameter
@@ -24,9 +24,11 @@ from cocorosim_ros.world.terms.effect import Description, Number
 def table_entries() -> Iterator[Explanation]:
     """Everything that a table of the code defines."""
     for name, effect in (*BASIC_EFFECTS.items(), *CATALOGUE_EFFECTS.items()):
-        yield from _described("effect", name, effect, "world/effects")
+        place = f"{CATALOGUE}.{name}" if name in CATALOGUE_EFFECTS else ""
+        yield from _described("effect", name, effect, "world/effects", place)
     for name, error in ERRORS.items():
-        yield from _described("error of a sensor", name, error, "world/sensors/errors")
+        place = f"{CATALOGUE}.{name}" if error.parameters else ""
+        yield from _described("error of a sensor", name, error, "world/sensors/errors", place)
     yield from _single_actuators()
     yield _drag_ahead()
     yield from _metrics()
@@ -34,12 +36,12 @@ def table_entries() -> Iterator[Explanation]:
     yield from _controllers()
 
 
-def _described(kind: str, name: str, what: Description, folder: str) -> Iterator[Explanation]:
+def _described(kind: str, name: str, what: Description, folder: str, place: str) -> Iterator[Explanation]:
     numbers = ", ".join(f"{part.name} [{part.unit}]" for part in what.parameters)
     facts = {"equation": what.whole_equation, "numbers": numbers, "check": what.check}
     if what.search is not None:
         facts["found by"] = f"cocorosim diagnose, in {what.search.channel}; best shown by {what.search.manoeuvre}"
-    facts["defined in"] = _file(folder, name)
+    facts |= {PLACE: place, "defined in": _file(folder, name)}
     users = tuple(values("platforms").get(f"effects.{name}", {}))
     yield Explanation(name, kind, what.summary, _known(facts), tuple(f"platform {user}" for user in users))
     for part in what.parameters:
@@ -56,7 +58,7 @@ def _single_actuators() -> Iterator[Explanation]:
             "equation": "T = factor * T_model",
             "numbers": "a factor [1] by the name of the thruster",
             "found by": "cocorosim diagnose, of vehicles with more than two thrusters",
-            "in a platform file": "'gain' of that thruster",
+            PLACE: "'gain' of that thruster",
         },
     )
     yield Explanation(
@@ -67,7 +69,7 @@ def _single_actuators() -> Iterator[Explanation]:
             "equation": "angle = command + trim",
             "numbers": "an angle [rad] by the name of the rudder or fin",
             "found by": "cocorosim diagnose, where the file does not give it",
-            "in a platform file": "'trim' of that rudder or fin",
+            PLACE: "'trim' of that rudder or fin",
         },
     )
 
@@ -81,7 +83,7 @@ def _drag_ahead() -> Explanation:
             "equation": "X = -factor k U u, with sway and heave as before",
             "numbers": "a factor [1]",
             "found by": "cocorosim diagnose --against",
-            "in a platform file": "'drag' times the factor, 'anisotropic_drag' over it",
+            PLACE: "'drag' times the factor, 'anisotropic_drag' over it",
         },
     )
 
