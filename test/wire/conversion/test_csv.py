@@ -262,3 +262,18 @@ def test_nothing_is_overwritten_or_left_behind(convert_csv: Convert, tmp_path: P
     with pytest.raises(CocorosimError, match="is no number"):
         convert_csv(table(TIME), {"a.csv": "t,x,y\n0,1,abc\n"}, force=True)
     assert (tmp_path / "bag" / "metadata.yaml").exists()
+
+
+def test_several_recordings_are_not_replaced_by_one(convert_csv: Convert, tmp_path: Path) -> None:
+    """One run is the folder itself, several are folders below it: these are named, and stay, even with --force."""
+    of_runs = table(TIME, files='"{run}.csv"')
+    logs = {f"r{run}.csv": f"t,x,y\n0,{run},1\n" for run in range(4)}
+    several = convert_csv(of_runs, logs).done
+    assert [made.folder for made in several] == [tmp_path / "bag" / f"r{run}" for run in range(4)]
+    told = r"bag holds whole recordings \('r0', 'r1', 'r2', \.\.\.\), as a conversion of several runs leaves them"
+    with pytest.raises(CocorosimError, match=rf"{told}.*; .*choose another folder, or remove this one first\."):
+        convert_csv(table(TIME), {"a.csv": "t,x,y\n0,1,1\n"}, source="a.csv", force=True)
+    assert all((made.folder / "metadata.yaml").exists() for made in several)
+    (tmp_path / "bag" / "thesis.tex").write_text("years of work")
+    with pytest.raises(CocorosimError, match=r"bag holds 'thesis\.tex', which is no part of a recording"):
+        convert_csv(table(TIME), {"a.csv": "t,x,y\n0,1,1\n"}, source="a.csv", force=True)
