@@ -17,6 +17,7 @@ from cocorosim_ros.commands.completion import config_or_file, several_of
 from cocorosim_ros.commands.examples import with_examples
 from cocorosim_ros.commands.fleet import FleetChoices, check_fleet_options, diagnose_all
 from cocorosim_ros.commands.json_output import console_beside, give_json, json_option
+from cocorosim_ros.commands.stage_lines import StageLines
 from cocorosim_ros.commands.terminal import say, show_table
 from cocorosim_ros.diagnosis.findings import Verdict
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -194,16 +195,20 @@ def _show_remarks(console: Console, remarks: Sequence[str]) -> None:
 def shown_progress(console: Console) -> Iterator[ShowProgress]:
     """A function of what is done and how much of all (0..1): on a terminal a bar with the time gone and left.
 
+    Elsewhere a line each half minute says it on standard error, so that a file or pipe has results alone.
     From the first call on it is also said when functions are compiled.
     """
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     bar = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
-    with bar, ExitStack() as compiling:
+    with bar, ExitStack() as told:
         task = bar.add_task("", total=None)
+        lines = None if console.is_terminal else told.enter_context(StageLines(Console(stderr=True)))
 
         def show(words: str, share: float) -> None:
             if bar.tasks[task].total is None:
-                compiling.enter_context(compiling_told(console, "the diagnosis"))
+                told.enter_context(compiling_told(console, "the diagnosis"))
             bar.update(task, description=words, completed=share, total=1.0)
+            if lines is not None:
+                lines.show(words, share)
 
         yield show

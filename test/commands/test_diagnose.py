@@ -6,7 +6,9 @@ import io
 import json
 import re
 import sys
+import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
@@ -16,6 +18,7 @@ import pytest
 from rich.console import Console
 
 from cocorosim_ros.commands.diagnose import shown_progress
+from cocorosim_ros.commands.stage_lines import StageLines
 from cocorosim_ros.diagnosis.findings import Diagnosis, Estimate, FoundEffect, Recalibrated
 from cocorosim_ros.diagnosis.report.junit_file import junit_xml
 from cocorosim_ros.foundation.errors import CocorosimError
@@ -237,3 +240,22 @@ def test_progress_tells_time_gone_and_time_left(*, terminal: bool, bars: int) ->
         show("fitting", 0.5)
     lines = re.findall(r"fitting .* (?:[-\d]+:){2}[-\d]+ (?:[-\d]+:){2}[-\d]+", written.getvalue())
     assert min(len(lines), 1) == bars
+
+
+@pytest.mark.parametrize(("terminal", "told"), [(False, True), (True, False)])
+def test_without_a_terminal_lines_tell_the_stage(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *, terminal: bool, told: bool
+) -> None:
+    """On standard error, again and again while a stage lasts; where results go there is none of it."""
+    monkeypatch.setattr("cocorosim_ros.commands.diagnose.StageLines", partial(StageLines, every=0.01))
+    written, said = io.StringIO(), ""
+    with shown_progress(Console(file=written, force_terminal=terminal, width=100, color_system=None)) as show:
+        show("fitting [1]", 0.25)
+        waited = time.monotonic() + (10.0 if told else 0.2)  # s; far more than two lines take, also on a busy machine
+        while said.count("\n") < 2 and time.monotonic() < waited:
+            time.sleep(0.01)
+            said += capsys.readouterr().err
+    lines = said.splitlines()
+    assert [line for line in lines if not re.fullmatch(r"after 0\.\d min, 25%: fitting \[1\]", line)] == []
+    assert (len(lines) >= 2) == told
+    assert ("after" in written.getvalue()) is False
