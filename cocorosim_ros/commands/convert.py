@@ -30,7 +30,10 @@ _MOST_SHOWN_IN_FULL = 3
 @click.argument("words", metavar="[MAP.yaml] SOURCE", nargs=-1, required=True, shell_complete=config_or_file("maps"))
 @click.option("--guess", is_flag=True, help="write a map for SOURCE instead, as far as it can be told")
 @click.option(
-    "--out", type=click.Path(path_type=Path), required=True, help="the recording to make, a folder; of --guess the map"
+    "--out",
+    type=click.Path(path_type=Path),
+    required=True,
+    help="the recording to make, a folder, or of several runs the folder of them all; of --guess the map",
 )
 @json_option
 @click.option("--force", is_flag=True, help="replace what is there")
@@ -38,7 +41,8 @@ def command(words: tuple[str, ...], guess: bool, out: Path, json_file: Path | No
     """Convert SOURCE as MAP.yaml (a file, or a name in config/maps) says.
 
     SOURCE is a file or a folder of them: CSV, Parquet, npz, mat; or one log: a bag of ROS 1 or 2, a ULog, a DataFlash
-    log, a tlog. If it holds several runs, each becomes a recording of its own below the folder given with --out.
+    log, a tlog. If it holds one run, the folder given with --out is the recording; if it holds several, each becomes a
+    recording of its own below it, OUT/RUN.
 
     With --guess and SOURCE alone, the map itself is written: what the topics or columns are by type, name, size and
     motion, with everything that is not sure in its comments. Look at these before the map is used.

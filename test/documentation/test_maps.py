@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +57,16 @@ def test_the_actuators_that_report(tmp_path: Path) -> None:
     assert feedback.rows.extra["name"] == ["propeller.rotation", "propeller.current", "rudder.angle"]
     expected = [[20 * math.pi, 3.5, 0.0], [30 * math.pi, math.nan, math.radians(18)]]
     np.testing.assert_allclose(feedback.rows.values, expected, rtol=1e-14)
+
+
+def test_the_pump(tmp_path: Path) -> None:
+    """The neutral volume is 0, the largest 1, the smallest -1."""
+    (line,) = re.findall(r"`(pump: \{.*?\})`", TEXT)
+    head = "name: m\nformat: csv\ntables:\n  - {files: a.csv, time: {column: t, unit: s}, robot: glider, streams: "
+    (tmp_path / "map.yaml").write_text(f"{head}{{thruster_command: {{{line}}}}}}}\n", "utf-8")
+    (tmp_path / "a.csv").write_text("t,volume\n0,20000\n1,20500\n2,19500\n", "utf-8")
+    (made,) = convert(load_map(tmp_path / "map.yaml"), tmp_path / "a.csv", tmp_path / "bag")
+    np.testing.assert_allclose(made.conversion.streams[0].rows.values, [[0.0], [1.0], [-1.0]])
 
 
 def test_everything_is_listed() -> None:
