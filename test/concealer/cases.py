@@ -136,7 +136,7 @@ class Case:
 
     def tolerated(self) -> set[str]:
         """Catalogue entries that have something to do with a law outside it, or are a part of what was hidden."""
-        return {n for e in self.truth["effects"] for n in [*e["tolerated"], *e.get("twins", [])]}
+        return {n for e in self.truth["effects"] for n in [*e.get("tolerated", []), *e.get("twins", [])]}
 
     def named_wrongly(self) -> bool:
         """A catalogue entry is named that has nothing to do with what was hidden."""

@@ -58,12 +58,18 @@ CASES = [
     pytest.param(towing, "tether_drag", CABLE, {"coefficient": 1.2}, 31, id="tether_drag"),
 ]
 
+WIDER = {"surface_loss": 2.0}
+"""Widths that an interval may have, as shares of the number, where that is not below 1."""
+
 
 @pytest.mark.parametrize(("make", "effect", "hidden", "numbers", "seed"), CASES)
 def test_it_is_named_with_its_number(
     swim: Any, make: Any, effect: str, hidden: dict[str, float], numbers: dict[str, float], seed: int
 ) -> None:
-    """It alone; the truth lies in the 95 % interval, which is narrower than the number itself."""
+    """It alone; the truth lies in the 95 % interval, which is narrower than the number itself.
+
+    A loss at the surface is reckoned up to there from depths that are visited, by a form that may be another.
+    """
     platform = make()
     found = diagnose(
         swim(hiding(platform, {effect: hidden}), SECONDS, seed=seed, base=platform), lambda words, share: None
@@ -71,7 +77,8 @@ def test_it_is_named_with_its_number(
     assert [each.id for each in found.effects] == [effect]
     for name, true in numbers.items():
         estimate = found.effects[0].parameters[name]
-        assert estimate.holds(true) and estimate.high - estimate.low < true, estimate
+        widest = WIDER.get(effect, 1.0) * true
+        assert estimate.holds(true) and 0.0 < estimate.low and estimate.high - estimate.low < widest, estimate
 
 
 @pytest.mark.parametrize(("make", "seed"), [(tall, 46), (sideways, 31), (towing, 31)])
