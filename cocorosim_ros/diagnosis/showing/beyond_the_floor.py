@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from cocorosim_ros.diagnosis.criteria.showing import BEYOND_FLOOR
+from cocorosim_ros.diagnosis.findings import HeldOut
 from cocorosim_ros.diagnosis.foretelling.exactness import is_beyond_steps, is_exact
 from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS
 from cocorosim_ros.diagnosis.naming.choice import moves
@@ -30,17 +31,20 @@ def beyond_the_floor(case: Case) -> Iterator[Objection]:
 
 
 def channels_beyond_the_floor(case: Case) -> tuple[str, ...]:
-    """Channels of the free runs, against readings, in which the model with its effects errs far more than the floor.
+    """Channels of the free runs, against readings, in which the model with its effects errs far more than the floor."""
+    rows = rows_of_motion(case)
+    return tuple(channel for channel, row in rows.items() if row.augmented > BEYOND_FLOOR.clear * row.noise_floor)
+
+
+def rows_of_motion(case: Case) -> dict[str, HeldOut]:
+    """Select the channels of free runs that judge named effects of motion: against readings, beyond the filter's steps.
 
     None beside a named error of readings: free runs begin with it, unless other readings show the same.
     """
     if is_exact(case.table) or not all(moves(effect.candidate) for effect in case.named):
-        return ()
-    return tuple(
-        channel
+        return {}
+    return {
+        channel: row
         for channel, row in case.table.items()
-        if channel in CHANNELS
-        and row.against == "readings"
-        and is_beyond_steps(channel, row.augmented)
-        and row.augmented > BEYOND_FLOOR.clear * row.noise_floor
-    )
+        if channel in CHANNELS and row.against == "readings" and is_beyond_steps(channel, row.augmented)
+    }

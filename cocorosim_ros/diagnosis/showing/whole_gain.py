@@ -6,14 +6,13 @@ platform's numbers alone, as where a dead band stands for a curve of the thrust 
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+
+import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.foretelling import FREE_RUN_GAINS
-from cocorosim_ros.diagnosis.findings import HeldOut
-from cocorosim_ros.diagnosis.foretelling.exactness import is_beyond_steps, is_exact
-from cocorosim_ros.diagnosis.foretelling.rulers import CHANNELS
-from cocorosim_ros.diagnosis.naming.choice import moves
+from cocorosim_ros.diagnosis.foretelling.gains import gain
+from cocorosim_ros.diagnosis.showing.beyond_the_floor import rows_of_motion
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, effects_of
 
 FORETOLD_NO_BETTER = (
@@ -23,24 +22,10 @@ FORETOLD_NO_BETTER = (
 
 
 def foretold_no_better(case: Case) -> Iterator[Objection]:
-    """Object to effects of motion with all of which free runs against readings are worse than without any.
-
-    None beside a named error of readings: free runs begin with it, unless other readings show the same.
-    """
-    if is_exact(case.table) or not all(moves(effect.candidate) for effect in case.named):
-        return
-    if whole_gain(case.table) < -FREE_RUN_GAINS.material:
+    """Object to effects of motion with all of which free runs against readings are worse than without any."""
+    rows = rows_of_motion(case).values()
+    errors = np.array([(row.recalibrated, row.augmented, row.noise_floor) for row in rows]).reshape(-1, 3) ** 2
+    before, after, floor = errors.T
+    if gain(before[None], after[None], floor).mean < -FREE_RUN_GAINS.material:
         for found, _ in effects_of(case):
             yield Objection(FORETOLD_NO_BETTER, effect=found)
-
-
-def whole_gain(table: Mapping[str, HeldOut]) -> float:
-    """Gain [logarithm of the error] of the model with the effects over the one without, by channels against readings.
-
-    By the measure of `foretelling.gains`, with the errors of all windows together.
-    """
-    return sum(
-        math.log(math.hypot(row.recalibrated, row.noise_floor) / math.hypot(row.augmented, row.noise_floor))
-        for channel, row in table.items()
-        if channel in CHANNELS and row.against == "readings" and is_beyond_steps(channel, row.augmented)
-    )
