@@ -19,9 +19,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, covariance, slope_step
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_precision
 from cocorosim_ros.diagnosis.tracks.columns import WATER_NOISE
-from cocorosim_ros.diagnosis.tracks.passes import Pass
-from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_number, of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -42,14 +40,7 @@ def variances_beside_noise(fit: Fit) -> Floats:
 
     def of_track(number: int) -> Floats:
         mine = [place for place, each in enumerate(every) if number in each.tracks]
-        own = _information(
-            fit.tracks[number],
-            fit.passes[number],
-            filled[number],
-            [every[place] for place in mine],
-            q[mine],
-            steps[mine],
-        )
+        own = _information(fit, number, filled[number], [every[place] for place in mine], q[mine], steps[mine])
         whole = np.zeros((len(every), len(every)))
         whole[np.ix_(mine, mine)] = own
         return whole
@@ -59,14 +50,13 @@ def variances_beside_noise(fit: Fit) -> Floats:
     return np.maximum(held, np.where(np.isfinite(found), found, held))
 
 
-def _information(
-    track: Track, passed: Pass, row: Floats, unknowns: Sequence[Unknown], q: Floats, steps: Floats
-) -> Floats:
-    """Information (n, n) of one track on its unknowns at q (n,), by steps (n,) off them, without priors.
+def _information(fit: Fit, number: int, row: Floats, unknowns: Sequence[Unknown], q: Floats, steps: Floats) -> Floats:
+    """Information (n, n) of a track on its unknowns at q (n,), by steps (n,) off them, without priors.
 
     A dead band, or a delay of readings that count at grid points, changes nothing until a command or a point is passed:
     there the step is that of its slopes.
     """
+    track, passed = fit.tracks[number], fit.passes[number]
     moved, swollen = np.zeros((2, len(unknowns), len(passed.innovation)))
 
     def changed(place: int, step: float) -> bool:
@@ -77,8 +67,11 @@ def _information(
             swollen[place] = (other.variance - passed.variance) / (step * passed.variance)
         return bool(moved[place].any())
 
-    for place, (unknown, at, size) in enumerate(zip(unknowns, q.tolist(), steps.tolist(), strict=True)):
-        if not changed(place, unknown.inward_step(at, size)):
+    def write(place: int) -> None:
+        unknown, at = unknowns[place], float(q[place])
+        if not changed(place, unknown.inward_step(at, float(steps[place]))):
             changed(place, slope_step(unknown, at, track))
+
+    of_each_number(write, len(unknowns), len(fit.tracks))
     found = weighted_products(moved.T, moved.T, passed.variance)
     return found + 0.5 * weighted_products(swollen.T, swollen.T, np.ones_like(passed.variance))

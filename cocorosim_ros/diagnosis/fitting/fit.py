@@ -30,7 +30,7 @@ from cocorosim_ros.diagnosis.fitting.unknowns import (
 from cocorosim_ros.diagnosis.tracks.columns import LATENCY
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_number, of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.sensors.errors import SEEN_OTHERWISE
 
@@ -97,12 +97,16 @@ def slopes(fit: Fit, unknowns: Sequence[Unknown], q: Floats) -> tuple[Floats, ..
     def of_track(number: int) -> Floats:
         passed, passing = fit.passes[number], fit.tracks[number].filter
         found = np.zeros((len(unknowns), len(passed.innovation)))
-        for unknown, place, slope in zip(unknowns, q.tolist(), found, strict=True):
-            if number in unknown.tracks:
-                step = slope_step(unknown, place, fit.tracks[number])
-                held = unknown.column not in GAINS_FOLLOW
-                slope_of = passing.slope if held else passing.slope_with_gains
-                slope_of(nudged(filled[number], unknown, place, step), passed, step, slope)
+        moving = [index for index, unknown in enumerate(unknowns) if number in unknown.tracks]
+
+        def write(place: int) -> None:
+            index = moving[place]
+            unknown, at = unknowns[index], float(q[index])
+            step = slope_step(unknown, at, fit.tracks[number])
+            slope_of = passing.slope_with_gains if unknown.column in GAINS_FOLLOW else passing.slope
+            slope_of(nudged(filled[number], unknown, at, step), passed, step, found[index])
+
+        of_each_number(write, len(moving), len(fit.tracks))
         return found.T
 
     return tuple(of_each_track(of_track, len(fit.tracks)))

@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import nudged, prior_precision, prior_slope
 from cocorosim_ros.diagnosis.tracks.passes import Pass
 from cocorosim_ros.diagnosis.tracks.track import Track
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_number, of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -36,28 +36,32 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
             else None
             for index, unknown in zip(chosen, unknowns, strict=True)
         ]
-        return _of_track(fit.tracks[number], fit.passes[number], others)
+        return _of_track(fit.tracks[number], fit.passes[number], others, len(fit.tracks))
 
     for added_score, added_matrix in of_each_track(of_track, len(fit.tracks)):
         score, matrix = score + added_score, matrix + added_matrix
     return score, matrix
 
 
-def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None]) -> tuple[Floats, Floats]:
-    """Score (n,) and information (n, n) of noise from one track, without priors.
+def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None], tracks: int) -> tuple[Floats, Floats]:
+    """Score (n,) and information (n, n) of noise from one of so many tracks, without priors.
 
     rows: for each noise the track's row with that noise a step off; None for noise that is not of this track.
     """
     mean, relative = np.zeros((2, len(rows), len(passed.innovation)))
-    for column, row in enumerate(rows):
+
+    def write(column: int) -> None:
+        row = rows[column]
         if row is None:
-            continue
+            return
         other = track.filter.full(row, with_gains=False)
         growth = relative[column]  # written in place: these arrays are large
         np.divide(passed.change_to(other, track.timeline.is_angle), STEPS.noise_difference, out=mean[column])
         np.subtract(other.variance, passed.variance, out=growth)
         growth /= STEPS.noise_difference
         growth /= passed.variance
+
+    of_each_number(write, len(rows), tracks)
     excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
     one = np.ones_like(passed.variance)
     moved, swollen = mean.T, relative.T

@@ -18,7 +18,7 @@ from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, information
 from cocorosim_ros.diagnosis.fitting.noise_information import noise_information
 from cocorosim_ros.diagnosis.fitting.solving import clipped, step_within
 from cocorosim_ros.diagnosis.fitting.unknowns import Unknown, nudged, prior_slope
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_number, of_each_track
 from cocorosim_ros.foundation.arrays import Floats
 
 
@@ -74,12 +74,15 @@ def _slope(fit: Fit, curvature: Floats) -> Floats:
 
     def of_track(number: int) -> Floats:
         track, known = fit.tracks[number], fit.passes[number].log_likelihood
-        found = np.zeros(len(unknowns))
-        for index, unknown in enumerate(unknowns):
-            if number in unknown.tracks:
-                row = nudged(filled[number], unknown, float(q[index]), float(steps[index]))
-                found[index] = (track.filter.full(row, with_gains=False).log_likelihood - known) / steps[index]
-        return found
+
+        def slope(index: int) -> float:
+            unknown, step = unknowns[index], float(steps[index])
+            if number not in unknown.tracks:
+                return 0.0
+            row = nudged(filled[number], unknown, float(q[index]), step)
+            return (track.filter.full(row, with_gains=False).log_likelihood - known) / step
+
+        return np.array(of_each_number(slope, len(unknowns), len(fit.tracks)))
 
     of_tracks = np.sum(of_each_track(of_track, len(fit.tracks)), axis=0)
     return np.asarray(of_tracks + prior_slope(unknowns, q))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
+from threading import Lock
 from typing import Generic, TypeVar
 
 Made = TypeVar("Made")
@@ -14,17 +15,27 @@ REMEMBERED = 6
 
 
 class Lately(Generic[Made]):
-    """A cache of the last few results by key; it has no lock, so one thread only may use it."""
+    """A cache of the last few results by key, for any number of threads.
+
+    Two threads that ask for what is not there yet both make it, since a lock that is held meanwhile would make others
+    wait that ask for something else.
+    """
 
     def __init__(self, most: int = REMEMBERED) -> None:
         self._most = most
         self._made: OrderedDict[Hashable, Made] = OrderedDict()
+        self._lock = Lock()
 
     def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
         """Return the result kept under this key, or call `make`, keep its result and return that."""
-        if key not in self._made:
-            self._made[key] = make()
+        with self._lock:
+            if key in self._made:
+                self._made.move_to_end(key)
+                return self._made[key]
+        made = make()
+        with self._lock:
+            self._made[key] = made
+            self._made.move_to_end(key)
             if len(self._made) > self._most:
                 self._made.popitem(last=False)
-        self._made.move_to_end(key)
-        return self._made[key]
+        return made
