@@ -67,6 +67,12 @@ class FollowingCriteria:
     turned_over: float = 10.0
     """[s] over which it is judged by how many full turns a report and its command differ: long beside any lag, so that
     a step of half a turn is none. Chosen, not measured."""
+    as_large: tuple[float, float] = (0.5, 1.5)
+    """[of the ordered angle] between which a reported one is that of its actuator and acts in its place; in other units
+    or directions it is not. Chosen, not measured."""
+    pause: float = 1.0
+    """[s] between reports from which on it is not known where an actuator stands, and the order acts. Chosen, not
+    measured."""
 
 
 @dataclass(frozen=True)

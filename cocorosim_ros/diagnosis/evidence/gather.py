@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.evidence.afloat import with_times_afloat
 from cocorosim_ros.diagnosis.evidence.bursts import as_taken
 from cocorosim_ros.diagnosis.evidence.cleaning import cleaned, timing_sentence
 from cocorosim_ros.diagnosis.evidence.clocks import clock_skews, on_one_clock, skew_sentence
+from cocorosim_ros.diagnosis.evidence.following.reported_angles import with_reported_angles
 from cocorosim_ros.diagnosis.evidence.holes import hole_sentences
 from cocorosim_ros.diagnosis.evidence.identities import with_true_identities
 from cocorosim_ros.diagnosis.evidence.reported import Commanded, with_reports
@@ -44,7 +45,7 @@ def gather_evidence(bags: Sequence[Path], platform: Platform) -> Evidence:
                 f"{other.origin} says the same as {one.origin}, reading by reading; give every recording once, for "
                 "what is given twice would count twice as evidence."
             )
-    return Evidence(platform, told_apart(recordings))
+    return with_reported_angles(Evidence(platform, told_apart(recordings)))
 
 
 def _is_same(one: RecordingLog, other: RecordingLog) -> bool:

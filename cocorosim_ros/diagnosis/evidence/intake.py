@@ -96,7 +96,7 @@ def _needed_among_streams(
 
 
 def _without_commands(logs: Sequence[RobotLog]) -> list[RobotLog]:
-    return [replace(log, command_time=log.command_time[:0], command=log.command[:0]) for log in logs]
+    return [replace(log, command_time=log.command_time[:0], command=log.command[:0], acting=None) for log in logs]
 
 
 def _put_right(

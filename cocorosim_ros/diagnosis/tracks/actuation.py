@@ -55,13 +55,14 @@ class Actuation:
     def _forces(self, row: Floats, body: Body) -> tuple[Floats, Floats]:
         begin, step, points = self.grid
         whole = Grid(begin - self._before * step, step, points + self._before)
-        force, rate = mean_forces(self._times(row), self._log.command, body, whole)
+        force, rate = mean_forces(self._times(row), self._log.acts.command, body, whole)
         return force[self._before :], rate[self._before :]
 
     def _times(self, row: Floats) -> Floats:
         """Moments [s] from which the commands act under a row (columns,), by the stamps of the readings."""
         delay = self._delay(row)
-        return self._log.command_time if delay == 0.0 else self._log.command_time + delay
+        time = self._log.acts.time
+        return time if delay == 0.0 else time + delay
 
     def _delay(self, row: Floats) -> float:
         """Time [s] by which commands act late under a row (columns,), and by which all readings are late."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -27,30 +27,28 @@ from cocorosim_ros.scenario.parts.vehicle_parts import Actuator
 from cocorosim_ros.wire.topics.actuator_feedback import OF_COMMAND, QUANTITIES
 
 
-def actuator_reports(evidence: Evidence) -> tuple[ActuatorReport, ...]:
+def actuator_reports(evidence: Evidence, quantities: Iterable[str] = QUANTITIES) -> tuple[ActuatorReport, ...]:
     """Tell how each number that an actuator reports follows its commands, in all recordings of a robot together.
 
-    In the order of robots, of the platform's actuators and of QUANTITIES; () without any report.
+    In the order of robots, of the platform's actuators and of `quantities`; () without any report.
     """
     logs = [log for recording in evidence.recordings for log in recording.robots if log.feedback]
     return tuple(
         report
         for robot in sorted({log.name for log in logs})
         for column, actuator in enumerate(evidence.platform.actuators)
-        for report in _of_actuator([log for log in logs if log.name == robot], column, actuator)
+        for quantity in quantities
+        for report in _of_actuator([log for log in logs if log.name == robot], column, actuator, quantity)
     )
 
 
-def _of_actuator(logs: Sequence[RobotLog], column: int, actuator: Actuator) -> list[ActuatorReport]:
-    found = []
-    for quantity in QUANTITIES:
-        given = [(log, each) for log in logs for each in log.feedback
-                 if (each.actuator, each.quantity) == (actuator.name, quantity)]  # fmt: skip
-        if given:
-            stretches = tuple(part for log, each in given for part in stretches_of(log, column, actuator, each))
-            blank = ActuatorReport(logs[0].name, actuator.name, quantity)
-            found.append(_told(blank, stretches, actuator))
-    return found
+def _of_actuator(logs: Sequence[RobotLog], column: int, actuator: Actuator, quantity: str) -> Iterator[ActuatorReport]:
+    """Tell it of one actuator and quantity; nothing where no log holds it."""
+    given = [(log, each) for log in logs for each in log.feedback
+             if (each.actuator, each.quantity) == (actuator.name, quantity)]  # fmt: skip
+    if given:
+        stretches = tuple(part for log, each in given for part in stretches_of(log, column, actuator, each))
+        yield _told(ActuatorReport(logs[0].name, actuator.name, quantity), stretches, actuator)
 
 
 def _told(blank: ActuatorReport, stretches: tuple[Stretch, ...], actuator: Actuator) -> ActuatorReport:

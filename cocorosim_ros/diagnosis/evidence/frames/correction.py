@@ -51,7 +51,7 @@ def corrected(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog
         if matrix is None:
             continue
         if correction.topic == COMMAND:
-            log = replace(log, command=log.command @ matrix.T + correction.offset)
+            log = _with_commands(log, matrix, correction.offset)
         elif correction.topic in log.streams:
             stream = _corrected_stream(log, correction, matrix)
             log = replace(log, streams={**log.streams, correction.topic: stream})
@@ -63,6 +63,12 @@ def put_right(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog
     hopeless = {correction.topic for correction in corrections if correction.matrix is None}
     right = corrected(log, corrections)
     return replace(right, streams={name: stream for name, stream in right.streams.items() if name not in hopeless})
+
+
+def _with_commands(log: RobotLog, matrix: Floats, offset: Floats) -> RobotLog:
+    """Correct commands (m, actuators), and what acts in their place."""
+    acting = log.acting and replace(log.acting, command=log.acting.command @ matrix.T + offset)
+    return replace(log, command=log.command @ matrix.T + offset, acting=acting)
 
 
 def _corrected_stream(log: RobotLog, correction: FrameCorrection, matrix: Floats) -> Stream:

@@ -46,6 +46,18 @@ class Stream:
 
 
 @dataclass(frozen=True)
+class Acting:
+    """Commands (m, actuators) that act from time (m,) [s] on: angles that actuators reported, and orders beside them.
+
+    reported: names of the actuators whose angles these are.
+    """
+
+    time: Floats
+    command: Floats
+    reported: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class RobotLog:
     """One robot of one recording.
 
@@ -66,6 +78,12 @@ class RobotLog:
     command_shifted: float = 0.0
     feedback: tuple[Feedback, ...] = ()  # what its actuators report
     way: Velocities | None = None
+    acting: Acting | None = None  # None where everything acts as it was ordered
+
+    @property
+    def acts(self) -> Acting:
+        """What acts: reported angles where there are any, else the commands."""
+        return self.acting or Acting(self.command_time, self.command)
 
 
 @dataclass(frozen=True)
