@@ -36,14 +36,17 @@ ifneq ($(call VERSION_OF,$(PYTHON)),$(call VERSION_OF,$(BIN)/python))
 endif
 endif
 
-# Folders of test/ that start ROS or build something, one test at a time, since each takes all cores. All others run on
-# as many cores as PYTEST_JOBS says, a file's tests together, and in `make test` on NumPy 1.26 also, but for the longest
-# diagnoses (WHOLE_DIAGNOSES): two thirds of the time, and their parts have tests of their own. `make numpy1` runs all.
-WAITING_TESTS := test/graph/ test/examples/ # nodes that mostly wait for each other: beside others, on all cores
+# Tests run on as many cores as PYTEST_JOBS says, a file's tests together, but for those that build or time something
+# (ALONE), which take all cores. Those that start nodes, commands or documents (ROS_TESTS) run on NumPy 2 alone; all
+# others in `make test` on NumPy 1.26 also, but for the longest diagnoses (WHOLE_DIAGNOSES): four fifths of the time, and
+# their parts have tests of their own. `make numpy1` runs all.
+ALONE := test/benchmark/ test/build/
 WHOLE_DIAGNOSES := against/test_named_differences against/test_strangers test_nothing_twice test_naming test_choice \
 	test_drag_forms test_water_and_surface test_errors_of_instruments test_shipped_bag test_velocity_over_ground \
 	against/test_good_that_is_not_well against/test_curves_of_thrusters against/test_lengths_of_the_vehicle \
-	foretelling/test_restraint test_similarity test_offset_centre
+	foretelling/test_restraint test_similarity test_offset_centre against/test_axes foretelling/test_starts_and_levers \
+	showing/test_untold_form test_single_thrusters test_thrust_curve test_coloured_errors test_wind_and_pods \
+	test_recalibration report/test_medium against/test_halves test_waves fitting/test_growing_force
 ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
 PYTEST_JOBS ?= 2
 ON_ALL_CORES = -n $(PYTEST_JOBS) --dist loadfile
@@ -121,8 +124,8 @@ contracts: set-up
 tests: set-up
 	@folder=$$(mktemp -d) && for scenario in eleven_lilys turbulence_T5e-3; do \
 	$(BIN)/cocorosim run $$scenario --in-process --duration "2 s" --out $$folder/$$scenario > /dev/null || exit 1; done; rm -rf $$folder
-	$(BIN)/python -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS) $(WAITING_TESTS)
-	$(BIN)/python -m pytest $(PYTEST_ARGS) $(filter-out $(WAITING_TESTS),$(wildcard $(ROS_TESTS:%=test/%/)))
+	$(BIN)/python -m pytest $(PYTEST_ARGS) $(ON_ALL_CORES) $(CORE_TESTS) $(filter-out $(ALONE),$(wildcard $(ROS_TESTS:%=test/%/)))
+	$(BIN)/python -m pytest $(PYTEST_ARGS) $(wildcard $(ALONE))
 
 # NumPy 1.26 is laid over NumPy 2 by PYTHONPATH: every other dependency in the lock accepts both, but for the
 # optional rerun-sdk, whose tests are left out there.
