@@ -197,6 +197,53 @@ def right_down_change(_amount: float) -> Change:
     return change
 
 
+def swapped_change(_amount: float) -> Change:
+    """Velocities whose x and y stand in each other's place."""
+
+    def change(message: Message, _time: float) -> Message:
+        linear = message.twist.linear
+        linear.x, linear.y = linear.y, linear.x
+        return message
+
+    return change
+
+
+def degrees_change(_amount: float) -> Change:
+    """A gyroscope in degrees per second."""
+
+    def change(message: Message, _time: float) -> Message:
+        message.angular_velocity.z = math.degrees(message.angular_velocity.z)
+        return message
+
+    return change
+
+
+def earth_change(moments: list[float], headings: list[float]) -> Change:
+    """Velocities along the axes of the world; headings [rad] at header stamps `moments` [s], ascending."""
+
+    def change(message: Message, _time: float) -> Message:
+        heading, linear = float(np.interp(1e-9 * stamp_of(message), moments, headings)), message.twist.linear
+        sine, cosine = math.sin(heading), math.cos(heading)
+        linear.x, linear.y = cosine * linear.x - sine * linear.y, sine * linear.x + cosine * linear.y
+        return message
+
+    return change
+
+
+def headings_of(source: Path, topic: str) -> tuple[list[float], list[float]]:
+    """Header stamps [s] of a robot's poses, and their headings [rad], unwrapped."""
+    found = {}
+    with Reader(source) as reader:
+        store = store_of(list(reader.connections))
+        for link, _logged, data in reader.messages([link for link in reader.connections if link.topic == topic]):
+            message = store.deserialize_cdr(data, link.msgtype)
+            turn = message.pose.orientation
+            sine, cosine = 2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y**2 + turn.z**2)
+            found[1e-9 * stamp_of(message)] = math.atan2(sine, cosine)
+    moments = sorted(found)
+    return moments, np.unwrap([found[moment] for moment in moments]).tolist()
+
+
 def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
     """Topic to alter, how to alter a message, and the truth; `how` may end in :topic or :actuator number.
 
@@ -216,6 +263,9 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
     hidden:TOPIC all messages left out
     axis         y of the positions with its sign changed
     rightdown    y and z of the velocities with their signs changed
+    swapped      x and y of the velocities in each other's place
+    degrees      turn rate in degrees per second
+    earth        velocities along the axes of the world
     """
     kind, _, detail = how.partition(":")
     ways: dict[str, Callable[[], tuple[str, Change, dict[str, Any]]]] = {
@@ -244,6 +294,9 @@ def plan(how: str, amount: float) -> tuple[str, Change, dict[str, Any]]:
         "hidden": lambda: (detail, hidden_change(amount), _told("nothing")),
         "axis": lambda: ("pose", axis_change(amount), _told("frame_mixup", correction="y of the poses")),
         "rightdown": lambda: ("velocity", right_down_change(amount), _told("frame_mixup", correction="y and z")),
+        "swapped": lambda: ("velocity", swapped_change(amount), _told("frame_mixup", correction="x and y")),
+        "degrees": lambda: ("imu", degrees_change(amount), _told("frame_mixup", correction="radians")),
+        "earth": lambda: ("velocity", earth_change([0.0], [0.0]), _told("frame_mixup", correction="body axes")),
     }  # fmt: skip
     if kind not in ways:
         raise ValueError(f"{how} is not a way to tamper; there are {', '.join(ways)}")
@@ -305,6 +358,8 @@ def tamper(source: Path, out: Path, how: str, amount: float, robot: str | None =
     wanted = [full for full in topics if robot is None or full == f"/{robot.strip('/')}/{topic}"]
     if not wanted:
         raise ValueError(f"{source} has no topic {topic} of {robot or 'any robot'}; it has {topics or 'none'}")
+    if how == "earth":
+        change = earth_change(*headings_of(source, wanted[0].replace("/velocity", "/pose")))
     (out / "envelopes").mkdir(parents=True)
     (out / "recordings").mkdir()
     count = copy(source, out / "recordings" / name, wanted[0], change)

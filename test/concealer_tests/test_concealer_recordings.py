@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -346,6 +347,27 @@ def test_tampering_changes_one_stream_as_sealed(trial: Path, tmp_path: Path) -> 
         tamper(source, tmp_path / "none", "delay:sonar", 0.1)
     with pytest.raises(ValueError, match="more than full"):
         tamper(source, tmp_path / "full", "gain:1", 9.0)
+
+
+def test_velocities_and_rates_are_put_into_other_axes_and_units() -> None:
+    """By hand: ahead is north at a heading of a quarter turn; x and y change places; pi rad/s are 180 deg/s."""
+    from concealer.tamper import degrees_change, earth_change, swapped_change
+
+    def message(x: float, y: float, rate: float = 0.0) -> Any:
+        stamp = SimpleNamespace(sec=10, nanosec=0)
+        return SimpleNamespace(
+            header=SimpleNamespace(stamp=stamp),
+            twist=SimpleNamespace(linear=SimpleNamespace(x=x, y=y, z=0.0)),
+            angular_velocity=SimpleNamespace(z=rate),
+        )
+
+    north = earth_change([8.0, 12.0], [0.0, math.pi])(message(1.0, 0.5), 0.0)
+    assert north is not None
+    assert (north.twist.linear.x, north.twist.linear.y) == pytest.approx((-0.5, 1.0))
+    other = swapped_change(1.0)(message(1.0, 0.5), 0.0)
+    assert other is not None and (other.twist.linear.x, other.twist.linear.y) == (0.5, 1.0)
+    turning = degrees_change(1.0)(message(0.0, 0.0, math.pi), 0.0)
+    assert turning is not None and turning.angular_velocity.z == pytest.approx(180.0)
 
 
 def test_a_twin_is_what_the_recording_cannot_tell_apart() -> None:

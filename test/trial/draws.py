@@ -97,6 +97,9 @@ def way_of(how: str, amount: float, thruster: str = "", power: int = 1) -> Way:
         "hidden": (NOTHING, None, "", math.nan),
         "axis": ("frame_mixup", "pose", "", math.nan),
         "rightdown": ("frame_mixup", "velocity", "", math.nan),
+        "swapped": ("frame_mixup", "velocity", "", math.nan),
+        "earth": ("frame_mixup", "velocity", "", math.nan),
+        "degrees": ("frame_mixup", "imu", "", math.nan),
     }[kind]
     return Way(how, amount, effect, topic, number, change)
 
@@ -164,7 +167,7 @@ SETS = (
             Draw("delay:pressure", 0.3, 0.8, both=False),
             Draw("compass", 0.1, 0.3), Draw("heading", 0.1, 0.5), Draw("mirror", 1.0, 1.0, both=False),
             Draw("gyro", 0.02, 0.08), Draw("gyroscale", 0.1, 0.3), Draw("pressure", 300.0, 1500.0),
-            Draw("drift", 20.0, 80.0),
+            Draw("drift", 20.0, 80.0), Draw("degrees", 1.0, 1.0, both=False),
         ),
     ),
     DataSet(
@@ -177,6 +180,7 @@ SETS = (
             Draw("delay:thruster_command", -0.4, -0.15, both=False), Draw("scale", 0.05, 0.15),
             Draw("axis", 1.0, 1.0, both=False), Draw("rightdown", 1.0, 1.0, both=False),
             Draw("hidden:velocity", 1.0, 1.0, both=False),
+            Draw("swapped", 1.0, 1.0, both=False), Draw("earth", 1.0, 1.0, both=False),
         ),
     ),
     DataSet(
@@ -201,6 +205,8 @@ SETS = (
             Draw("gyro", 0.002, 0.01), Draw("gyroscale", 0.1, 0.3), Draw("scale", 0.05, 0.15),
             Draw("axis", 1.0, 1.0, both=False), Draw("rightdown", 1.0, 1.0, both=False),
             Draw("hidden:velocity", 1.0, 1.0, both=False),
+            Draw("swapped", 1.0, 1.0, both=False), Draw("earth", 1.0, 1.0, both=False),
+            Draw("degrees", 1.0, 1.0, both=False),
         ),
     ),
     DataSet(
