@@ -15,6 +15,7 @@ from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.criteria.showing import VERDICT
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, PassedOver, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.acting_angles import driven_as_shown
 from cocorosim_ros.diagnosis.fitting.base_model import RECALIBRATED
 from cocorosim_ros.diagnosis.fitting.borne_out import soundly_taken_in
 from cocorosim_ros.diagnosis.fitting.coloured_readings import with_coloured_readings
@@ -79,7 +80,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     if intake.reasons:
         return abstained(evidence, intake.reasons)
     progress("fitting the platform's own numbers", 0.05)
-    base = base_fit(intake.evidence)
+    driven = driven_as_shown(intake.evidence, base_fit)
+    base = driven.base
     if not finite(base):
         name = evidence.platform.name
         return abstained(
@@ -140,6 +142,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         gathered=gathered_evidence(base, naming.fit),
         remarks=(
             *intake.evidence.remarks,
+            *driven.sentences,
             *_of_form(form),
             *turned_remarks(base.tracks[0].vehicle),
             *noise_remarks(naming.fit),

@@ -29,6 +29,7 @@ from cocorosim_ros.diagnosis.evidence.cleaning import is_noteworthy
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import Comparison, Diagnosis, FoundEffect, Recalibrated, Verdict
+from cocorosim_ros.diagnosis.fitting.acting_angles import as_ordered, reports_act
 from cocorosim_ros.diagnosis.fitting.drag_forms import word_of_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
@@ -79,6 +80,8 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
         return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), well)
     progress("learning the vehicle", 0.05)
     once = learned_once(well.evidence, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    if not reports_act(track.log for track in once.vehicle.tracks):
+        intake = replace(intake, evidence=as_ordered(intake.evidence))
     progress("fitting both together", 0.4)
     learned, joint, taken_back = _joined(once.vehicle, intake)
     turned = in_its_axes(learned, joint, intake)

@@ -12,6 +12,7 @@ from cocorosim_ros.diagnosis.against.comparable import in_parts
 from cocorosim_ros.diagnosis.against.learning import learned_vehicle
 from cocorosim_ros.diagnosis.criteria.fitting import RECALIBRATION
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
+from cocorosim_ros.diagnosis.fitting.acting_angles import driven_as_shown
 from cocorosim_ros.diagnosis.fitting.drag_forms import with_best_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
@@ -42,7 +43,7 @@ def learned_once(good: Evidence, progress: Callable[[str, float], None]) -> Lear
     """
 
     def learn() -> Learned:
-        base = base_fit(in_parts(good))
+        base = driven_as_shown(good, lambda evidence: base_fit(in_parts(evidence))).base
         if good.platform.drag_form is None:
             base, _ = with_best_form(base, RECALIBRATION.most_rounds)
         return Learned(learned_vehicle(base, progress), base)

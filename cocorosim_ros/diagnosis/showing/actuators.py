@@ -1,14 +1,13 @@
 """Reports of actuators beside a diagnosis: they say which follow late or weakly, and what that means for its names.
 
 They change no name, no tier and no number: what a motor reports is not what its propeller pushes. Angles that are
-reported act in the model from the start (`evidence.following.reported_angles`); here that is only said.
+reported act in the model from the start (`fitting.acting_angles`).
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from cocorosim_ros.diagnosis.evidence.following.reported_angles import angle_sentence
 from cocorosim_ros.diagnosis.evidence.following.reports import actuator_reports
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
 from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis
@@ -33,7 +32,6 @@ def with_actuators(found: Diagnosis, evidence: Evidence, good: Evidence | None =
         *change_sentences(reports),
         *name_sentences(found.effects, reports, compared=good is not None),
         *report_sentences(reports),
-        *filter(None, (angle_sentence(evidence, robot) for robot in dict.fromkeys(each.robot for each in reports))),
     )
     return replace(found, actuators=reports, remarks=(*said, *found.remarks))
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from cocorosim_ros.diagnosis.evidence.following.reported_angles import angle_sentence, with_reported_angles
+from cocorosim_ros.diagnosis.evidence.following.reported_angles import with_reported_angles
 from cocorosim_ros.diagnosis.evidence.frames.correction import FrameCorrection, corrected
 from cocorosim_ros.diagnosis.evidence.streams.feedback import Feedback
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RecordingLog, RobotLog
@@ -119,11 +119,3 @@ def test_turned_commands_turn_the_angles_too(ferry: Platform) -> None:
     found = corrected(log, [mirror])
     np.testing.assert_array_equal(found.acts.command, -log.acts.command)
     np.testing.assert_array_equal(found.command, -log.command)
-
-
-def test_it_is_said(ferry: Platform) -> None:
-    """One sentence names what drives the model; without reports there is none."""
-    log = log_of(ferry)
-    evidence = Evidence(ferry, (RecordingLog("x", SPAN, (acting(ferry, log),)),))
-    assert f"driven by the angles that {pod_of(ferry)[1]} reports" in angle_sentence(evidence, "ferry")
-    assert angle_sentence(Evidence(ferry, (RecordingLog("x", SPAN, (log,)),)), "ferry") == ""

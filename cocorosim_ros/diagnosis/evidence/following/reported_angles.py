@@ -37,19 +37,6 @@ def with_reported_angles(evidence: Evidence) -> Evidence:
     return replace(evidence, recordings=recordings)
 
 
-def angle_sentence(evidence: Evidence, robot: str) -> str:
-    """Say which reported angles act in the model of a robot; empty if none does."""
-    logs = [log for recording in evidence.recordings for log in recording.robots if log.name == robot]
-    acting = {name for log in logs if log.acting for name in log.acting.reported}
-    if not acting:
-        return ""
-    names = [name for name in evidence.platform.actuator_names if name in acting]
-    return (
-        f"{robot}: the model is driven by the angles that {', '.join(names)} reports, not by those ordered. "
-        "What is found is about the rest of it, and in a simulation of it angles are there as soon as they are ordered."
-    )
-
-
 def _is_trusted(report: ActuatorReport) -> bool:
     """Tell whether an angle is that of its actuator: in another unit or direction it would be of another size."""
     low, high = FOLLOWING.as_large

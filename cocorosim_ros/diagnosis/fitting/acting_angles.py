@@ -1,0 +1,76 @@
+"""Angles that drive a vehicle: those that its actuators report, or those ordered, whichever explains its motion.
+
+A reported angle is where a rudder stands, unless the report comes late by a telemetry of its own or is of another part.
+So the platform's own numbers are fitted with either before anything is called missing, and the likelihood chooses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from typing import NamedTuple
+
+from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
+from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
+from cocorosim_ros.diagnosis.tracks.track import Track
+
+
+class Driven(NamedTuple):
+    """A base fit, the evidence as it drives it, and sentences on what drives it where angles are reported."""
+
+    base: Fit
+    evidence: Evidence
+    sentences: tuple[str, ...] = ()
+
+
+def driven_as_shown(evidence: Evidence, fitted: Callable[[Evidence], Fit]) -> Driven:
+    """Fit the base with reported angles and with those ordered, and keep the better one; once without any report."""
+    reported = fitted(evidence)
+    if not reports_act(track.log for track in reported.tracks):
+        return Driven(reported, evidence)
+    by_orders = as_ordered(evidence)
+    ordered = fitted(by_orders)
+    nats = reported.objective - ordered.objective
+    if nats >= 0.0 or not finite(ordered):
+        return Driven(reported, evidence, tuple(_reports_win(reported.tracks, nats)))
+    return Driven(ordered, by_orders, tuple(_orders_win(reported.tracks, -nats)))
+
+
+def reports_act(logs: Iterable[RobotLog]) -> bool:
+    """Tell whether reported angles act in any of these logs."""
+    return any(log.acting is not None for log in logs)
+
+
+def as_ordered(evidence: Evidence) -> Evidence:
+    """Let all actuators of the evidence act as they were ordered."""
+    recordings = tuple(
+        replace(recording, robots=tuple(replace(log, acting=None) for log in recording.robots))
+        for recording in evidence.recordings
+    )
+    return replace(evidence, recordings=recordings)
+
+
+def _reports_win(tracks: Iterable[Track], nats: float) -> Iterator[str]:
+    for robot, names in _reporting(tracks).items():
+        yield (
+            f"{robot}: the model is driven by the angles that {names} reports, which explain its motion {nats:.0f} "
+            "nats better than those ordered. What is found is about the rest of it; in a simulation of it angles are "
+            "there as soon as they are ordered."
+        )
+
+
+def _orders_win(tracks: Iterable[Track], nats: float) -> Iterator[str]:
+    for robot, names in _reporting(tracks).items():
+        yield (
+            f"{robot}: the model is driven by the angles that were ordered, since those that {names} reports explain "
+            f"its motion {nats:.0f} nats worse: they may come late themselves, or be those of another part."
+        )
+
+
+def _reporting(tracks: Iterable[Track]) -> dict[str, str]:
+    """Names of the actuators whose reported angles act, by robot."""
+    found: dict[str, dict[str, None]] = {}
+    for track in tracks:
+        if track.log.acting is not None:
+            found.setdefault(track.log.name, {}).update(dict.fromkeys(track.log.acting.reported))
+    return {robot: ", ".join(names) for robot, names in found.items()}
