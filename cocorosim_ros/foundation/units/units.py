@@ -47,6 +47,7 @@ DIMENSIONS: Mapping[str, tuple[Unit, ...]] = {
     "quadratic yaw drag": (Unit("N m s^2"),),
     "linear drag": (Unit("N s/m"),),
     "linear yaw drag": (Unit("N m s"),),
+    "linear drag of a coupling": (Unit("N s"),),
     "stiffness": (Unit("N/m"),),
     "area": (
         Unit("m^2", shown=True), Unit("cm^2", "1e-4", shown=True),

@@ -11,9 +11,10 @@ from cocorosim_ros.scenario.reading.records import choice, list_of, quantity, st
 
 Vector3 = tuple[float, float, float]
 AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
-COUPLED = ("added_mass", "quadratic_damping", "lift")
+COUPLED = ("added_mass", "linear_damping", "quadratic_damping", "lift")
 _UNITS = {
     "added_mass": ("kg", "kg m", "kg m^2"),
+    "linear_damping": ("N s/m", "N s", "N m s"),
     "quadratic_damping": ("kg/m", "kg m", "kg", "N m s^2"),
     "lift": ("kg/m", "kg", "kg", "kg m"),
 }
@@ -23,7 +24,7 @@ def unit_of(matrix: str, force: str, motion: str) -> str:
     """The unit of an entry of a matrix of COUPLED: what `motion` (one of AXES) makes along or about `force`."""
     turned, turns = AXES.index(force) > 2, AXES.index(motion) > 2
     units = _UNITS[matrix]
-    if len(units) == 3:  # a symmetric one
+    if len(units) == 3:  # both couplings of a force and a turn have the same
         return units[int(turned) + int(turns)]
     return units[2 * int(turned) + int(turns)]
 

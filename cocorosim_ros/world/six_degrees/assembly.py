@@ -16,7 +16,7 @@ from cocorosim_ros.world.vehicle_model.curves import build_curves
 def build_school(platforms: Sequence[Platform]) -> School | None:
     """The vehicles among the robots of these platforms that have six degrees of freedom; None if there are none.
 
-    Raises CocorosimError for a mass matrix that no body has.
+    Raises CocorosimError for a mass matrix that no body has, and for linear damping that gives energy.
     """
     numbers = [number for number, platform in enumerate(platforms) if platform.six_degrees is not None]
     if not numbers:

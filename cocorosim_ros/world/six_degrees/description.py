@@ -14,11 +14,14 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.six_degrees import AXES, SixDegrees
 from cocorosim_ros.scenario.parts.sliding_mass import SlidingMass
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
-from cocorosim_ros.world.six_degrees.vehicle import Fin, Vehicle, checked_mass_matrix
+from cocorosim_ros.world.six_degrees.vehicle import Fin, Vehicle, check_dissipation, checked_mass_matrix
 
 
 def vehicle_of(platform: Platform) -> Vehicle:
-    """The vehicle of a platform with six degrees of freedom. Raises CocorosimError for a mass that no body has."""
+    """The vehicle of a platform with six degrees of freedom.
+
+    Raises CocorosimError for a mass that no body has, and for linear damping that gives energy.
+    """
     six = platform.six_degrees
     if six is None:
         raise CocorosimError(f"{platform.origin}: lacks 'six_degrees', which motion with roll and pitch needs; add it.")
@@ -30,7 +33,7 @@ def vehicle_of(platform: Platform) -> Vehicle:
         weight=platform.mass * platform.gravity,
         buoyancy=platform.water_density * platform.gravity * six.volume,
         added_mass=_matrix(six, "added_mass", (*six.added_mass, *six.added_inertia)),
-        linear=np.diag([*six.linear_damping, *six.linear_turn_damping]),
+        linear=_matrix(six, "linear_damping", (*six.linear_damping, *six.linear_turn_damping)),
         quadratic=_matrix(six, "quadratic_damping", (*six.quadratic_damping, *six.quadratic_turn_damping)),
         lift=_matrix(six, "lift", (0.0,) * 6),
         wrench=np.array([_wrench(part) for part in platform.actuators]).reshape(-1, 6),
@@ -50,6 +53,7 @@ def vehicle_of(platform: Platform) -> Vehicle:
     )
     try:
         checked_mass_matrix(vehicle)
+        check_dissipation(vehicle)
     except CocorosimError as error:
         raise CocorosimError(f"{platform.origin}: 'six_degrees' cannot be: {error}") from error
     return vehicle

@@ -10,6 +10,8 @@ import numpy as np
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 
+ROUNDING = 1e-9  # of the largest entry or eigenvalue, by which a matrix may miss what it has to be
+
 
 @dataclass(frozen=True)
 class Fin:
@@ -83,7 +85,7 @@ def cross_matrix(arm: Floats) -> Floats:
 def checked_mass_matrix(vehicle: Vehicle) -> Floats:
     """(6, 6) the mass matrix. Raises CocorosimError where it is not symmetric or not positive definite."""
     mass = vehicle.mass_matrix()
-    if not np.allclose(mass, mass.T, rtol=1e-9, atol=0.0):
+    if not np.allclose(mass, mass.T, rtol=ROUNDING, atol=0.0):
         raise CocorosimError("The mass matrix with added mass is not symmetric; write a symmetric added mass.")
     least = float(np.linalg.eigvalsh(mass).min())
     if least <= 0.0:
@@ -92,3 +94,18 @@ def checked_mass_matrix(vehicle: Vehicle) -> Floats:
             "look at the signs of added mass and inertia."
         )
     return mass
+
+
+def check_dissipation(vehicle: Vehicle) -> None:
+    """Nothing, if linear damping takes energy or none at every motion: nu D nu >= 0, by the symmetric part of D.
+
+    Raises CocorosimError otherwise.
+    """
+    symmetric = 0.5 * (vehicle.linear + vehicle.linear.T)
+    of_each = np.linalg.eigvalsh(symmetric)
+    if of_each[0] < -ROUNDING * np.abs(of_each).max():
+        raise CocorosimError(
+            "The linear damping gives energy at some motion, since the symmetric part of its matrix has the eigenvalue "
+            f"{of_each[0]:.6g}, where none may be less than zero; look at the signs of the couplings, of which the "
+            "square of the sum of both between two axes is at most four times the product of the diagonal's numbers."
+        )

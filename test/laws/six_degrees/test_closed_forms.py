@@ -100,6 +100,22 @@ def test_terminal_speeds(swim: Make, start: Make, plain: Any) -> None:
     assert end(replace(vehicle, buoyancy=99.1), [0.0, 0.0])[2] == pytest.approx(speed(1.0, 6, 40), rel=1e-9)
 
 
+def test_coupled_drift_and_turn_die_out_by_the_matrix_exponential(swim: Make, start: Make, plain: Any) -> None:
+    """Small v and r with Y_r and N_v follow exp(-M^-1 D t), to the cube of their size: Coriolis forces move u alone."""
+    from scipy.linalg import expm
+
+    linear = np.diag([4.0, 9.0, 6.0, 1.0, 1.0, 0.8])
+    linear[1, 5], linear[5, 1] = 1.9, -1.2  # -Y_r, -N_v
+    vehicle, size = replace(plain, linear=linear), 1e-3
+    states = swim(vehicle, start([0.0, size, 0.0, 0.0, 0.0, -2.0 * size]), 4.0, 0.01)
+    both = np.ix_([1, 5], [1, 5])
+    rate = -np.linalg.solve(np.diag([18.0, 0.85]), linear[both])  # 10 + 8 kg, 0.6 + 0.25 kg m^2
+    expected = np.array([expm(rate * index * 0.01) @ [size, -2.0 * size] for index in range(len(states))])
+    assert np.abs(states[:, [8, 12]] - expected).max() < 10.0 * size**3
+    alone = swim(replace(plain, linear=np.diag(np.diag(linear))), states[0], 4.0, 0.01)
+    assert np.abs(states[:, [8, 12]] - alone[:, [8, 12]]).max() > 0.1 * size  # the couplings do matter
+
+
 def test_uniform_current_is_still_water_seen_from_a_drifting_frame(swim: Make, start: Make, lopsided: Any) -> None:
     """In a current V the vehicle moves as in still water from the velocity nu - R^T V, plus V t."""
     from cocorosim_ros.world.water.flow import CurrentAtWork, make_flow

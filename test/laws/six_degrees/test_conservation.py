@@ -99,6 +99,42 @@ def test_damping_never_adds_energy(swim: Make, start: Make, lopsided: Any) -> No
     assert (np.diff(of_time) < 0.0).all()
 
 
+def test_coupled_linear_damping_never_adds_energy(swim: Make, start: Make, lopsided: Any) -> None:
+    """The energy falls in every step with a full damping matrix whose symmetric part is positive definite.
+
+    Its antisymmetric part, ten times as large, moves energy between the axes and takes none.
+    """
+    from dataclasses import replace
+
+    from cocorosim_ros.world.six_degrees.vehicle import check_dissipation
+
+    draw = np.random.default_rng(7)
+    root, other = draw.normal(size=(2, 6, 6))
+    damped = replace(lopsided, linear=0.2 * root @ root.T + 0.1 * np.eye(6) + (other - other.T))
+    check_dissipation(damped)
+    of_time = energy(swim(damped, start([1.0, -0.5, 0.3, 1.0, 2.0, -1.0], 0.5, -0.4), 20.0, 0.01), lopsided)
+    assert (np.diff(of_time) < 0.0).all()
+
+
+def test_damping_that_gives_energy_is_told_and_does(swim: Make, start: Make, lopsided: Any) -> None:
+    """With (Y_r + N_v)^2 beyond 4 Y_v N_r a motion gains energy, and the sentence says so; at the limit none does."""
+    from dataclasses import replace
+
+    from cocorosim_ros.foundation.errors import CocorosimError
+    from cocorosim_ros.world.six_degrees.vehicle import check_dissipation
+
+    linear = np.diag([2.0, 4.0, 4.0, 1.0, 1.0, 1.0])
+    linear[1, 5], linear[5, 1] = -3.0, -1.0
+    check_dissipation(replace(lopsided, linear=linear))  # (3 + 1)^2 = 4 * 4 * 1
+    linear[1, 5] = -3.1
+    giving = replace(lopsided, linear=linear)
+    with pytest.raises(CocorosimError, match=r"gives energy at some motion.* eigenvalue -0\.0"):
+        check_dissipation(giving)
+    best = np.linalg.eigh(0.5 * (linear + linear.T))[1][:, 0]
+    of_time = energy(swim(giving, start(best), 0.01, 0.001), lopsided)
+    assert of_time[-1] > of_time[0]
+
+
 def test_attitude_stays_of_unit_length(swim: Make, start: Make, lopsided: Any) -> None:
     """Thousands of coarse steps leave no error of the quaternion's length beyond rounding."""
     states = swim(lopsided, start([0, 0, 0, 1.0, 2.0, 0.5]), 200.0, 0.05)
