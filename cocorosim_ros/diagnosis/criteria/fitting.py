@@ -346,6 +346,16 @@ class HeldOutCriteria:
     measured: that of a hovercraft, whose other 29 blocks differ by 10 at most, differed by 566."""
 
 
+@dataclass(frozen=True)
+class ActingAnglesCriteria:
+    """Comparison of reported angles with those ordered (`fitting.acting_angles`)."""
+
+    delays: tuple[float, ...] = (0.1, 0.2, 0.4, 0.8, 1.6)
+    """[s] that either is given: of servos, of telemetry, of receivers. Chosen, not measured: poses of a ferry come 0.5
+    to 0.8 s behind the angles of its pods, be they reported or ordered."""
+
+
+ACTING_ANGLES = ActingAnglesCriteria()
 OWN_CURVES = OwnCurveCriteria()
 DRAG_FORMS = DragFormCriteria()
 GROWING_FORCE = GrowingForceCriteria()

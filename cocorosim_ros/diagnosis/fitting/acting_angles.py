@@ -1,7 +1,8 @@
 """Angles that drive a vehicle: those that its actuators report, or those ordered, whichever explains its motion.
 
 A reported angle is where a rudder stands, unless the report comes late by a telemetry of its own or is of another part.
-So the platform's own numbers are fitted with either before anything is called missing, and the likelihood chooses.
+So the platform's own numbers are fitted with either before anything is called missing, and the likelihood chooses. Each
+is given the delay that serves it best: where all readings are late, the later of two angles would win by that alone.
 """
 
 from __future__ import annotations
@@ -10,8 +11,10 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
+from cocorosim_ros.diagnosis.criteria.fitting import ACTING_ANGLES
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
-from cocorosim_ros.diagnosis.fitting.fit import Fit, finite
+from cocorosim_ros.diagnosis.fitting.fit import Fit, evaluated, finite
+from cocorosim_ros.diagnosis.tracks.columns import COLUMN, COMMAND_DELAY
 from cocorosim_ros.diagnosis.tracks.track import Track
 
 
@@ -30,10 +33,20 @@ def driven_as_shown(evidence: Evidence, fitted: Callable[[Evidence], Fit]) -> Dr
         return Driven(reported, evidence)
     by_orders = as_ordered(evidence)
     ordered = fitted(by_orders)
-    nats = reported.objective - ordered.objective
+    nats = _best_delayed(reported) - _best_delayed(ordered)
     if nats >= 0.0 or not finite(ordered):
         return Driven(reported, evidence, tuple(_reports_win(reported.tracks, nats)))
     return Driven(ordered, by_orders, tuple(_orders_win(reported.tracks, -nats)))
+
+
+def _best_delayed(fit: Fit) -> float:
+    """Objective of a fit with the one of a few delays of its commands that explains most, all else as it is [nats]."""
+    found = [fit.objective]
+    for delay in ACTING_ANGLES.delays:
+        rows = fit.rows.copy()
+        rows[:, COLUMN[COMMAND_DELAY]] += delay
+        found.append(evaluated(replace(fit, rows=rows)).objective)
+    return max(found)
 
 
 def reports_act(logs: Iterable[RobotLog]) -> bool:
