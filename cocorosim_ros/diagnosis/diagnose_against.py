@@ -160,7 +160,7 @@ def _against(well: Intake, learned: Fit, control: tuple[str, ...], naming: Namin
 
 def _of_files(well: Intake) -> Comparison:
     """Make a comparison with recordings of which nothing is known yet but what was odd about them."""
-    remarks = _of_good([remark for remark in well.evidence.remarks if is_noteworthy(remark)])
+    remarks = _of_good([remark for remark in well.evidence.remarks_on_recordings if is_noteworthy(remark)])
     return Comparison(tuple(each.origin for each in well.evidence.recordings), (), (), remarks=remarks)
 
 

@@ -8,8 +8,9 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
+from cocorosim_ros.foundation.errors import ArgumentError
 from cocorosim_ros.foundation.input_place import refuse_inputs
+from cocorosim_ros.scenario.parts.in_four_degrees import in_four_degrees
 from cocorosim_ros.scenario.parts.known_effects import knowing
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.reading.arguments import Place, function, place_text
@@ -87,13 +88,11 @@ def inputs_of(bags: Sequence[Path], platform: Place | Platform, known: Place | P
 
 
 def model_of(platform: Place | Platform, known: Place | Platform | None) -> Platform:
-    """The platform that recordings are compared with, with what is taken as known. Raises CocorosimError."""
-    model = _platform(platform, "platform")
-    if model.six_degrees is not None:
-        raise CocorosimError(
-            f"{model.origin}: 'six_degrees' is there, and the filter of a diagnosis knows surge, sway, heave and yaw "
-            "alone (with recorded roll and pitch as inputs); take a copy of the platform without that key and fins."
-        )
+    """The platform that recordings are compared with, in four degrees of freedom, with what is taken as known.
+
+    Raises CocorosimError.
+    """
+    model = in_four_degrees(_platform(platform, "platform"))
     return model if known is None else knowing(model, _platform(known, "known"))
 
 

@@ -44,6 +44,21 @@ def test_wrong_ranges(value: str, limits: str, sentence: str) -> None:
         ranges(f"mass: {{value: {value}, unit: kg, range: {limits}, source: hand}}\n")
 
 
+@pytest.mark.parametrize(
+    ("limits", "sentence"),
+    [
+        ("[0, 3]", r"has \[0, 3\] beside a list of 3; write the lowest and the highest of each"),
+        ("[[0, 0, 0], [2, 2]]", "of 3 numbers each"),
+        ("[[0, 0, 3], [2, 4, 1]]", "write the lowest and the highest value"),
+        ("[[2, 0, 0], [3, 4, 4]]", "leaves out the value '1'; widen it"),
+    ],
+)
+def test_wrong_ranges_of_six_degrees(limits: str, sentence: str) -> None:
+    """There each number of a list has its own."""
+    with pytest.raises(CocorosimError, match=sentence):
+        ranges(f"six_degrees: {{added_mass: {{value: [1, 2, 2], unit: kg, range: {limits}, source: hand}}}}\n")
+
+
 @pytest.mark.parametrize("name", ["hovercraft_epfl", "haizhe_auv"])
 def test_ranges_survive_being_written(name: str) -> None:
     """A platform with ranges reads back as it was written; its mass is known within a range only."""

@@ -19,14 +19,14 @@ from cocorosim_ros.diagnosis.report.effect_keys import (
     unit_in_file,
 )
 from cocorosim_ros.diagnosis.report.effects_in_words import effects_in_words
+from cocorosim_ros.diagnosis.report.platform_file import tree_of_file, tree_to_change
 from cocorosim_ros.diagnosis.report.words import parameter_unit
 from cocorosim_ros.scenario.parts.effect_quantities import Effects
 from cocorosim_ros.scenario.parts.platform import Platform
-from cocorosim_ros.scenario.reading.based_on import with_base
 from cocorosim_ros.scenario.reading.law_text import LawText
 from cocorosim_ros.scenario.reading.ranges import Range
-from cocorosim_ros.scenario.reading.sourced_platform import fitted_number, plain, sourced_tree
-from cocorosim_ros.scenario.reading.yaml_file import load_yaml, yaml_text
+from cocorosim_ros.scenario.reading.sourced_platform import fitted_number
+from cocorosim_ros.scenario.reading.yaml_file import yaml_text
 from cocorosim_ros.world.effects.anisotropic_drag import REPLACING
 from cocorosim_ros.world.vehicle_model.platform_effects import turning_gain
 
@@ -67,7 +67,7 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
     name. Where each robot has a number of its own, the top holds the mean.
     """
     platform = origin.platform
-    tree = sourced_tree(Path(platform.origin))
+    tree = tree_to_change(platform)
     tree |= {"name": platform.name, "description": f"{platform.description}; {origin.source}"}
     robots: dict[str, Tree] = {name: dict(part) for name, part in tree.pop("robots", {}).items()}
     for name, own in platform.robots.items():
@@ -76,7 +76,7 @@ def model_tree(diagnosis: Diagnosis, origin: Origin) -> Tree:
             robots.setdefault(name, {})["effects"] = _known_effects(own.effect_quantities, written)
         if own.frame_corrections != platform.frame_corrections:
             robots.setdefault(name, {})["frame_corrections"] = dict(own.frame_corrections)
-    tree["effects"] = _known_effects(platform.effect_quantities, _of_file(platform).get("effects", {}))
+    tree["effects"] = _known_effects(platform.effect_quantities, tree_of_file(platform).get("effects", {}))
     if platform.frame_corrections:
         tree["frame_corrections"] = dict(platform.frame_corrections)
     if not _is_untold(diagnosis):
@@ -186,7 +186,7 @@ def _put_of_actuators(found: Sequence[Recalibrated], origin: Origin, tree: Tree,
     """Write numbers of single actuators into the list of all of them, which replaces the one of a file that ships."""
     if not found:
         return
-    whole = _of_file(origin.platform)
+    whole = tree_of_file(origin.platform)
     for each in found:
         _, actuator, name = each.parameter.split(".", 2)
         number = _ranged(_number(each.estimate, origin.source), origin.platform.ranges.get(each.parameter))
@@ -236,12 +236,6 @@ def _with_effect(known: Tree, found: FoundEffect, origin: Origin) -> Tree:
         for effect, parameters in parameters_beside(found).items()
     }
     return known | found_beside | {name: known.get(name, {}) | numbers}
-
-
-def _of_file(platform: Platform) -> Tree:
-    """The whole file of a platform, with what it takes from those it is based on: sources and ranges too."""
-    whole = with_base(load_yaml(Path(platform.origin)), "platforms")
-    return {key: plain(part) for key, part in whole.mapping().items()}
 
 
 def _known_effects(effects: Effects, written: Tree) -> Tree:

@@ -60,14 +60,14 @@ class Platform(Shown):
     together, what they turn, and what the pumps lift, as multiples of what the actuators are said to do. `drag_form`:
     whether quadratic drag goes by the total speed or by each axis' own, also over strips of the hull; None where the
     file does not say, and then a simulation takes the total speed. `six_degrees`: what motion with roll and pitch takes
-    instead of drag and yaw inertia; a diagnosis refuses it. `mixing`: how sticks become commands of actuators, where
-    commands may be sticks. `fitted_step`: step [s] of the filter by which the
+    instead of drag and yaw inertia; a diagnosis takes the platform as `in_four_degrees` makes it. `mixing`: how sticks
+    become commands of actuators, where commands may be sticks. `fitted_step`: step [s] of the filter by which the
     numbers were found, where a diagnosis has found them. `kept_as_given`: keys of the numbers that a diagnosis does not
     fit. `ranges`: between what the numbers lie that are
     not known exactly, by dotted key (mass, actuators.left.maximum); `intervals`: the 95 % intervals of those that were
     measured. `frame_corrections`: how axes, signs or units
     of a recorded stream are mixed up, by topic, in the words of a diagnosis. `robots`: those of this kind that
-    differ, by name. `origin` is the file it came from.
+    differ, by name. `origin` is the file it came from, `told` what a diagnosis has to say of it, in sentences.
     """
 
     name: str = field(metadata=TEXT)
@@ -114,6 +114,7 @@ class Platform(Shown):
     )
     robots: Mapping[str, Platform] = field(default_factory=dict, hash=False)
     origin: str = field(default="", compare=False)
+    told: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def effects(self) -> dict[str, dict[str, float]]:

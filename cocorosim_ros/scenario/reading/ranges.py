@@ -3,7 +3,9 @@
 `mass: {value: 2, unit: kg, range: [1, 4], source: ..., confidence: estimate}` says that a fit of the mass starts from
 2 kg and stays between 1 and 4 kg. `ci95: [1.9, 2.1]` says that 2 kg was measured, and is as sure as a 95 % interval
 from 1.9 to 2.1 kg: it limits nothing, but another measurement within its doubt is no change. A simulation uses the
-value alone. Beside a law in words they are of its number, in SI units, and stand under its key `coefficient`.
+value alone. Beside a law in words they are of its number, in SI units, and stand under its key `coefficient`. Beside a
+list below `six_degrees` they are two lists, `range: [[100, 150, 150], [200, 300, 300]]`, for its numbers one by one;
+one that is the same in both has none.
 """
 
 from __future__ import annotations
@@ -30,6 +32,8 @@ Ranges = Mapping[str, Range]
 
 
 RANGE, INTERVAL = "range", "ci95"
+OF_LISTS = "six_degrees."
+"""How the keys of those lists begin whose numbers may have a range each."""
 
 
 def collect_ranges(entry: Entry, kind: str = RANGE) -> dict[str, Range]:
@@ -56,6 +60,9 @@ def _ranged(entry: Entry, kind: str, key: str) -> Iterator[tuple[str, Entry]]:
     """Key and entry of every number that has a range of that kind."""
     if isinstance(entry.value, dict):
         if kind in entry.value and "value" in entry.value:
+            if key.startswith(OF_LISTS) and isinstance(entry.value["value"].value, list):
+                yield from _one_by_one(entry, kind, key)
+                return
             law = is_law(entry.value["value"].value)  # of which the range is one of its number
             yield f"{key.rpartition('.')[0]}.coefficient" if law else key, entry
             return
@@ -64,6 +71,21 @@ def _ranged(entry: Entry, kind: str, key: str) -> Iterator[tuple[str, Entry]]:
     elif isinstance(entry.value, list):
         for index, part in enumerate(entry.value):
             yield from _ranged(part, kind, f"{key}.{_name(part, index)}")
+
+
+def _one_by_one(entry: Entry, kind: str, key: str) -> Iterator[tuple[str, Entry]]:
+    """Key and entry of every number of a list whose range has two ends."""
+    section = entry.mapping()
+    values, ends = section["value"].items(), section[kind].items()
+    if [len(end.value) if isinstance(end.value, list) else 0 for end in ends] != [len(values)] * 2:
+        raise section[kind].problem(
+            f"has {section[kind].found()} beside a list of {len(values)}; write the lowest and the highest of each, "
+            f"[[...], [...]], of {len(values)} numbers each."
+        )
+    for index, (value, low, high) in enumerate(zip(values, *(end.items() for end in ends), strict=True)):
+        if low.value != value.value or high.value != value.value:
+            limits = replace(section[kind], value=[low, high])
+            yield f"{key}.{index}", replace(entry, value={**section, "value": value, kind: limits})
 
 
 def _name(entry: Entry, index: int) -> str:

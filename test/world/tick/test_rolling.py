@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,6 @@ from scipy.spatial.transform import Rotation
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.graph.runs.between_ticks import steps_of_scenario
-from cocorosim_ros.library.diagnose import diagnose
 from cocorosim_ros.library.record import record
 from cocorosim_ros.library.simulate import simulate, simulate_runs
 from cocorosim_ros.wire.cdr.type_store import type_store
@@ -90,17 +88,10 @@ def test_recording_holds_the_whole_quaternion(scenario: Any, tmp_path: Path) -> 
     assert np.abs(run.attitude[-1, 0, 0]) > 0.1
 
 
-@pytest.mark.parametrize(
-    "refused",
-    [
-        lambda path: diagnose(path, "bluerov2_heavy"),
-        lambda path: steps_of_scenario(load_scenario(path), 20.0, 1.0),
-    ],
-)
-def test_what_knows_four_degrees_alone_says_so(scenario: Any, refused: Callable[[Path], Any]) -> None:
-    """A diagnosis, and poses between ticks."""
+def test_poses_between_ticks_are_refused(scenario: Any) -> None:
+    """They are made for four degrees of freedom."""
     with pytest.raises(CocorosimError, match="six"):
-        refused(scenario())
+        steps_of_scenario(load_scenario(scenario()), 20.0, 1.0)
 
 
 def test_many_runs_are_as_one(scenario: Any) -> None:

@@ -109,6 +109,13 @@ class Evidence:
 
     @property
     def remarks(self) -> tuple[str, ...]:
+        """Remarks on the platform and on all recordings, as sentences."""
+        robots = self.platform.robots.values()
+        on_platform = dict.fromkeys(remark for each in (self.platform, *robots) for remark in each.told)
+        return (*on_platform, *self.remarks_on_recordings)
+
+    @property
+    def remarks_on_recordings(self) -> tuple[str, ...]:
         """Remarks on all recordings, as sentences."""
         return tuple(remark for recording in self.recordings for remark in recording.remarks)
 
