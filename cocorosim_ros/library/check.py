@@ -18,6 +18,7 @@ from cocorosim_ros.foundation.card import Card, Shown
 from cocorosim_ros.foundation.data_frame import data_frame
 from cocorosim_ros.scenario.reading.arguments import Place, place_text
 from cocorosim_ros.wire.conversion.formats.bag import open_messages
+from cocorosim_ros.wire.conversion.formats.format import UNSAID
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -66,7 +67,7 @@ def check(recording: Place) -> CheckedRecording:
     Example: `[each.sentence for each in check("robot_bag").findings]`.
     """
     path = Path(place_text(recording, "recording"))
-    log = open_messages(path)
+    log = open_messages(path, UNSAID)
     topics = tuple(read_topics(log))
     found = (*(Oddity("file", "", sentence) for sentence in log.damage), *_found(topics))
     facts = tuple((topic.name, topic.type_name, len(topic.log_ns)) for topic in topics)

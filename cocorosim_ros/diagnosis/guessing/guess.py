@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.guessing.agreement import agreed
 from cocorosim_ros.diagnosis.guessing.log_files import tables_of_bag, tables_of_ulog
 from cocorosim_ros.diagnosis.guessing.log_table import Guess, LogTable
 from cocorosim_ros.diagnosis.guessing.recognising import recognised
-from cocorosim_ros.diagnosis.guessing.table_files import ENDINGS, table_of_file
+from cocorosim_ros.diagnosis.guessing.table_files import ENDINGS, format_of, table_of_file
 from cocorosim_ros.diagnosis.guessing.units_by_size import with_units
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import listed
@@ -70,7 +70,7 @@ def _tables(source: Path) -> tuple[str, list[LogTable], list[str]]:
         raise CocorosimError(f"{source} does not exist; give a bag, a ULog, or a CSV, Parquet, npz or MATLAB file.")
     if source.is_file() and source.suffix.lower() in ENDINGS:
         table, doubt = table_of_file(source, f"{{run}}{source.suffix}")
-        return ENDINGS[source.suffix.lower()], [table], [f"{source.name}: {doubt}"] if doubt else []
+        return format_of(source), [table], [f"{source.name}: {doubt}"] if doubt else []
     kind = kind_of(source) if source.is_file() else None
     if kind is not None and kind.key in _READY:
         raise CocorosimError(
@@ -91,10 +91,10 @@ def _tables(source: Path) -> tuple[str, list[LogTable], list[str]]:
 
 def _tables_of_folder(files: Sequence[Path]) -> tuple[str, list[LogTable], list[str]]:
     """One table for each set of columns, of the kind of the first file; files with the same columns are runs."""
-    kind = ENDINGS[files[0].suffix.lower()]
+    kind = format_of(files[0])
     found: dict[tuple[str, ...], tuple[LogTable, str]] = {}
     same: dict[tuple[str, ...], list[Path]] = {}
-    for file in (each for each in files if ENDINGS[each.suffix.lower()] == kind):
+    for file in (each for each in files if format_of(each) == kind):
         table, doubt = table_of_file(file, file.name)
         same.setdefault(tuple(table.columns), []).append(file)
         found.setdefault(tuple(table.columns), (table, doubt))

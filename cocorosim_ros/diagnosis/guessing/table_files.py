@@ -18,6 +18,7 @@ from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.scenario.reading.quantity import UNITS
+from cocorosim_ros.wire.bags.file_kinds import kind_or_table
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout
 from cocorosim_ros.wire.conversion.csv_rows import refuse_utf16
 from cocorosim_ros.wire.conversion.formats import FORMATS
@@ -46,20 +47,27 @@ def table_of_file(path: Path, pattern: str) -> tuple[LogTable, str]:
 
     Raises CocorosimError for a file that has no columns with names, or no time.
     """
-    chosen = FORMATS[ENDINGS[path.suffix.lower()]]
+    name = format_of(path)
+    chosen = FORMATS[name]
     if not isinstance(chosen, FileFormat):
         raise TypeError(f"{path.suffix} is no table")
     check_file(path, path.name, chosen.summary, chosen.kinds, BY_NAME)
-    layout = _layout(path) if ENDINGS[path.suffix.lower()] == "csv" else CsvLayout()
+    layout = _layout(path) if name == "csv" else CsvLayout()
     columns = dict(_columns(chosen.rows(path, path.name, layout)))
-    name, unit, doubt = _time(path, columns)
+    clock, unit, doubt = _time(path, columns)
     factor = float(UNITS["time"][unit])
-    time = columns.pop(name) * factor
-    where: dict[str, Any] = {"files": pattern, "time": {"column": name, "unit": unit}, **_layout_entry(layout)}
+    time = columns.pop(clock) * factor
+    where: dict[str, Any] = {"files": pattern, "time": {"column": clock, "unit": unit}, **_layout_entry(layout)}
     if (np.diff(time) < 0).any():
         where["backwards"] = "sort"
         doubt = f"{doubt} Some rows run backwards in time and are sorted.".strip()
     return LogTable(pattern, "", time - np.nanmin(time), columns, where), doubt
+
+
+def format_of(path: Path) -> str:
+    """The format of a table: what the file is by how it begins, or else what its ending says."""
+    kind = kind_or_table(path)
+    return kind.key if kind is not None and kind.key in ENDINGS.values() else ENDINGS[path.suffix.lower()]
 
 
 def _columns(rows: _NamedRows) -> Iterator[tuple[str, Floats]]:

@@ -13,6 +13,7 @@ import zstandard
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import bag_metadata
 from cocorosim_ros.wire.bags.bag_summary import summarize
+from cocorosim_ros.wire.bags.file_kinds import told_of_folder
 from cocorosim_ros.wire.bags.mcap_file import McapFile, RawMessage, Watch
 
 RUN_PART = "bag"  # where the folder of a run holds its recording
@@ -119,7 +120,9 @@ def read_bag(path: Path | str, watch: Watch | None = None) -> Bag:
 def _open_files(folder: Path, names: list[str], watch: Watch | None) -> tuple[list[McapFile], list[str]]:
     """The files of a folder that can be read, and what is wrong with the others."""
     if not names:
-        raise CocorosimError(f"{folder} holds no .mcap file; give a rosbag2 folder or an .mcap file.")
+        other = told_of_folder(folder)
+        way_out = f"it {other}" if other else "give a rosbag2 folder or an .mcap file"
+        raise CocorosimError(f"{folder} holds no .mcap file; {way_out}.")
     files: list[McapFile] = []
     errors: list[CocorosimError] = []
     for name in names:

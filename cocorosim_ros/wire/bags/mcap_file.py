@@ -22,7 +22,8 @@ import zstandard
 
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.wire.bags import mcap_format as mcap
-from cocorosim_ros.wire.bags.file_kinds import HEAD, kind_in, told
+from cocorosim_ros.wire.bags.file_kinds import kind_or_table_in, told
+from cocorosim_ros.wire.bags.text_tables import TABLE_HEAD
 from cocorosim_ros.wire.bags.writing_lock import is_held
 
 _DAMAGE = (ValueError, RuntimeError, struct.error, zstandard.ZstdError, MemoryError)
@@ -290,10 +291,11 @@ def _mapped(path: Path, file: BinaryIO | None) -> mmap.mmap:
             f"{path} ends after {len(data)} bytes: nothing of the recording is left; give another file."
         )
     if data[: len(mcap.MAGIC)] != mcap.MAGIC:
-        kind = kind_in(data[:HEAD])
+        kind = kind_or_table_in(data[:TABLE_HEAD])
         if kind is not None:
             raise CocorosimError(f"{path} is not an MCAP file: it {told(kind, path)}.")
         raise CocorosimError(
-            f"{path} is not an MCAP file (it begins with {data[:8]!r}); give a rosbag2 folder or an .mcap file."
+            f"{path} is not an MCAP file, and its kind is not known; give a rosbag2 folder or an .mcap file, or save "
+            "it as CSV or Parquet, which `cocorosim convert` reads."
         )
     return data

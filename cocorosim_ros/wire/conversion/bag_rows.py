@@ -16,7 +16,7 @@ from cocorosim_ros.wire.cdr import field_paths
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.conversion.conversion_map import TimeMap
 from cocorosim_ros.wire.conversion.formats.message_log import MessageLog
-from cocorosim_ros.wire.conversion.rows import LATEST_NS, ColumnError, Stamps
+from cocorosim_ros.wire.conversion.rows import LATEST_NS, ColumnError, Stamps, no_messages
 
 
 def _nothing_in(log: MessageLog) -> CocorosimError:
@@ -32,13 +32,13 @@ class BagRows:
     """The messages of one topic in recorded order. Unreadable ones are left out, and `damage` says how many."""
 
     def __init__(self, log: MessageLog, topic: str, place: Entry) -> None:
-        """Raises CocorosimError if the log has no such topic, or nothing of it can be read."""
+        """Raises TopicError if the log has no such topic, another CocorosimError if nothing of it can be read."""
         recorded = next((entry for entry in log.topics if entry.topic == topic and entry.count), None)
         if recorded is None:
             known = [entry.topic for entry in log.topics if entry.count]
             if not known:
                 raise _nothing_in(log)
-            raise place.problem(f"names {topic}, which has no message in {log.name}{nearest(topic, known)}.")
+            raise no_messages(topic, known, place, log.name)
         self.origin = f"{topic} of {log.name}"
         self._type = recorded.type_name
         decode = log.decoder(recorded)

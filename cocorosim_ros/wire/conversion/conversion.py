@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import groupby
@@ -17,14 +17,13 @@ from cocorosim_ros.foundation.errors import ArgumentError, CocorosimError
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr import type_store
 from cocorosim_ros.wire.cdr.packed import PackedMessage
-from cocorosim_ros.wire.conversion.assembly import Stream, streams_of, table_streams
-from cocorosim_ros.wire.conversion.beside import BesideRows, neighbour
-from cocorosim_ros.wire.conversion.conversion_map import ConversionMap, TableMap
+from cocorosim_ros.wire.conversion.assembly import Stream, streams_of
+from cocorosim_ros.wire.conversion.conversion_map import ConversionMap
 from cocorosim_ros.wire.conversion.doubts import doubtful_times
-from cocorosim_ros.wire.conversion.formats import FORMATS
-from cocorosim_ros.wire.conversion.formats.format import FileFormat, LogFormat, check_file
-from cocorosim_ros.wire.conversion.rows import Rows, Stamps
-from cocorosim_ros.wire.conversion.sources import Run, SourceFile, check_there, find_runs, sha256_of
+from cocorosim_ros.wire.conversion.optional_tables import parts_of
+from cocorosim_ros.wire.conversion.rows import Stamps
+from cocorosim_ros.wire.conversion.source_tables import SourceRun, runs_of
+from cocorosim_ros.wire.conversion.sources import check_there
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
@@ -69,9 +68,9 @@ def convert(
         raise ArgumentError(told, "out", "force")
     check_there(mapped, source)
     conversions = []
-    for run, recording, read in _runs(mapped, source):
-        progress(run)
-        conversions.append(_converted(mapped, run, recording, read))
+    for run in runs_of(mapped, source):
+        progress(run.name)
+        conversions.append(_converted(mapped, run))
     several = len(conversions) > 1
     done: list[Converted] = []
     try:
@@ -87,92 +86,16 @@ def convert(
     return done
 
 
-class _Source:
-    """The rows of one run, table by table, with the sha256 of what they were read from."""
-
-    def __init__(self) -> None:
-        self.tables: list[tuple[TableMap, str, Rows]] = []
-        self.hashes: dict[str, str] = {}
-        self.findings: list[str] = []
-
-    def tell(self, rows: Rows) -> None:
-        """Keep what is missing from rows, once if several tables read them."""
-        if rows.damage and rows.damage not in self.findings:
-            self.findings.append(rows.damage)
-
-
-def _runs(mapped: ConversionMap, source: Path) -> Iterator[tuple[str, str, Callable[[], _Source]]]:
-    """The name of each run, '' for the only one; how recordings are called in the map; and what reads its rows."""
-    chosen = FORMATS[mapped.format]
-    if isinstance(chosen, LogFormat):
-        yield "", source.stem, lambda: _log_source(mapped, chosen, source)
-        return
-    for run in find_runs(mapped, source):
-        name = run.name or (source.name if source.is_dir() else source.stem)
-        yield run.name, name, lambda run=run: _file_source(mapped, chosen, run)  # type: ignore[misc]
-
-
-def _file_source(mapped: ConversionMap, chosen: FileFormat, run: Run) -> _Source:
-    found = _Source()
-    for table, files in zip(mapped.tables, run.files, strict=True):
-        for file in files:
-            rows = _read(file, table, chosen, found)
-            others = {name: _read(other, table, chosen, found) for name, other in file.beside.items()}
-            found.tables.append((table, file.robot, _beside(table, rows, others) if others else rows))
-        # A pattern for other runs only is no reason to complain.
-        if not files and table.runs == "*":
-            found.findings.append(f"No file fits '{table.source}', so its topics are missing.")
-    return found
-
-
-def _read(file: SourceFile, table: TableMap, chosen: FileFormat, found: _Source) -> Rows:
-    """The rows of one file; its hash and what is missing from it are kept."""
-    check_file(file.path, file.origin, chosen.summary, chosen.kinds)
-    rows = chosen.rows(file.path, file.origin, table.layout)
-    found.hashes[file.origin] = sha256_of(file.path)
-    found.tell(rows)
-    return rows
-
-
-def _log_source(mapped: ConversionMap, chosen: LogFormat, source: Path) -> _Source:
-    log = chosen.open(source)
-    found = _Source()
-    files = [source] if source.is_file() else sorted(path for path in source.iterdir() if path.is_file())
-    found.hashes = {path.name: sha256_of(path) for path in files}
-    found.findings += log.damage
-    for table in mapped.tables:
-        rows = log.rows(table.source, table.place)
-        others = {name: log.rows(each.source, each.place) for name, each in table.beside.items()}
-        for each in (rows, *others.values()):
-            found.tell(each)
-        found.tables.append((table, "", _beside(table, rows, others) if others else rows))
-    return found
-
-
-def _beside(table: TableMap, rows: Rows, others: Mapping[str, Rows]) -> BesideRows:
-    """The rows with those nearest in time of others beside them."""
-    own, _ = rows.stamps(table.time)
-    brought = {
-        name: neighbour(own, others[name], each.time or table.time, each.within_ns)
-        for name, each in table.beside.items()
-    }
-    return BesideRows(rows, brought)
-
-
-def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[], _Source]) -> Conversion:
-    source = read()
+def _converted(mapped: ConversionMap, run: SourceRun) -> Conversion:
+    source = run.read()
     findings = source.findings
-    parts = [
-        part
-        for table, named, rows in source.tables
-        for part in table_streams(table.for_recording(recording), rows, named, findings)
-    ]
+    parts = parts_of(source.tables, run.recording, findings)
     order = {topic: place for place, topic in enumerate(ROBOT_TOPICS)}
     parts.sort(key=lambda part: (part.robot, order[part.topic]))
     groups = groupby(parts, key=lambda part: (part.robot, part.topic))
     streams = tuple(stream for _, group in groups for stream in streams_of(list(group), findings))
     if not streams:
-        where = f"run {run} of the source" if run else "the source"
+        where = f"run {run.name} of the source" if run.name else "the source"
         raise CocorosimError(f"{mapped.file} finds nothing to convert in {where}: {' '.join(findings)}")
     stamps: dict[str, list[Stamps]] = {}
     for stream in streams:
@@ -182,14 +105,14 @@ def _converted(mapped: ConversionMap, run: str, recording: str, read: Callable[[
         "converted_from": json.dumps(source.hashes, sort_keys=True),
         "conversion_map": mapped.text,
         "conversion_name": mapped.name,
-        "conversion_run": run,
+        "conversion_run": run.name,
         "conversion_findings": "\n".join(findings),
         "versions": json.dumps({"cocorosim_ros": __version__}),
     }
     of_depth = [stream.robot for stream in streams if stream.from_depth]
     if of_depth:
         metadata[PRESSURE_FROM_DEPTH] = json.dumps(of_depth)
-    return Conversion(run, streams, tuple(findings), metadata)
+    return Conversion(run.name, streams, tuple(findings), metadata)
 
 
 def _written(conversion: Conversion, folder: Path, *, force: bool) -> Converted:

@@ -161,6 +161,8 @@ class TableMap:
     streams: tuple[StreamMap, ...]
     place: Entry
     beside: Mapping[str, BesideMap] = field(default_factory=dict)  # by what their columns begin with
+    optional: bool = False  # left out of a log that lacks the topic
+    unless: frozenset[str] = frozenset()  # left out where a table before it gives one of these topics of the robot
 
     def for_recording(self, recording: str) -> TableMap:
         """The table with the numbers of that recording."""

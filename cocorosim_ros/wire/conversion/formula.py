@@ -87,6 +87,8 @@ FUNCTIONS: Mapping[str, tuple[int, Operation]] = {
     "where": (3, _where),
 }
 """Functions by name, with how many numbers each takes; angles in rad."""
+NAMED: Mapping[str, float] = {"pi": np.pi, "missing": np.nan}
+"""Numbers that formulas know by name; `missing` is none, and the row is left out."""
 _DIVISIONS = (ast.Div, ast.Mod)
 
 
@@ -201,8 +203,8 @@ class _Walk:
         name = _text(node, self._formula.place)
         if name in self._formula.constants:
             return np.full(self._rows.count, self._formula.constants[name])
-        if name == "pi":
-            return np.full(self._rows.count, np.pi)
+        if name in NAMED:
+            return np.full(self._rows.count, NAMED[name])
         column = self._formula.names.get(name, replace(self._formula.place, value=name))
         numbers = self._rows.numbers(column)
         return np.where(np.isfinite(numbers), numbers, np.nan)

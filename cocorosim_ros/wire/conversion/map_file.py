@@ -21,7 +21,7 @@ from cocorosim_ros.wire.conversion.conversion_map import (
 )
 from cocorosim_ros.wire.conversion.formats import FORMATS
 from cocorosim_ros.wire.conversion.formats.format import Format, LogFormat
-from cocorosim_ros.wire.conversion.formula import FUNCTIONS
+from cocorosim_ros.wire.conversion.formula import FUNCTIONS, NAMED
 from cocorosim_ros.wire.conversion.run_wise import Number, read_number
 from cocorosim_ros.wire.conversion.stream_entries import TOPICS, read_stream
 from cocorosim_ros.wire.conversion.time_entries import nanoseconds_per, read_time
@@ -71,7 +71,7 @@ class _TableReader:
     def table(self, entry: Entry) -> TableMap:
         """One entry of `tables`."""
         needed = (self._source, "robot", "streams") if self._log else (self._source, "time", "robot", "streams")
-        free = ("time",) if self._log else ("runs", "layout")
+        free = ("time", "optional") if self._log else ("runs", "layout")
         section = entry.section(needed, (*free, "beside", "names", "backwards"))
         names = _names(section["names"]) if "names" in section else {}
         values = ValueReader(self._ros, names, self._constants)
@@ -81,6 +81,7 @@ class _TableReader:
                 f"is empty, so there is nothing to convert; add one of {', '.join(TOPICS)}."
             )
         source = section[self._source].text()
+        optional, unless = _optional(section["optional"]) if "optional" in section else (False, frozenset())
         sort = self._log is not None
         if "backwards" in section:
             sort = section["backwards"].choice(("refuse", "sort")) == "sort"
@@ -94,6 +95,8 @@ class _TableReader:
             tuple(read_stream(topic, part, values) for topic, part in streams.items()),
             entry,
             self._beside(section["beside"], source) if "beside" in section else {},
+            optional,
+            unless,
         )
 
     def _beside(self, entry: Entry, own: str) -> dict[str, BesideMap]:
@@ -125,7 +128,7 @@ class _TableReader:
 def _constants(entry: Entry) -> dict[str, Number]:
     """Numbers of the map by name [SI]."""
     for name, part in entry.mapping().items():
-        if not name.isidentifier() or name in FUNCTIONS or name == "pi":
+        if not name.isidentifier() or name in FUNCTIONS or name in NAMED:
             raise part.problem("is no name of a constant; use letters, digits and _, and no name of a function.")
     return {name: read_number(part, _constant) for name, part in entry.mapping().items()}
 
@@ -138,9 +141,18 @@ def _constant(entry: Entry) -> float:
 def _names(entry: Entry) -> dict[str, Entry]:
     """Short names of columns."""
     for name, part in entry.mapping().items():
-        if not name.isidentifier() or name == "pi":
+        if not name.isidentifier() or name in NAMED:
             raise part.problem("is no short name of a column; use letters, digits and _.")
     return {name: column_name(part) for name, part in entry.mapping().items()}
+
+
+def _optional(entry: Entry) -> tuple[bool, frozenset[str]]:
+    """Whether a log may lack the topic, and the topics of the contract in whose place alone the table stands."""
+    if not isinstance(entry.value, dict):
+        return entry.flag(), frozenset()
+    given = entry.section(("unless",))["unless"]
+    named = given.items() if isinstance(given.value, list) else [given]
+    return True, frozenset(each.choice(TOPICS) for each in named)
 
 
 def _robot(entry: Entry, *, from_name: bool) -> RobotMap:

@@ -12,7 +12,7 @@ import numpy as np
 
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.foundation.errors import CocorosimError
-from cocorosim_ros.scenario.reading.entry import Entry
+from cocorosim_ros.scenario.reading.entry import Entry, nearest
 from cocorosim_ros.wire.conversion.conversion_map import (
     ColumnValue,
     CommandValue,
@@ -32,6 +32,21 @@ _MOST_DIGITS = 400  # of a time; more would be reckoned with for minutes, digit 
 
 class ColumnError(CocorosimError):
     """A column is named that the rows do not have."""
+
+
+class TopicError(CocorosimError):
+    """A topic is named of which the log has no message."""
+
+    def __init__(self, topic: str, sentence: str) -> None:
+        super().__init__(sentence)
+        self.topic = topic
+
+
+def no_messages(topic: str, known: Iterable[str], place: Entry, log: str) -> TopicError:
+    """The error for a topic without messages; `known` are those that have some."""
+    return TopicError(
+        topic, str(place.problem(f"names {topic}, which has no message in {log}{nearest(topic, known)}."))
+    )
 
 
 class Rows(Protocol):

@@ -260,7 +260,7 @@ def test_a_ulog(tmp_path: Path, converted: Converted) -> None:
 def test_what_is_no_log(tmp_path: Path) -> None:
     """No map has said anything; the file's name has, or nothing."""
     for name, head, words in (
-        ("log.npz", b"t,x\n0,1\n", r"log\.npz is not an npz file, as its name says, and its kind is not known"),
+        ("log.npz", b"just words\n", r"log\.npz is not an npz file, as its name says, and its kind is not known"),
         ("log.npz", b"PK\3\4" + bytes(300), r"log\.npz is damaged or ends early"),
         (
             "log.csv",

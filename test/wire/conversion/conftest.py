@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import SimpleNamespace
@@ -9,6 +10,7 @@ from typing import Any
 
 import pytest
 
+Converted = Callable[[str, Path], dict[str, list[Any]]]
 HEAD = "name: test\nformat: csv\ntables:\n"
 
 
@@ -54,3 +56,29 @@ def convert_csv(tmp_path: Path) -> Callable[..., SimpleNamespace]:
         )
 
     return run
+
+
+@pytest.fixture
+def converted(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any]]]) -> Converted:
+    """Function of (map, source): the messages of the recording by topic; every line of the map has to be used."""
+    from cocorosim_ros.scenario.reading.config_files import find_config
+    from cocorosim_ros.wire.conversion.conversion import convert
+    from cocorosim_ros.wire.conversion.map_file import load_map
+
+    def run(name: str, source: Path) -> dict[str, list[Any]]:
+        (made,) = convert(load_map(find_config("maps", name)), source, tmp_path / "ours")
+        assert made.conversion.findings == ()
+        return messages(made.folder)
+
+    return run
+
+
+@pytest.fixture
+def logs() -> SimpleNamespace:
+    """What writes DataFlash and MAVLink byte by byte."""
+    folder = str(Path(__file__).parents[2] / "contracts")
+    if folder not in sys.path:
+        sys.path.append(folder)
+    import logs_by_format
+
+    return SimpleNamespace(**vars(logs_by_format))

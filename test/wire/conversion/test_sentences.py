@@ -81,7 +81,11 @@ def test_a_wrong_log(convert_csv: Convert, log: str, sentence: str) -> None:
             "has 'excel', which is not read: such a file is an Excel file; save it as CSV; allowed: csv, parquet",
         ),
         ("xlsx", "has 'xlsx', which is not read: such a file is an Excel file; save it as CSV"),
-        ("hdf5", "is an HDF5 file; convert it to CSV or Parquet, for instance with pandas; allowed"),
+        (
+            "hdf5",
+            "an HDF5 file; open it with h5py .`pip install h5py`. and write its columns as CSV or Parquet; allowed",
+        ),
+        ("zip", "is a zip archive; unpack it and give what is in it; allowed"),
         ("pickle", "save it as Parquet, npz or CSV: a pickle can run code; allowed"),
         ("cvs", "has 'cvs'; did you mean 'csv'"),
         ("mcap", "has 'mcap'.*by `cocorosim convert`|has 'mcap'.*format: bag"),

@@ -18,7 +18,8 @@ import numpy.typing as npt
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion.formats.column_rows import ColumnRows
 from cocorosim_ros.wire.conversion.formats.format import LogFormat, check_file, unreadable
-from cocorosim_ros.wire.conversion.formats.instances import no_messages, split, wanted_instance
+from cocorosim_ros.wire.conversion.formats.instances import split, wanted_instance
+from cocorosim_ros.wire.conversion.rows import no_messages
 
 _SUMMARY = "a DataFlash log"
 _BEGIN = b"\xa3\x95"

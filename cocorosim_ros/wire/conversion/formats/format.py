@@ -10,7 +10,7 @@ from typing import Protocol
 from cocorosim_ros.foundation.errors import CocorosimError
 from cocorosim_ros.foundation.installation import DISTRIBUTION
 from cocorosim_ros.scenario.reading.entry import Entry
-from cocorosim_ros.wire.bags.file_kinds import kind_of, told
+from cocorosim_ros.wire.bags.file_kinds import kind_of, kind_or_table, told
 from cocorosim_ros.wire.conversion.conversion_map import CsvLayout
 from cocorosim_ros.wire.conversion.rows import Rows
 
@@ -59,26 +59,27 @@ class LogFormat:
 Format = FileFormat | LogFormat
 
 
-BY_MAP = "as the map says"
-BY_NAME = "as its name says"
+BY_MAP = ", as the map says"
+BY_NAME = ", as its name says"
+UNSAID = ""  # no map is there, and the name says nothing
 
 
 def check_file(path: Path, origin: str, summary: str, kinds: Collection[str], said: str = BY_MAP) -> None:
     """Nothing, if a file can be of that format by its first bytes. Raises CocorosimError otherwise.
 
-    said: what tells that it is.
+    said: what tells that it is: BY_MAP, BY_NAME or UNSAID.
     """
     try:
-        empty, kind = path.stat().st_size == 0, kind_of(path)
+        empty, kind = path.stat().st_size == 0, kind_or_table(path) if kinds else kind_of(path)
     except OSError as error:
         raise CocorosimError(f"{origin} cannot be read: {error.strerror}; check its name and permissions.") from error
     if empty and kinds:
         raise CocorosimError(f"{origin} is empty: nothing was recorded; give another file.")
     if kind is not None and kind.key not in kinds:
-        raise CocorosimError(f"{origin} is not {summary}, {said}: it {told(kind, path)}.")
+        raise CocorosimError(f"{origin} is not {summary}{said}: it {told(kind, path)}.")
     if kind is None and kinds:
         raise CocorosimError(
-            f"{origin} is not {summary}, {said}, and its kind is not known; give the right file, or save it "
+            f"{origin} is not {summary}{said}, and its kind is not known; give the right file, or save it "
             "as CSV or Parquet."
         )
 

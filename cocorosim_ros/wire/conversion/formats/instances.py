@@ -7,8 +7,9 @@ from collections.abc import Collection, Mapping
 
 import numpy as np
 
-from cocorosim_ros.scenario.reading.entry import Entry, listed, nearest
+from cocorosim_ros.scenario.reading.entry import Entry, listed
 from cocorosim_ros.wire.conversion.formats.column_rows import ColumnRows
+from cocorosim_ros.wire.conversion.rows import TopicError
 
 _INSTANCE = re.compile(r"(.+)\[(\d+)\]")
 
@@ -20,20 +21,20 @@ def split(topic: str) -> tuple[str, int | None]:
 
 
 def wanted_instance(topic: str, wanted: int | None, there: Collection[int], place: Entry, log: str) -> int:
-    """The instance that is meant of those that are there. Raises CocorosimError if that is open."""
+    """The instance that is meant of those that are there.
+
+    Raises TopicError if it is not there, another CocorosimError if it is open which is meant.
+    """
     names = [f"{topic}[{number}]" for number in sorted(there)]
     if wanted is None and len(there) == 1:
         return next(iter(there))
     if wanted is None:
         raise place.problem(f"names {topic}, of which {log} has several; write {listed(names)}.")
     if wanted not in there:
-        raise place.problem(f"names {topic}[{wanted}], which {log} does not have; write {listed(names)}.")
+        name = f"{topic}[{wanted}]"
+        told = f"names {name}, which {log} does not have; write {listed(names)}."
+        raise TopicError(name, str(place.problem(told)))
     return wanted
-
-
-def no_messages(topic: str, known: Collection[str], place: Entry, log: str) -> Exception:
-    """The error for a topic without messages."""
-    return place.problem(f"names {topic}, which has no message in {log}{nearest(topic, known)}.")
 
 
 def rows_of(origin: str, messages: list[Mapping[str, object]]) -> ColumnRows:

@@ -38,4 +38,4 @@ def _rows(path: Path, origin: str, layout: CsvLayout) -> ColumnRows:
     return ColumnRows(origin, {**{name: array for name, array in found.items() if not array.dtype.names}, **fields})
 
 
-NPZ = FileFormat(summary=_SUMMARY, kinds=("npz",), rows=_rows)
+NPZ = FileFormat(summary=_SUMMARY, kinds=("npz", "zip"), rows=_rows)

@@ -13,7 +13,8 @@ from cocorosim_ros.foundation.counted import counted, either
 from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion.formats.column_rows import ColumnRows
 from cocorosim_ros.wire.conversion.formats.format import LogFormat, check_file, missing_library, unreadable
-from cocorosim_ros.wire.conversion.formats.instances import no_messages, rows_of, split, wanted_instance
+from cocorosim_ros.wire.conversion.formats.instances import rows_of, split, wanted_instance
+from cocorosim_ros.wire.conversion.rows import no_messages
 
 _SUMMARY = "a tlog"
 _TIME = 8  # bytes of the time before every message

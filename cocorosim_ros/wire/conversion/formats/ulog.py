@@ -6,9 +6,10 @@ import contextlib
 import io
 from pathlib import Path
 
-from cocorosim_ros.scenario.reading.entry import Entry, nearest
+from cocorosim_ros.scenario.reading.entry import Entry
 from cocorosim_ros.wire.conversion.formats.column_rows import ColumnRows
 from cocorosim_ros.wire.conversion.formats.format import LogFormat, check_file, missing_library, unreadable
+from cocorosim_ros.wire.conversion.rows import no_messages
 
 _SUMMARY = "a ULog"
 _HEADER = 16  # bytes before the first message, which says its own length in two bytes and its kind in one
@@ -45,7 +46,7 @@ class ULogLog:
     def rows(self, topic: str, place: Entry) -> ColumnRows:
         """The messages of a topic."""
         if topic not in self._topics:
-            raise place.problem(f"names {topic}, which has no message in {self._name}{nearest(topic, self._topics)}.")
+            raise no_messages(topic, self._topics, place, self._name)
         return ColumnRows(f"{topic} of {self._name}", self._topics[topic])
 
 
