@@ -25,6 +25,7 @@ from cocorosim_ros.diagnosis.fitting.growing_force import with_growing_force
 from cocorosim_ros.diagnosis.fitting.recalibration import base_fit, nominal_fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
 from cocorosim_ros.diagnosis.fitting.solving import solve
+from cocorosim_ros.diagnosis.fitting.undeclared import not_looked_for
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.foretelling.exactness import is_exact
 from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
@@ -163,6 +164,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         beyond_floor=beyond,
         unrecorded=nothing_shown,
         screened_laws=screened_effects(naming.laws),
+        not_looked_for=not_looked_for(evidence.platform),
         held=steady.held,
     )
 

@@ -33,6 +33,7 @@ from cocorosim_ros.diagnosis.fitting.acting_angles import as_ordered, reports_ac
 from cocorosim_ros.diagnosis.fitting.drag_forms import word_of_form
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.smoothed import smoothed_tracks
+from cocorosim_ros.diagnosis.fitting.undeclared import not_looked_for
 from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
 from cocorosim_ros.diagnosis.foretelling.free_runs import held_out_free_runs
 from cocorosim_ros.diagnosis.naming.detectability import (
@@ -241,6 +242,7 @@ def _told(
         ),
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
         unrecorded=unrecorded(base.tracks),
+        not_looked_for=not_looked_for(intake.evidence.platform),
     )
 
 

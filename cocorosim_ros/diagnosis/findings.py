@@ -140,7 +140,8 @@ class PassedOver:
 class HeldOut:
     """Root mean square error of free runs on data that no fit saw, of one channel, or of a stream's readings.
 
-    noise_floor does not depend on the augmented model.
+    noise_floor: of a model with a force without a name, which does not depend on the augmented one and may err more;
+    of a stream, what noise of the readings and of the course makes.
     """
 
     nominal: float
@@ -161,6 +162,15 @@ class ScreenedEffect:
     nats: float  # gained by it alone over the recalibrated model
     detectable: Mapping[str, float]  # per parameter the smallest value that these recordings would show
     seen_from: float = 0.0  # [of a bad case] size of all its amplitudes from which it would show
+
+
+@dataclass(frozen=True)
+class NotLookedFor:
+    """An effect that was not looked for, since the platform's file does not give the numbers that it needs, by key."""
+
+    id: str
+    name: str
+    numbers: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -325,4 +335,5 @@ class Diagnosis:
     unrecorded: Unrecorded = Unrecorded()
     screened_laws: tuple[ScreenedEffect, ...] = ()  # outside the catalogue, as they were screened at first
     actuators: tuple[ActuatorReport, ...] = ()  # what these report of themselves
+    not_looked_for: tuple[NotLookedFor, ...] = ()  # for want of numbers in the platform's file
     held: tuple[str, ...] = ()  # numbers kept as the platform's file gives them: fitted, they foretell worse

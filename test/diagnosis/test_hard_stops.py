@@ -126,11 +126,30 @@ def test_free_runs_far_above_the_noise_floor(sound: Case, times: float, said: in
     far = replace(row(0.5, 0.5, 0.4), noise_floor=0.4 / times)
     case = replace(named(sound, "torque_bias", torque=1.5), table={"depth": far})
     told = sentences(hard_stops.beyond_the_floor, case)
-    assert len(told) == said and all("400\u00a0mm in depth, 3.50 times the noise floor" in each for each in told)
+    assert len(told) == said and all(
+        "400\u00a0mm in depth, 3.50 times as much as with a force without a name" in each for each in told
+    )
     by_course = replace(case, table={"depth": replace(far, against="course")})
     assert sentences(hard_stops.beyond_the_floor, by_course) == []
     of_readings = replace(named(sound, "pressure_offset", offset=50.0), table=case.table)
     assert sentences(hard_stops.beyond_the_floor, of_readings) == []
+
+
+@pytest.mark.parametrize(
+    ("errors", "best"),
+    [
+        ((0.1, 0.5, 0.4), "the platform as given"),
+        ((0.5, 0.1, 0.4), "the fitted numbers alone"),
+        ((0.5, 0.5, 0.4), None),
+    ],
+)
+def test_a_floor_that_is_too_high_excuses_nothing(
+    sound: Case, errors: tuple[float, float, float], best: str | None
+) -> None:
+    """Four times the error of another model is said, though a force without a name errs as much; the least is not."""
+    case = replace(named(sound, "torque_bias", torque=1.5), table={"depth": replace(row(*errors), noise_floor=0.45)})
+    told = sentences(hard_stops.beyond_the_floor, case)
+    assert len(told) == (best is not None) and all(f"4.00 times as much as with {best}:" in each for each in told)
 
 
 @pytest.mark.parametrize(

@@ -80,7 +80,7 @@ def test_the_headline_names_the_effect_and_the_lines_its_size_rival_and_gain() -
     assert sentence_of("mismatch", [LAG], []) == "Missing from the model of lily_01: a lag of the thrust."
     assert [plain(line) for line in detail_lines(found(LAG, fit=table))] == [
         "a lag of the thrust of lily_01, confirmed: time constant 314 ms; or else sensor latency",
-        "error of position on unseen data: 5.35 mm with it instead of 110 mm (floor 5.50 mm)",
+        "error of position on unseen data: 5.35 mm with it instead of 110 mm (with a force without a name 5.50 mm)",
     ]
 
 

@@ -76,6 +76,8 @@ class VehicleNeedsCriteria:
     in_a_jet: float = 0.05
     """[share of a thrust] that a thruster loses at least in the jet of another one by the law of `wash_loss`, wherever
     azimuths turn both. Chosen, not measured: thrusts are hardly known to a twentieth."""
+    air: float = 100.0
+    """[kg/m^3] density of what a vehicle moves in, below which it is called air. Chosen, not measured."""
     turned: int = 73
     """[directions] of a thruster that an azimuth turns, in which this is asked. Chosen, not measured: every 5 degrees
     of a full turn, a small part of a jet's width."""

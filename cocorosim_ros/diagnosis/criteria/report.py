@@ -47,8 +47,6 @@ class ReportCriteria:
     """[1] odds above are told in words. Chosen, not measured."""
     most_told_nats: float = 20.0
     """[nats] more make no other words, and numbers that overflow. Chosen, not measured."""
-    air: float = 100.0
-    """[kg/m^3] density of what a vehicle moves in, below which it is called air. Chosen, not measured."""
     least_extent: float = 1e-3
     """[m] of a map of places, so that a robot at rest has one. Chosen, not measured."""
 

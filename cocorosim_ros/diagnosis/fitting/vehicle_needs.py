@@ -9,6 +9,7 @@ import numpy as np
 from cocorosim_ros.diagnosis.criteria.fitting import VEHICLE_NEEDS
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
+from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.world.terms.jet import BY, BY_TURNED, ON, ON_TURNED, left_of_jet
 
 
@@ -50,6 +51,11 @@ HAS: Mapping[str, Callable[[VehicleModel], bool]] = {
     "tall_hull": lambda vehicle: vehicle.height >= VEHICLE_NEEDS.tall,
 }
 """Tell by name whether a vehicle has something that effects need."""
+
+
+def moves_in_air(platform: Platform) -> bool:
+    """Tell whether what a vehicle moves in is so thin that it is air."""
+    return platform.water_density < VEHICLE_NEEDS.air
 
 
 def has_all(vehicle: VehicleModel, needs: Sequence[str]) -> bool:

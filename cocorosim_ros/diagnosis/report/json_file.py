@@ -15,12 +15,15 @@ from cocorosim_ros.diagnosis.findings import (
     FoundEffect,
     HeldOut,
     Located,
+    NotLookedFor,
     PassedOver,
     Recalibrated,
     ScreenedEffect,
 )
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.marks import limit_words
+from cocorosim_ros.diagnosis.report.not_shown import not_looked_for_words
+from cocorosim_ros.diagnosis.report.significance import doubtful_numbers
 from cocorosim_ros.diagnosis.showing.probability import probabilities_of
 
 
@@ -41,6 +44,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "effects": [_effect(*each) for each in zip(diagnosis.effects, believed.of_effects, strict=True)],
         "probabilities": dict(believed.told),
         "not_shown_by_this_recording": list(diagnosis.not_shown),
+        "not_looked_for": [_not_looked_for(each) for each in diagnosis.not_looked_for],
         "next_manoeuvre": manoeuvre_words(diagnosis.manoeuvres),
         "warnings": list(diagnosis.warnings),
         "cannot_be_told": list(diagnosis.untold),
@@ -119,6 +123,11 @@ def _screened(each: ScreenedEffect) -> dict[str, Any]:
     return {"nats": _finite(each.nats), "seen_from": _finite(each.seen_from)}
 
 
+def _not_looked_for(each: NotLookedFor) -> dict[str, Any]:
+    """An effect that was not looked for: the keys that the platform's file lacks, and the sentence of the page."""
+    return {"id": each.id, "lacks": list(each.numbers), "because": not_looked_for_words(each)}
+
+
 def _effect(found: FoundEffect, probability: float) -> dict[str, Any]:
     because = list(found.because)
     return _named(found) | {"tier": found.tier, "because": because, "probability": probability}
@@ -133,7 +142,11 @@ def _named(found: FoundEffect) -> dict[str, Any]:
     tree: dict[str, Any] = {"id": found.id, "name": found.name, "equation": found.equation}
     if found.topic is not None:
         tree["topic"] = found.topic
-    parameters = {name: _estimate(estimate) for name, estimate in found.parameters.items()}
+    doubtful = doubtful_numbers(found)
+    parameters = {
+        name: _estimate(estimate) | ({"may_be_nothing": True} if name in doubtful else {})
+        for name, estimate in found.parameters.items()
+    }
     if found.correction is not None:
         # Words have neither interval nor unit; every parameter has the same keys all the same.
         parameters["correction"] = {"value": found.correction, "ci95": [None, None], "unit": None}

@@ -8,6 +8,9 @@ from collections.abc import Sequence
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
 
+MAY_BE_NOTHING = "may as well be nothing"
+"""Of a number of an effect whose 95 % interval holds the value at which it does nothing."""
+
 
 def limit_words(estimate: Estimate) -> str:
     """Words for a number that stands at an end of its limits, or whose interval leaves them; '' for any other."""
@@ -20,11 +23,13 @@ def limit_words(estimate: Estimate) -> str:
     return f"its interval leaves its limits, {limits}" if leaves else ""
 
 
-def marked_words(estimate: Estimate) -> tuple[str, str]:
-    """Value and 95 % interval as `estimate_words` has them, the mark of the number behind the interval."""
+def marked_words(estimate: Estimate, *, doubtful: bool = False) -> tuple[str, str]:
+    """Value and 95 % interval as `estimate_words` has them, the marks of the number behind the interval.
+
+    doubtful: whether the interval holds the value at which the number does nothing.
+    """
     value, interval = estimate_words(estimate)
-    mark = limit_words(estimate)
-    return value, f"{interval}; {mark}" if mark else interval
+    return value, "; ".join(filter(None, (interval, limit_words(estimate), MAY_BE_NOTHING if doubtful else "")))
 
 
 def marked_value(estimate: Estimate) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from cocorosim_ros.diagnosis.criteria.report import REPORT
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import moves_in_air
 from cocorosim_ros.scenario.parts.platform import Platform
 
 _OF_AIR = {
@@ -19,11 +19,6 @@ _OF_AIR = {
 }
 """Words of air in place of words of water, the longest first."""
 _WORDS = re.compile("|".join(rf"\b{re.escape(words)}\b" for words in _OF_AIR), re.IGNORECASE)
-
-
-def moves_in_air(platform: Platform) -> bool:
-    """Tell whether what a vehicle moves in is so thin that it is air."""
-    return platform.water_density < REPORT.air
 
 
 def in_its_medium(page: str, platform: Platform) -> str:

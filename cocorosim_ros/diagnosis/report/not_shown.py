@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from cocorosim_ros.diagnosis.findings import Diagnosis
+from cocorosim_ros.diagnosis.findings import Diagnosis, NotLookedFor
 from cocorosim_ros.diagnosis.report.believable import is_possible_size
+from cocorosim_ros.diagnosis.report.sentence import shortened
 from cocorosim_ros.diagnosis.report.words import effect_words, parameter_unit
 from cocorosim_ros.foundation.units.quantity_text import quantity_words
 
@@ -18,7 +19,13 @@ def not_shown_context(diagnosis: Diagnosis) -> dict[str, Any]:
     return {
         "blind": [{"name": effect_words(name), "least": least.get(name, "")} for name in tried],
         "detectable": [{"name": effect_words(name), "least": words} for name, words in sorted(least.items())],
+        "not_looked_for": [not_looked_for_words(each) for each in diagnosis.not_looked_for],
     }
+
+
+def not_looked_for_words(each: NotLookedFor) -> str:
+    """A sentence on an effect that was not looked for, with the keys of the numbers that would change that."""
+    return f"Not looked for, since the platform does not give {shortened(each.numbers)}: {each.name}."
 
 
 def _least_differences(diagnosis: Diagnosis) -> dict[str, str]:

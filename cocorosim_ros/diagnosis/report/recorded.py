@@ -14,7 +14,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import NEEDS, dives, has_pump
 from cocorosim_ros.diagnosis.filter.layout import KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, Located, ResidualForce, Unrecorded
-from cocorosim_ros.diagnosis.report.medium import moves_in_air
+from cocorosim_ros.diagnosis.fitting.vehicle_needs import moves_in_air
 from cocorosim_ros.diagnosis.report.regressors import OF_BODY
 from cocorosim_ros.diagnosis.tracks.columns import READING_NOISE_OF_KIND
 from cocorosim_ros.scenario.parts.platform import Platform

@@ -17,9 +17,10 @@ from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words, without_bars
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
-from cocorosim_ros.diagnosis.report.marks import limit_words, marked_words, unlike_words
+from cocorosim_ros.diagnosis.report.marks import MAY_BE_NOTHING, limit_words, marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.medium import in_its_medium
 from cocorosim_ros.diagnosis.report.model_file import Origin
+from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, channels_without_bound, no_bound_sentence
 from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
@@ -209,6 +210,7 @@ def _what(diagnosis: Diagnosis) -> Context:
     return {
         "effects": [_effect(each) | _reasons(each, diagnosis.warnings) for each in diagnosis.effects],
         "unlike": unlike_words(diagnosis.unlike),
+        "may_be_nothing": MAY_BE_NOTHING,
         "passed_over": [_effect(each.found) | {"because": each.because} for each in diagnosis.passed_over],
         "nats_bars": bars_of_nats(diagnosis),
         "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),
@@ -259,9 +261,10 @@ def _fit(diagnosis: Diagnosis) -> Context:
     augmented = bool(diagnosis.effects)
     return {
         "fit": [
-            {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(each), "against": each.against}
+            {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(name, each), "against": each.against}
             for name, each in diagnosis.fit.items()
         ],
+        "no_bound": no_bound_sentence([CHANNEL_WORDS[name] for name in channels_without_bound(diagnosis.fit)]),
         "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
         "parameters": [_parameter(each) for each in parameters],
@@ -277,8 +280,9 @@ def _chosen_runs(runs: Sequence[FreeRun]) -> list[FreeRun]:
     return [runs[index] for index in sorted(order[: REPORT.most_free_runs])]
 
 
-def _held_out(found: HeldOut) -> list[Context]:
-    """The cells of a row of the table, all in one unit; the best model's is marked."""
+def _held_out(channel: str, found: HeldOut) -> list[Context]:
+    """The cells of a row of the table, all in one unit; the best model's is marked, and a figure that is no bound."""
+    unbound = channels_without_bound({channel: found})
     models = {name: getattr(found, name) for name in ("nominal", "recalibrated", "augmented", "noise_floor")}
     errors = sorted(models[name] for name in ("nominal", "recalibrated", "augmented") if math.isfinite(models[name]))
     scale = handy_scale(errors[-1] if errors else math.nan, found.unit)
@@ -291,6 +295,7 @@ def _held_out(found: HeldOut) -> list[Context]:
                 "interval": f"{plain_number(low)} to {plain_number(high)}"
                 if math.isfinite(low + high) and low < high
                 else "",
+                "mark": NO_BOUND if unbound and name == "noise_floor" else "",
                 "best": len(errors) > 1 and value == errors[0] and value < REPORT.clearly_best * errors[1],
             }
         )

@@ -45,7 +45,7 @@ def _effect(effect: FoundEffect) -> str:
     doubtful = not_shown_numbers(effect)
     shown = [(name, value) for name, value in effect.parameters.items() if name not in doubtful]
     numbers = [f"{plain(name)} {marked_value(value)}" for name, value in shown]
-    told = [effect.correction] if effect.correction else [_shortened(numbers)] if numbers else []
+    told = [effect.correction] if effect.correction else [shortened(numbers)] if numbers else []
     if effect.ambiguous_with:
         told.append(f"or else {' or '.join(effect_words(rival.id) for rival in effect.ambiguous_with)}")
     doubt = f", and {SIZE_MAY_BE_NOTHING}" if may_be_nothing(effect) else ""
@@ -57,7 +57,7 @@ def _passed_over(passed: PassedOver) -> str:
     found = passed.found
     told = {name: marked_words(each) for name, each in found.parameters.items()}
     numbers = [f"{plain(name)} {value} ({interval})" for name, (value, interval) in told.items()]
-    size = f": {_shortened(numbers)}" if numbers else ""
+    size = f": {shortened(numbers)}" if numbers else ""
     name = f"{found.name}{whose_words(found.robots)}"
     return f"not named: {name} ({plain_number(found.nats)} nats), since {passed.shortly}{size}"
 
@@ -66,11 +66,14 @@ def _gain(table: Mapping[str, HeldOut], unlike: Sequence[str]) -> tuple[str, ...
     """Words for the gain of the effects on the first channel of the table where they gain anything."""
     for channel, row in table.items():
         if row.augmented < REPORT.clear_gain * row.recalibrated:
-            after, before, floor = (
+            after, before, nameless = (
                 quantity_words(value, row.unit) for value in (row.augmented, row.recalibrated, row.noise_floor)
             )
             beside = f"; these data are {unlike_words(unlike)}" if unlike else ""
-            return (f"error of {channel} on unseen data: {after} with it instead of {before} (floor {floor}){beside}",)
+            return (
+                f"error of {channel} on unseen data: {after} with it instead of {before} (with a force without a name "
+                f"{nameless}){beside}",
+            )
     return ()
 
 
@@ -82,6 +85,7 @@ def _doubt(against: Comparison | None) -> tuple[str, ...]:
     )
 
 
-def _shortened(parts: Sequence[str]) -> str:
+def shortened(parts: Sequence[str]) -> str:
+    """The first few of some parts, and how many more there are."""
     more = len(parts) - REPORT.most_numbers
     return ", ".join(parts[: REPORT.most_numbers]) + (f" and {more} more" if more > 0 else "")

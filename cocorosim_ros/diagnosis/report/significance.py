@@ -11,9 +11,14 @@ def not_shown_numbers(found: FoundEffect) -> tuple[str, ...]:
 
     None where that is so of all of them: then the whole effect is in doubt (`may_be_nothing`).
     """
+    doubtful = doubtful_numbers(found)
+    return doubtful if len(doubtful) < len(_doubts(found)) else ()
+
+
+def doubtful_numbers(found: FoundEffect) -> tuple[str, ...]:
+    """Name the amplitudes whose 95 % intervals hold the value at which they do nothing, be it all of them."""
     doubts = _doubts(found)
-    doubtful = tuple(name for name in found.parameters if doubts.get(name))
-    return doubtful if len(doubtful) < len(doubts) else ()
+    return tuple(name for name in found.parameters if doubts.get(name))
 
 
 def may_be_nothing(found: FoundEffect) -> bool:

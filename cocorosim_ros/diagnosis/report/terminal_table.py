@@ -13,11 +13,12 @@ from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.marks import marked_words, unlike_words
+from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, channels_without_bound
 from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
 from cocorosim_ros.diagnosis.report.number_text import in_unit_of
 from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
 from cocorosim_ros.diagnosis.report.recorded import as_recorded
-from cocorosim_ros.diagnosis.report.significance import may_be_nothing
+from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
 from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
 from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, with_unit
 
@@ -52,7 +53,7 @@ def _effects(diagnosis: Diagnosis) -> Table:
         rivals = ", ".join(f"{rival.id} (\u2212{plain_number(rival.nats_behind, 2)})" for rival in found.ambiguous_with)
         doubt = f"; {SIZE_MAY_BE_NOTHING}" if may_be_nothing(found) else ""
         first = [f"{_name(found)}, {found.tier}{doubt}", ", ".join(found.robots)]
-        numbers = [(name, *marked_words(each)) for name, each in found.parameters.items()]
+        numbers = _numbers(found)
         if found.correction is not None:
             numbers.append(("correction", found.correction, ""))
         _add(table, first, numbers, [plain_number(found.nats), rivals or NONE])
@@ -66,9 +67,15 @@ def _passed_over(diagnosis: Diagnosis) -> Table:
     )
     for passed in diagnosis.passed_over:
         found = passed.found
-        numbers = [(name, *marked_words(each)) for name, each in found.parameters.items()]
+        numbers = _numbers(found)
         _add(table, [_name(found), ", ".join(found.robots)], numbers, [plain_number(found.nats), passed.shortly])
     return table
+
+
+def _numbers(found: FoundEffect) -> list[tuple[str, str, str]]:
+    """Name, value and 95 % interval of each number, those marked that may as well be nothing beside others."""
+    doubtful = not_shown_numbers(found)
+    return [(name, *marked_words(each, doubtful=name in doubtful)) for name, each in found.parameters.items()]
 
 
 def _add(table: Table, start: Sequence[str], numbers: Sequence[Sequence[str]], end: Sequence[str]) -> None:
@@ -89,13 +96,14 @@ def _parameters(diagnosis: Diagnosis) -> Table:
 
 
 def _errors(diagnosis: Diagnosis) -> Table:
-    headings = ("channel", "platform", "recalibrated", "with the effects", "noise floor", "against")
+    headings = ("channel", "platform", "recalibrated", "with the effects", "with a force without a name", "against")
     table = _table("error of free runs on data that no fit saw", headings)
     for channel, found in diagnosis.fit.items():
         numbers = (found.nominal, found.recalibrated, found.augmented, found.noise_floor)
         scale = handy_scale(max((each for each in numbers if math.isfinite(each)), default=0.0), found.unit)
         against = "; ".join(part for part in (found.against, unlike_words(diagnosis.unlike)) if part)
-        cells = (with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers)
+        cells = [with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers]
+        cells[-1] += f"; {NO_BOUND}" if channels_without_bound({channel: found}) else ""
         table.add_row(*(Text(cell) for cell in (channel, *cells, against)))
     return table
 

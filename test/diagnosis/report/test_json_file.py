@@ -40,6 +40,7 @@ FORM: Any = {
     ],
     "probabilities": {"*": (float,)},
     "not_shown_by_this_recording": [TEXT],
+    "not_looked_for": [{"id": TEXT, "lacks": [TEXT], "because": TEXT}],
     "next_manoeuvre": (str, type(None)),
     "warnings": [TEXT],
     "cannot_be_told": [TEXT],
@@ -58,14 +59,14 @@ FORM: Any = {
     ],
     "screened": {"*": {"nats": NUMBER, "seen_from": NUMBER}},
 }  # fmt: skip
-OPTIONAL = {"topic", "against"}
+OPTIONAL = {"topic": TEXT, "against": TEXT, "may_be_nothing": (bool,)}
 
 
 def check(value: Any, form: Any, place: str = "top") -> None:
     """Nothing, if a value has the form."""
     if isinstance(form, tuple):
         assert isinstance(value, form), f"{place}: {value!r}"
-        assert not isinstance(value, bool) or place.endswith(".missing"), place
+        assert not isinstance(value, bool) or place.endswith((".missing", ".may_be_nothing")), place
     elif isinstance(form, list):
         assert isinstance(value, list), place
         for index, part in enumerate(value):
@@ -73,9 +74,9 @@ def check(value: Any, form: Any, place: str = "top") -> None:
     else:
         assert isinstance(value, dict), place
         if "*" not in form:
-            assert set(value) - OPTIONAL == set(form), place
+            assert set(value) - set(OPTIONAL) == set(form), place
         for name, part in value.items():
-            check(part, TEXT if name in OPTIONAL else form.get(name, form.get("*")), f"{place}.{name}")
+            check(part, OPTIONAL.get(name, form.get(name, form.get("*"))), f"{place}.{name}")
 
 
 def refuse(word: str) -> float:
@@ -158,6 +159,17 @@ def test_a_stream_is_named_and_a_correction_stands_in_words(example: Example) ->
     assert tree["effects"][0]["parameters"] == {
         "correction": {"value": "the reading is in degrees", "ci95": [None, None], "unit": None}
     }
+
+
+def test_each_number_that_may_be_nothing_is_marked(example: Example) -> None:
+    """By itself, where its interval holds the value at which it does nothing, one for a ratio; no other has the key."""
+    numbers = {"sway_ratio": Estimate(2.0, 1.8, 2.2, "1"), "heave_ratio": Estimate(1.1, 0.8, 1.4, "1")}
+    drag = FoundEffect("anisotropic_drag", "drag of its own", "", ("lily_01",), "confirmed", numbers, 90.0)
+    both = replace(drag, parameters=numbers | {"sway_ratio": Estimate(1.2, 0.9, 1.5, "1")})
+    for effect, marked in ((drag, {"heave_ratio"}), (both, {"sway_ratio", "heave_ratio"})):
+        (told,) = read(replace(example("mismatch"), effects=(effect,)))["effects"]
+        assert {name for name, each in told["parameters"].items() if each.get("may_be_nothing") is True} == marked
+        assert all("may_be_nothing" not in each for name, each in told["parameters"].items() if name not in marked)
 
 
 REPORTED = ActuatorReport(

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from rich.console import Console
 
-from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate
+from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate, HeldOut, PassedOver
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.report import render_report
 from cocorosim_ros.diagnosis.report.terminal_table import terminal_tables
@@ -54,6 +54,35 @@ def test_a_size_that_may_be_nothing_is_said_beside_the_name(example: Example) ->
     origin = Origin(load_platform("lily"), ("bags/tank_7",), ("lily_01",), 600.0)
     name = '<span class="quiet">added_mass</span><br><span class="mark">its size may as well be nothing</span></h3>'
     assert name in render_report(doubtful, origin) and name not in render_report(example("mismatch"), origin)
+
+
+def test_each_number_that_may_be_nothing_is_marked_beside_others(example: Example) -> None:
+    """In the tables of what is named and of what is not, on the page and in the terminal."""
+    (munk,) = example("mismatch").effects
+    numbers = munk.parameters | {"yaw": Estimate(1e-5, -2e-5, 4e-5, "kg m^2")}
+    found = replace(munk, parameters=numbers)
+    passed = PassedOver(found, stands=True, because=("Free runs gain nothing.",), shortly="free runs gain nothing")
+    named = replace(example("mismatch"), effects=(found,))
+    nameless = replace(example("mismatch"), effects=(), passed_over=(passed,))
+    origin = Origin(load_platform("lily"), ("bags/tank_7",), ("lily_01",), 600.0)
+    for diagnosis, words in ((named, "May as well be nothing, as"), (nameless, "; may as well be nothing: yaw (")):
+        rows = [line for line in shown(diagnosis).splitlines() if "may as well be nothing" in line]
+        assert len(rows) == 1 and "yaw" in rows[0]
+        assert words in render_report(diagnosis, origin)
+
+
+def test_a_force_without_a_name_is_no_bound_where_a_model_errs_less(example: Example) -> None:
+    """Said of a channel that a model foretells better by more than its interval; of no other, nor of a stream."""
+    sure = {"recalibrated": (0.06, 0.08), "augmented": (0.02, 0.03)}
+    for floor, said in ((0.031, True), (0.029, False)):
+        row = HeldOut(0.1, 0.07, 0.025, floor, "m", sure)
+        found = replace(example("mismatch"), fit={"position": row, "compass": replace(row, noise_floor=0.5)})
+        origin = Origin(load_platform("lily"), ("bags/tank_7",), ("lily_01",), 600.0)
+        page, lines = render_report(found, origin), shown(found).splitlines()
+        assert ("is no bound there. It stands for no delay" in page) is said
+        assert page.count('<span class="mark">no bound</span>') == said
+        assert [line.split()[1] for line in lines if "no bound" in line] == ["position"] * said
+        assert "little can be better" not in page and "floor" not in page + "".join(lines)
 
 
 def test_probabilities_are_one_line(example: Example) -> None:
