@@ -41,6 +41,7 @@ from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import channels_beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
+from cocorosim_ros.diagnosis.showing.course_velocity import course_velocities
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries
 from cocorosim_ros.diagnosis.showing.doubt import beyond_doubt, refused_effects, rests_of_found
 from cocorosim_ros.diagnosis.showing.estimates import fitted, found_effects, recalibrated
@@ -141,6 +142,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
         readings=residual_readings(SmoothedFit(base, courses), SmoothedFit(naming.fit, final_courses), effects),
         free_runs=found.free.runs,
         gathered=gathered_evidence(base, naming.fit),
+        velocities=course_velocities(naming.fit, final_courses),
         remarks=(
             *intake.evidence.remarks,
             *driven.sentences,

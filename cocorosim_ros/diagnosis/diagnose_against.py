@@ -48,6 +48,7 @@ from cocorosim_ros.diagnosis.report.headline import difference_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.beside_a_law import beside_nameless
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
+from cocorosim_ros.diagnosis.showing.course_velocity import course_velocities
 from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
@@ -226,6 +227,7 @@ def _told(
         readings=residual_readings(SmoothedFit(base, courses[0]), SmoothedFit(final, courses[1]), effects),
         free_runs=runs,
         gathered=gathered_evidence(base, final),
+        velocities=course_velocities(final, courses[1]),
         remarks=(*intake.evidence.remarks, *_of_taken_back(against.taken_back), *against.remarks),
         needed_nats=NAMING.threshold,
         noise=noise_levels(final),

@@ -222,10 +222,28 @@ class ResidualReading:
 
 
 @dataclass(frozen=True)
+class BodyVelocity:
+    """Velocities (n, 4) u, v, w [m/s] and r [rad/s] along and about the robot's own axes, tilted as recorded."""
+
+    through_water: Floats
+    over_ground: Floats
+
+
+@dataclass(frozen=True)
+class CourseVelocity:
+    """Velocity along the smoothed course of the model with the effects, at (n,) moments [s] of a whole recording."""
+
+    robot: str
+    time: Floats
+    velocity: BodyVelocity
+    clock: Clock = NO_CLOCK
+
+
+@dataclass(frozen=True)
 class FreeRun:
     """One stretch of held-out data and the free runs of the models through it; (n,) and (n, 4) x, y, z, yaw.
 
-    measured: what the errors are measured against, NaN at moments without a reading.
+    measured: what the errors are measured against, NaN at moments without a reading. velocity: of the augmented model.
     """
 
     robot: str
@@ -235,6 +253,7 @@ class FreeRun:
     recalibrated: Floats
     augmented: Floats
     clock: Clock = NO_CLOCK
+    velocity: BodyVelocity | None = None
 
 
 @dataclass(frozen=True)
@@ -320,6 +339,7 @@ class Diagnosis:
     readings: tuple[ResidualReading, ...] = ()
     free_runs: tuple[FreeRun, ...] = ()
     gathered: tuple[GatheredEvidence, ...] = ()
+    velocities: tuple[CourseVelocity, ...] = ()
     remarks: tuple[str, ...] = ()
     needed_nats: float = float("nan")  # evidence from which an effect is reported
     noise: Mapping[str, Estimate] = field(default_factory=dict)  # random force of the water, noise of the sensors

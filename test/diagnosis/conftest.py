@@ -72,6 +72,17 @@ def swim() -> Callable[..., Any]:
 
 
 @pytest.fixture(scope="session")
+def truth_of() -> Callable[..., Any]:
+    """Function of (platform, seconds, seed): the true states (rows, 8) every STEP of what `swim` makes of the same."""
+
+    def make(platform: Any, seconds: float, seed: int) -> Any:
+        rng = np.random.default_rng([SEED, seed])
+        return trajectory(platform, rich_commands(rng, seconds), rng, 0.005)
+
+    return make
+
+
+@pytest.fixture(scope="session")
 def swim_with_logs(swim: Callable[..., Any]) -> Callable[..., Any]:
     """Function of (platform, seconds, seed, base, current): the same evidence with speed logs over ground and in water.
 

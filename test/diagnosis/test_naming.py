@@ -73,6 +73,8 @@ def test_nothing_is_accused_where_nothing_is_hidden(swim: Any) -> None:
     diagnosis, _ = diagnosed(swim, {}, seed=2)
     assert diagnosis.verdict in ("consistent", "insufficient")
     assert diagnosis.effects == ()
+    assert [course.robot for course in diagnosis.velocities] == ["lily_01"]
+    assert all(run.velocity is not None for run in diagnosis.free_runs)
 
 
 def test_a_pump_that_is_late_by_a_moment_is_not_accused(swim: Any) -> None:

@@ -14,7 +14,14 @@ import numpy as np
 import pytest
 from ruamel.yaml import YAML
 
-from cocorosim_ros.diagnosis.findings import Diagnosis, FreeRun, GatheredEvidence, ResidualForce
+from cocorosim_ros.diagnosis.findings import (
+    BodyVelocity,
+    CourseVelocity,
+    Diagnosis,
+    FreeRun,
+    GatheredEvidence,
+    ResidualForce,
+)
 from cocorosim_ros.diagnosis.report.overlay import write_overlay
 from cocorosim_ros.graph.runs.in_process import run_in_process
 from cocorosim_ros.library.record import new_record
@@ -76,16 +83,18 @@ class Opened:
 
 @pytest.fixture(scope="module")
 def overlay(tmp_path_factory: pytest.TempPathFactory) -> Bag:
-    """What a diagnosis of lily_01 lays over its recording: ghosts, forces and evidence of ten seconds."""
+    """What a diagnosis of lily_01 lays over its recording: ghosts, velocities, forces and evidence of ten seconds."""
     time, still = np.arange(0.0, 10.0), np.zeros((10, 4))
     corners = np.full(3, -1.0), np.zeros(3)
     course = Course(time, np.zeros((10, 8)), still, still, still, np.zeros(4, bool), corners, np.zeros((1, 0, 5)), -1)
+    velocity = BodyVelocity(still, still)
     forces = (ResidualForce("lily_01", still, still, course),)
     diagnosis = Diagnosis(
         *("mismatch", "", (), (), (), (), (), {}),
         residual_before=forces,
         residual_after=forces,
-        free_runs=(FreeRun("lily_01", time, *(still for _ in range(4))),),
+        free_runs=(FreeRun("lily_01", time, *(still for _ in range(4)), velocity=velocity),),
+        velocities=(CourseVelocity("lily_01", time, velocity),),
         gathered=(GatheredEvidence("lily_01", time, time),),
     )
     folder = tmp_path_factory.mktemp("layouts") / "overlay"
@@ -183,7 +192,7 @@ def test_foxglove_and_lichtblick(file: Path, bag: Bag, overlay: Bag) -> None:
 
 
 def test_the_overlay_is_in_the_layout_of_a_diagnosis(overlay: Bag) -> None:
-    """Every topic of the overlay is drawn: ghosts and arrows in the tank, forces and evidence as curves."""
+    """Every topic of the overlay is drawn: ghosts and arrows in the tank, velocities, forces and evidence as curves."""
     content = json.loads((CONFIG / "foxglove/diagnosis.json").read_text("utf-8"))
     drawn = {*content["configById"]["3D!robot"]["topics"], *(each.topic for each in foxglove_numbers(content))}
     assert set(overlay.summary.types) <= drawn

@@ -6,11 +6,11 @@ import numpy as np
 
 from cocorosim_ros.diagnosis.filter.layout import ANGLES, KIND_NAMES, KINDS_OF_STREAM
 from cocorosim_ros.diagnosis.filter.reading import NO_MOTORS, Along, expected_along
+from cocorosim_ros.diagnosis.tracks.body_velocity import through_water
 from cocorosim_ros.diagnosis.tracks.columns import SENSORS as SENSORS_IN_ROW
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats
-from cocorosim_ros.world.motion.dynamics import relative_velocity
 from cocorosim_ros.world.sensors import KINDS, SENSORS
 from cocorosim_ros.world.sensors.errors import NEUTRAL, changes_of
 from cocorosim_ros.world.state.state import STATE_SIZE
@@ -37,26 +37,14 @@ def deviation(track: Track, chosen: Flags, course: Smoothed, row: Floats) -> Flo
     stamp, timing = track.timeline.stamp[chosen], track.timeline.timing_under(row)
     moment = (stamp - timing.latency[topic]) / (1.0 + timing.skew[topic])
     state = np.array([np.interp(moment, course.time, column) for column in course.mean.T]).T
-    water = _through_water(track, kind, moment, state, row)
+    of_water = KINDS[KIND_NAMES[kind]].of_water
+    water = through_water(track, moment, state, row) if of_water else np.zeros((len(moment), 4))
     motors, forces = _motors(track, kind, moment, row)
     along = Along(stamp, np.column_stack([state[:, :STATE_SIZE], forces]), water)
     shown = np.empty(len(stamp))
     expected_along(kind, along, motors, row[SENSORS_IN_ROW], shown)
     deviation = track.timeline.value[chosen] - track.filter.law_shift(row)[chosen] - shown
     return np.mod(deviation + np.pi, 2.0 * np.pi) - np.pi if kind in ANGLES else deviation
-
-
-def _through_water(track: Track, kind: int, moment: Floats, state: Floats, row: Floats) -> Floats:
-    """Velocities through the water (n, 4) [m/s, rad/s; body] in states (n, 8 or more) at moments (n,) [s].
-
-    Zero for kinds of readings that do not depend on them.
-    """
-    water = np.zeros((len(moment), 4))
-    if KINDS[KIND_NAMES[kind]].of_water:
-        body = track.actuation.vehicle.body(row)
-        for time, each, relative in zip(moment, np.ascontiguousarray(state), water, strict=True):
-            relative_velocity(each, time, body, relative)
-    return water
 
 
 def _motors(track: Track, kind: int, moment: Floats, row: Floats) -> tuple[Motors, Floats]:

@@ -28,6 +28,7 @@ from cocorosim_ros.diagnosis.foretelling.unseen import (
     starts_under,
     with_errors_of,
 )
+from cocorosim_ros.diagnosis.tracks.body_velocity import body_velocity
 from cocorosim_ros.diagnosis.tracks.track_filter import NO_PUSH
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.state.state import YAW, X, Y, Z
@@ -109,11 +110,15 @@ def _window(
 ) -> Window:
     """Run all models freely through a window of a track."""
     track, course = unseen.tracks[number], unseen.courses[number]
+    time = course.time[span.first : span.end]
     squared: dict[str, dict[str, float]] = {channel: {} for channel in shown}
-    paths, measured = {}, np.full((span.points, len(SHOWN)), np.nan)
+    paths, velocity, measured = {}, None, np.full((span.points, len(SHOWN)), np.nan)
     for name, model in models.items():
         path = path_of(track, model, number, span)
-        paths[name] = path.mean[span.first : span.end][:, SHOWN]
+        states = path.mean[span.first : span.end]
+        paths[name] = states[:, SHOWN]
+        if name == "augmented":
+            velocity = body_velocity(track, time, states, model.rows[number])
         for channel, ruler in shown.items():
             errors = (
                 errors_of_readings(channel, track, path, model.sensors[number], span)
@@ -122,10 +127,9 @@ def _window(
             )
             squared[channel][name] = errors.mean_square
             if name == "recalibrated":
-                _draw(measured, channel, errors, paths[name], course.time[span.first : span.end])
-    time = course.time[span.first : span.end]
+                _draw(measured, channel, errors, paths[name], time)
     run = FreeRun(track.name, time, measured, *(paths[name] for name in MODELS))  # type: ignore[arg-type]
-    return Window(squared, replace(run, clock=track.log.clock))
+    return Window(squared, replace(run, clock=track.log.clock, velocity=velocity))
 
 
 def _draw(measured: Floats, channel: str, errors: Errors, path: Floats, time: Floats) -> None:

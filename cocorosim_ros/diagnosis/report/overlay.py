@@ -4,6 +4,10 @@ Of each robot, under its own name:
 
     by_platform/pose      free runs of the platform's model through the parts that no fit saw: a ghost
     by_model/pose         the same of the model that was found
+    by_model/velocity     its velocity through the water on these free runs, u, v, w [m/s] and r [rad/s], body axes
+    by_model/ground_velocity   the same over ground, where the model's water moves
+    smoothed/velocity     through the water, over the whole recording: what the found model makes of all readings
+    smoothed/ground_velocity   the same over ground, where the model's water moves
     residual_force        force that the recalibrated model lacks, in the axes of the body [N, N m]
     residual_force_left   the same of the model that was found
     evidence              gathered for the model that was found, over the recalibrated one [nats]
@@ -17,12 +21,20 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from cocorosim_ros.diagnosis.criteria.report import OVERLAY
-from cocorosim_ros.diagnosis.findings import Clock, Diagnosis, FreeRun, GatheredEvidence, ResidualForce
+from cocorosim_ros.diagnosis.findings import (
+    BodyVelocity,
+    Clock,
+    CourseVelocity,
+    Diagnosis,
+    FreeRun,
+    GatheredEvidence,
+    ResidualForce,
+)
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.wire.bags.bag_writer import BagWriter, Channel
 from cocorosim_ros.wire.cdr.packed import PackedMessage
@@ -30,13 +42,20 @@ from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
 from cocorosim_ros.wire.cdr.type_store import build
 from cocorosim_ros.wire.topics.robot_parts import BODY
 from cocorosim_ros.wire.topics.swarm_messages import WORLD_FRAME
+from cocorosim_ros.world.sensors.ground_velocity import GROUND_VELOCITY
+from cocorosim_ros.world.sensors.velocity import VELOCITY
 
 POSE, WRENCH = "geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/WrenchStamped"
+TWIST = VELOCITY.message
 NUMBER, ARROWS = "std_msgs/msg/Float64", "visualization_msgs/msg/MarkerArray"
 BY_PLATFORM, BY_MODEL = "by_platform/pose", "by_model/pose"
+RUN, SMOOTHED = "by_model", "smoothed"  # of velocities
 LACKING, LEFT_OVER, EVIDENCE, MARKERS = "residual_force", "residual_force_left", "evidence", "/markers/residuals"
+_TWIST_FIELDS = [*(f"twist.linear.{axis}" for axis in "xyz"), "twist.angular.z"]
 _ARROW = 0  # visualization_msgs/msg/Marker
 _RED, _GREEN = {"r": 0.9, "g": 0.25, "b": 0.2, "a": 0.9}, {"r": 0.3, "g": 0.8, "b": 0.35, "a": 0.9}
+
+_Found = TypeVar("_Found", FreeRun, ResidualForce, GatheredEvidence, CourseVelocity)
 
 
 class _Timed(NamedTuple):
@@ -58,8 +77,11 @@ def write_overlay(diagnosis: Diagnosis, hull: float, folder: Path) -> None:
     hull: length of the robots [m], after which the arrows are scaled. Raises CocorosimError if the folder exists or
     cannot be written.
     """
-    every: tuple[FreeRun | ResidualForce | GatheredEvidence, ...]
-    every = (*diagnosis.free_runs, *diagnosis.residual_before, *diagnosis.residual_after, *diagnosis.gathered)
+    every: tuple[FreeRun | ResidualForce | GatheredEvidence | CourseVelocity, ...]
+    every = (
+        *diagnosis.free_runs, *diagnosis.residual_before, *diagnosis.residual_after, *diagnosis.gathered,
+        *diagnosis.velocities,
+    )  # fmt: skip
     clocks = list(dict.fromkeys(each.clock for each in every))
     scale = _metres_per_newton((*diagnosis.residual_before, *diagnosis.residual_after), hull)
     for number, clock in enumerate(clocks, 1):
@@ -69,6 +91,7 @@ def write_overlay(diagnosis: Diagnosis, hull: float, folder: Path) -> None:
 
 def _write(folder: Path, clock: Clock, messages: Sequence[_Timed], scale: float) -> None:
     kinds = {MARKERS: ARROWS, BY_PLATFORM: POSE, BY_MODEL: POSE, LACKING: WRENCH, LEFT_OVER: WRENCH, EVIDENCE: NUMBER}
+    kinds |= {f"/{each.topic}": TWIST for each in (VELOCITY, GROUND_VELOCITY)}
     topics = sorted({each.topic for each in messages})
     channels = [Channel(topic, next(kind for end, kind in kinds.items() if topic.endswith(end))) for topic in topics]
     metadata = {"overlay_of": clock.recording, "arrow_metres_per_newton": f"{scale:.6g}"}
@@ -78,18 +101,24 @@ def _write(folder: Path, clock: Clock, messages: Sequence[_Timed], scale: float)
 
 
 def _messages(diagnosis: Diagnosis, clock: Clock, scale: float) -> Iterator[_Timed]:
-    for run in diagnosis.free_runs:
-        if run.clock == clock:
-            yield from _ghost(run, BY_PLATFORM, run.nominal)
-            yield from _ghost(run, BY_MODEL, run.augmented)
+    for run in _on(clock, diagnosis.free_runs):
+        yield from _ghost(run, BY_PLATFORM, run.nominal)
+        yield from _ghost(run, BY_MODEL, run.augmented)
+        if run.velocity is not None:
+            yield from _velocities(run, RUN, run.velocity)
+    for course in _on(clock, diagnosis.velocities):
+        yield from _velocities(course, SMOOTHED, course.velocity)
     for name, number, residuals in ((LACKING, 0, diagnosis.residual_before), (LEFT_OVER, 1, diagnosis.residual_after)):
-        for residual in residuals:
-            if residual.clock == clock:
-                yield from _forces(residual, name)
-                yield from _arrows(residual, number, scale)
-    for gathered in diagnosis.gathered:
-        if gathered.clock == clock:
-            yield from _evidence(gathered)
+        for residual in _on(clock, residuals):
+            yield from _forces(residual, name)
+            yield from _arrows(residual, number, scale)
+    for gathered in _on(clock, diagnosis.gathered):
+        yield from _evidence(gathered)
+
+
+def _on(clock: Clock, found: Sequence[_Found]) -> Iterator[_Found]:
+    """Findings whose times are of this clock."""
+    return (each for each in found if each.clock == clock)
 
 
 def _ghost(run: FreeRun, name: str, path: Floats) -> Iterator[_Timed]:
@@ -99,6 +128,18 @@ def _ghost(run: FreeRun, name: str, path: Floats) -> Iterator[_Timed]:
     *place, yaw = path.T
     values = np.column_stack([*place, np.sin(0.5 * yaw), np.cos(0.5 * yaw)])
     yield from _each(message, f"/{_word(run.robot)}/{name}", run.clock, run.time, values)
+
+
+def _velocities(of: FreeRun | CourseVelocity, name: str, velocity: BodyVelocity) -> Iterator[_Timed]:
+    """Velocities through the water, and over ground where these are others."""
+    robot = _word(of.robot)
+    message = PackedMessage([build(TWIST, {"header": {"frame_id": f"{robot}/{BODY}"}})], _TWIST_FIELDS)
+    ways = [(VELOCITY.topic, velocity.through_water)]
+    if not np.array_equal(velocity.over_ground, velocity.through_water, equal_nan=True):
+        ways.append((GROUND_VELOCITY.topic, velocity.over_ground))
+    kept = _thinned(of.time)
+    for topic, values in ways:
+        yield from _each(message, f"/{robot}/{name}/{topic}", of.clock, of.time[kept], values[kept])
 
 
 def _forces(residual: ResidualForce, name: str) -> Iterator[_Timed]:

@@ -154,9 +154,7 @@ class TiltedHull:
         heading = self._turn_rate(moments)
         if not heading.any():
             return heading, heading
-        roll, pitch = self._attitude.roll_at(moments), self._attitude.pitch_at(moments)
-        nodding = self._attitude.pitch_rate_at(moments)
-        return heading, np.asarray(heading * np.cos(roll) * np.cos(pitch) - nodding * np.sin(roll))
+        return heading, self._attitude.own_turn_rate(moments, heading)
 
     @cached_property
     def _gap(self) -> float:

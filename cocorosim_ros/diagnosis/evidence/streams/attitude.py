@@ -41,6 +41,11 @@ class Attitude:
         half = 0.5 * TILT.rate_span
         return (self.pitch_at(moments + half) - self.pitch_at(moments - half)) / TILT.rate_span
 
+    def own_turn_rate(self, moments: Floats, heading_rate: Floats) -> Floats:
+        """Rate (m,) [rad/s] about the body's own upward axis, of the heading's (m,) [rad/s] at moments (m,) [s]."""
+        roll, pitch = self.roll_at(moments), self.pitch_at(moments)
+        return np.asarray(heading_rate * np.cos(roll) * np.cos(pitch) - self.pitch_rate_at(moments) * np.sin(roll))
+
     def turns(self, moments: Floats) -> Floats:
         """Rotation matrices (m, 3, 3) from body axes to level axes of the same heading."""
         roll, pitch = self.roll_at(moments), self.pitch_at(moments)
