@@ -28,7 +28,9 @@ def not_looked_for(platform: Platform) -> tuple[NotLookedFor, ...]:
     """List the effects of the catalogue that a vehicle may have, and that the numbers of its file leave out."""
     found: dict[str, NotLookedFor] = {}
     for entry in ENTRIES:
-        numbers = tuple(number for need in entry.needs if need in LACKING for number in LACKING[need](platform))
+        numbers = tuple(
+            number for need in entry.needs if need in KEYS_OF_NEED for number in KEYS_OF_NEED[need](platform)
+        )
         if numbers and entry.id not in platform.effect_quantities:
             found[entry.id] = NotLookedFor(entry.id, entry.name, numbers)
     return tuple(found.values())
@@ -77,7 +79,7 @@ def _thrusters(platform: Platform) -> list[Thruster]:
     return [each for each in platform.actuators if isinstance(each, Thruster)]
 
 
-LACKING: Mapping[str, Callable[[Platform], tuple[str, ...]]] = {
+KEYS_OF_NEED: Mapping[str, Callable[[Platform], tuple[str, ...]]] = {
     "cable": _of_cable,
     "above_water": _above_water,
     _IN_A_JET: _diameters,

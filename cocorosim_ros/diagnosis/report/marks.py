@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from cocorosim_ros.diagnosis.findings import Estimate
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
 
-MAY_BE_NOTHING = "may as well be nothing"
-"""Of a number of an effect whose 95 % interval holds the value at which it does nothing."""
+DOUBTFUL_NUMBER = "may as well be nothing"
+"""Mark of a number of an effect whose 95 % interval holds the value at which it does nothing."""
 
 
 def limit_words(estimate: Estimate) -> str:
@@ -29,7 +29,7 @@ def marked_words(estimate: Estimate, *, doubtful: bool = False) -> tuple[str, st
     doubtful: whether the interval holds the value at which the number does nothing.
     """
     value, interval = estimate_words(estimate)
-    return value, "; ".join(filter(None, (interval, limit_words(estimate), MAY_BE_NOTHING if doubtful else "")))
+    return value, "; ".join(filter(None, (interval, limit_words(estimate), DOUBTFUL_NUMBER if doubtful else "")))
 
 
 def marked_value(estimate: Estimate) -> str:

@@ -17,7 +17,7 @@ from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.bars_of_nats import bars_of_nats, bars_words, without_bars
 from cocorosim_ros.diagnosis.report.equation_text import typeset
 from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
-from cocorosim_ros.diagnosis.report.marks import MAY_BE_NOTHING, limit_words, marked_words, unlike_words
+from cocorosim_ros.diagnosis.report.marks import DOUBTFUL_NUMBER, limit_words, marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.medium import in_its_medium
 from cocorosim_ros.diagnosis.report.model_file import Origin
 from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, channels_without_bound, no_bound_sentence
@@ -210,7 +210,7 @@ def _what(diagnosis: Diagnosis) -> Context:
     return {
         "effects": [_effect(each) | _reasons(each, diagnosis.warnings) for each in diagnosis.effects],
         "unlike": unlike_words(diagnosis.unlike),
-        "may_be_nothing": MAY_BE_NOTHING,
+        "may_be_nothing": DOUBTFUL_NUMBER,
         "passed_over": [_effect(each.found) | {"because": each.because} for each in diagnosis.passed_over],
         "nats_bars": bars_of_nats(diagnosis),
         "without_bars": ", ".join(effect_words(name) for name in without_bars(diagnosis)),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from cocorosim_ros.diagnosis.fitting.undeclared import LACKING, not_looked_for
+from cocorosim_ros.diagnosis.fitting.undeclared import KEYS_OF_NEED, not_looked_for
 from cocorosim_ros.diagnosis.fitting.vehicle_needs import HAS
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Thruster
@@ -23,7 +23,7 @@ def lacking(platform: Platform) -> dict[str, tuple[str, ...]]:
 
 def test_every_need_of_the_table_is_one_of_effects() -> None:
     """A need that no effect has would never be asked."""
-    assert set(LACKING) <= set(HAS)
+    assert set(KEYS_OF_NEED) <= set(HAS)
 
 
 @pytest.mark.parametrize(
