@@ -79,5 +79,5 @@ def test_reports_that_come_late_do_not_drive(tmp_path: Path) -> None:
     found = said(evidence)
     assert [effect.id for effect in found.effects] == []
     assert any(
-        "driven by the angles that were ordered, since those that turn reports" in each for each in found.remarks
+        "driven by the angles that were ordered, since those that turn reports do not" in each for each in found.remarks
     )

@@ -27,16 +27,19 @@ class Driven(NamedTuple):
 
 
 def driven_as_shown(evidence: Evidence, fitted: Callable[[Evidence], Fit]) -> Driven:
-    """Fit the base with reported angles and with those ordered, and keep the better one; once without any report."""
+    """Fit the base with reported angles and with those ordered; the orders drive it unless reports are clearly ahead.
+
+    Without any report it is fitted once.
+    """
     reported = fitted(evidence)
     if not reports_act(track.log for track in reported.tracks):
         return Driven(reported, evidence)
     by_orders = as_ordered(evidence)
     ordered = fitted(by_orders)
     nats = _best_delayed(reported) - _best_delayed(ordered)
-    if nats >= 0.0 or not finite(ordered):
+    if nats > ACTING_ANGLES.clear or not finite(ordered):
         return Driven(reported, evidence, tuple(_reports_win(reported.tracks, nats)))
-    return Driven(ordered, by_orders, tuple(_orders_win(reported.tracks, -nats)))
+    return Driven(ordered, by_orders, tuple(_orders_win(reported.tracks, nats)))
 
 
 def _best_delayed(fit: Fit) -> float:
@@ -75,8 +78,9 @@ def _reports_win(tracks: Iterable[Track], nats: float) -> Iterator[str]:
 def _orders_win(tracks: Iterable[Track], nats: float) -> Iterator[str]:
     for robot, names in _reporting(tracks).items():
         yield (
-            f"{robot}: the model is driven by the angles that were ordered, since those that {names} reports explain "
-            f"its motion {nats:.0f} nats worse: they may come late themselves, or be those of another part."
+            f"{robot}: the model is driven by the angles that were ordered, since those that {names} reports do not "
+            f"explain its motion clearly better ({nats:.0f} nats): they may come late themselves, or be those of "
+            "another part."
         )
 
 
