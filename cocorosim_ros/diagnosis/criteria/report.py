@@ -47,6 +47,8 @@ class ReportCriteria:
     """[1] odds above are told in words. Chosen, not measured."""
     most_told_nats: float = 20.0
     """[nats] more make no other words, and numbers that overflow. Chosen, not measured."""
+    digits_of_sums: int = 12
+    """[digits] of a sum in a file, beyond which it shows how computers add. Chosen, not measured."""
     least_extent: float = 1e-3
     """[m] of a map of places, so that a robot at rest has one. Chosen, not measured."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.scenario.parts.in_four_degrees import in_four_degrees
 from cocorosim_ros.scenario.parts.level_numbers import BASIC
 from cocorosim_ros.scenario.parts.platform import Platform, read_platform_file
@@ -14,7 +15,6 @@ from cocorosim_ros.scenario.reading.sourced_platform import plain, sourced_tree
 from cocorosim_ros.scenario.reading.yaml_file import load_yaml
 
 Tree = dict[str, Any]
-DIGITS = 12  # beyond which a sum shows how computers add
 SIX_DEGREES, ROBOTS = "six_degrees", "robots"
 
 
@@ -62,7 +62,7 @@ def _levelled(tree: Tree, platform: Platform) -> Tree:
 def _number(platform: Platform, key: str, value: float, unit: str) -> Tree:
     """The number of a key as a file has it, with its range and its interval."""
     source = f"six_degrees of {Path(platform.origin).name}"
-    value = float(f"{value:.{DIGITS}g}")
+    value = float(f"{value:.{REPORT.digits_of_sums}g}")
     number: Tree = {"value": value, "unit": unit, "source": source, "confidence": "derived"}
     for name, given in (("range", platform.ranges.get(key)), ("ci95", platform.intervals.get(key))):
         if given is not None:

@@ -39,6 +39,6 @@ def _in_body(track: Track, moments: Floats, level: Floats) -> Floats:
     attitude = track.log.attitude
     if attitude is None:
         return level.copy()
-    *_, heading_rate = level.T
-    along = np.einsum("nji,nj->ni", attitude.turns(moments), level[:, :-1])
+    *speeds, heading_rate = level.T
+    along = np.einsum("nji,jn->ni", attitude.turns(moments), np.array(speeds))
     return np.column_stack([along, attitude.own_turn_rate(moments, heading_rate)])

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.six_degrees import SixDegrees
@@ -20,6 +21,16 @@ EFFECTS = "effects."
 SURGE, SWAY, HEAVE, YAW = 0, 1, 2, 2  # of vectors of three along the axes, and about them
 BASIC = {"mass": "kg", "yaw_inertia": "kg m^2", "drag": "kg/m", "yaw_drag": "N m s^2"}
 """Numbers of every platform, with their units."""
+
+
+class Cell(NamedTuple):
+    """Where a coupling stands: the name of its matrix, and the axes of the force and of the motion."""
+
+    matrix: str
+    force: str
+    motion: str
+
+
 _LIFT = {
     "sway_by_drift": ("sway", "sway", "kg/m"),
     "sway_by_turn": ("sway", "yaw", "kg"),
@@ -27,15 +38,15 @@ _LIFT = {
     "yaw_by_turn": ("yaw", "yaw", "kg m"),
     "heave_by_climb": ("heave", "heave", "kg/m"),
 }
-_ALONG = ("lift", "surge", "surge")
-_OFFSETS = (("added_mass", "sway", "yaw"), ("added_mass", "surge", "yaw"))
+_ALONG = Cell("lift", "surge", "surge")
+_OFFSETS = (Cell("added_mass", "sway", "yaw"), Cell("added_mass", "surge", "yaw"))
 CARRIED = {
-    *(("lift", force, motion) for force, motion, _ in _LIFT.values()),
+    *(Cell("lift", force, motion) for force, motion, _ in _LIFT.values()),
     *_OFFSETS,
-    *((matrix, motion, force) for matrix, force, motion in _OFFSETS),
+    *(Cell(matrix, motion, force) for matrix, force, motion in _OFFSETS),
     _ALONG,
 }
-"""Couplings (matrix, force, motion) that a level vehicle has in numbers of its own."""
+"""Couplings that a level vehicle has in numbers of its own."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +84,7 @@ def _added_mass(platform: Platform, six: SixDegrees) -> Iterator[LevelNumber]:
     along, across, upwards = six.added_mass
     x, y, _ = six.centre_of_gravity
     whole = platform.mass + along
-    sway_by_yaw, surge_by_yaw = (_coupling(six, place) for place in _OFFSETS)
+    sway_by_yaw, surge_by_yaw = (_coupling(six, cell) for cell in _OFFSETS)
     ahead, left = (platform.mass * x + sway_by_yaw) / whole, (platform.mass * y - surge_by_yaw) / whole
     about_centre = platform.mass * (x**2 + y**2) - whole * (ahead**2 + left**2)
     name = f"{EFFECTS}added_mass"
@@ -103,8 +114,8 @@ def _drag(six: SixDegrees) -> Iterator[LevelNumber]:
 
 def _lift(six: SixDegrees) -> Iterator[LevelNumber]:
     for name, (force, motion, unit) in _LIFT.items():
-        place = ("lift", force, motion)
-        yield LevelNumber(f"{EFFECTS}hull_lift.{name}", _coupling(six, place), unit, _place(six, place))
+        cell = Cell("lift", force, motion)
+        yield LevelNumber(f"{EFFECTS}hull_lift.{name}", _coupling(six, cell), unit, _place(six, cell))
 
 
 def _trim(platform: Platform, six: SixDegrees) -> LevelNumber:
@@ -119,19 +130,19 @@ def _drag_ahead(six: SixDegrees) -> float:
     return six.quadratic_damping[SURGE] + _coupling(six, _ALONG)
 
 
-def _coupling(six: SixDegrees, place: tuple[str, str, str]) -> float:
-    """The number of a coupling (matrix, force, motion), of added mass of its mirrored one too; 0 without it."""
-    return sum(six.couplings[index].number.value for index in _written(six, place))
+def _coupling(six: SixDegrees, cell: Cell) -> float:
+    """The number of a coupling, of added mass of its mirrored one too; 0 without it."""
+    return sum(six.couplings[index].number.value for index in _written(six, cell))
 
 
-def _place(six: SixDegrees, place: tuple[str, str, str]) -> dict[str, float]:
+def _place(six: SixDegrees, cell: Cell) -> dict[str, float]:
     """The key of the number of a coupling, as `LevelNumber.made_of` has it."""
-    return {f"{SIX}couplings.{index}.number": 1.0 for index in _written(six, place)}
+    return {f"{SIX}couplings.{index}.number": 1.0 for index in _written(six, cell)}
 
 
-def _written(six: SixDegrees, place: tuple[str, str, str]) -> Iterator[int]:
-    """Where in the list a coupling (matrix, force, motion) stands."""
-    matrix, force, motion = place
+def _written(six: SixDegrees, cell: Cell) -> Iterator[int]:
+    """Where in the list a coupling stands."""
+    matrix, force, motion = cell
     axes = {(force, motion), (motion, force)} if matrix == "added_mass" else {(force, motion)}
     for index, part in enumerate(six.couplings):
         if part.matrix == matrix and (part.force, part.motion) in axes:

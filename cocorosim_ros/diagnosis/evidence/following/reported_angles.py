@@ -25,9 +25,17 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.scenario.parts.vehicle_parts import Actuator
 
 
+class _Servo(NamedTuple):
+    """Actuator of a robot that turns by an angle, by the names of both."""
+
+    robot: str
+    actuator: str
+
+
 def with_reported_angles(evidence: Evidence) -> Evidence:
     """Let reported angles act in all logs of a robot whose reports follow the orders, and are as large."""
-    trusted = {(each.robot, each.actuator) for each in actuator_reports(evidence, (ANGLE,)) if _is_trusted(each)}
+    reports = actuator_reports(evidence, (ANGLE,))
+    trusted = {_Servo(each.robot, each.actuator) for each in reports if _is_trusted(each)}
     if not trusted:
         return evidence
     recordings = tuple(
@@ -43,13 +51,13 @@ def _is_trusted(report: ActuatorReport) -> bool:
     return bool(report.numbers) and low <= report.numbers["gain"].value <= high
 
 
-def _turned(log: RobotLog, platform: Platform, trusted: set[tuple[str, str]]) -> RobotLog:
+def _turned(log: RobotLog, platform: Platform, trusted: set[_Servo]) -> RobotLog:
     """Give a log what acts, where any of its actuators is trusted and reports there."""
     given = {each.actuator: each for each in log.feedback if each.quantity == ANGLE}
     pieces = {
         column: list(_pieces(log, column, platform.actuators[column], given[name]))
         for column, name in enumerate(platform.actuator_names)
-        if (log.name, name) in trusted and name in given
+        if _Servo(log.name, name) in trusted and name in given
     }
     reported = tuple(platform.actuator_names[column] for column, found in pieces.items() if found)
     if not reported:

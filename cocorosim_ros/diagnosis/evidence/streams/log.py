@@ -82,7 +82,7 @@ class RobotLog:
 
     @property
     def acts(self) -> Acting:
-        """What acts: reported angles where there are any, else the commands."""
+        """Commands that act: with reported angles where there are any, else as they were ordered."""
         return self.acting or Acting(self.command_time, self.command)
 
 
