@@ -44,7 +44,7 @@ from cocorosim_ros.diagnosis.naming.detectability import (
 )
 from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names
-from cocorosim_ros.diagnosis.report.headline import difference_sentence
+from cocorosim_ros.diagnosis.report.headline import difference_sentence, other_vehicle_headline
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.beside_a_law import beside_nameless
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
@@ -56,7 +56,7 @@ from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
 from cocorosim_ros.diagnosis.showing.learned_vehicle import objection_to_learned
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
-from cocorosim_ros.diagnosis.showing.other_vehicle import as_another_vehicle
+from cocorosim_ros.diagnosis.showing.other_vehicle import Unlike, other_vehicle_sentence, other_vehicles, under_a_load
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
 from cocorosim_ros.diagnosis.showing.residual_reading import SmoothedFit, residual_readings
 from cocorosim_ros.diagnosis.showing.undone import undone
@@ -190,13 +190,15 @@ def _told(
         effects = tuple(replace(effect, tier="suspected") for effect in effects)
     effects, vaguely = _beyond_doubt(naming, effects)
     vague = (*vaguely, *vague)
+    if unlike := other_vehicles(moved, effects):
+        return _of_another(unlike, intake.evidence, against, to_learned)
     effects, either = apart(naming.named, effects)
     doubted = (*vague, *(name for names in either for name in names))
     base, final = (_judged_part(naming, fit, judged) for fit in (naming.base, naming.fit))
     table, runs, _ = held_out_free_runs(foreseeable_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
     case = Case(final, naming.named, effects, courses[1], table)
-    of_vehicles = (*to_learned, *as_another_vehicle(moved, effects), *undone(case, base))
+    of_vehicles = (*to_learned, *under_a_load(moved, effects), *undone(case, base))
     stops = (*of_vehicles, *unexplained(intake), *objections(case), *beside_nameless(case, naming.nameless))
     effects = as_asymmetries(stopped(effects, stops), thruster_names(base.tracks[0].vehicle))
     traces, unsettled = (names_of(naming, each) for each in (naming.traces, naming.unsettled))
@@ -245,6 +247,21 @@ def _told(
         against=replace(against, in_doubt=(*against.in_doubt, *doubted, *traces, *unsettled)),
         unrecorded=unrecorded(base.tracks),
         not_looked_for=not_looked_for(intake.evidence.platform),
+    )
+
+
+def _of_another(
+    unlike: Sequence[Unlike], evidence: Evidence, against: Comparison, to_learned: Sequence[Objection]
+) -> Diagnosis:
+    """The diagnosis of recordings that do not look like the same vehicle: nothing is named, and no manoeuvre helps."""
+    robots = tuple(each.robot for each in unlike)
+    reasons = (*map(other_vehicle_sentence, unlike), *(each.sentence for each in to_learned))
+    return replace(
+        abstained(evidence, reasons),
+        sentence=other_vehicle_headline(unlike[0].robot, unlike[0].factors),
+        manoeuvres=(),
+        remarks=(*evidence.remarks, *_of_taken_back(against.taken_back), *against.remarks),
+        against=replace(against, unlike=robots),
     )
 
 

@@ -298,6 +298,7 @@ class Comparison:
     in_doubt: effects and numbers with evidence enough, but without a name: free runs through unseen data gain nothing
     by them, or their size may as well be nothing.
     remarks: what was odd about these recordings, as sentences that begin with --against.
+    unlike: robots whose numbers differ so much that they do not look like the same vehicle; nothing is named then.
     """
 
     recordings: tuple[str, ...]
@@ -309,6 +310,7 @@ class Comparison:
     seen_from: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     in_doubt: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+    unlike: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -122,7 +122,6 @@ def test_recordings_of_another_hull_are_refused(
     bad = run_of_20_seconds.bag
     done = cocorosim("diagnose", bad, "--against", good, "--platform", "lily", "--out", tmp_path / "out")
     assert done.status == 2
-    assert f"--against has {good}, made with 'wide' (0.13 x 0.2 x 0.07 m, 0.44 kg) as lily_01" in " ".join(
-        done.err.split()
-    )
+    made_with = "'wide' (0.13 x 0.2 x 0.07 m, 0.44 kg, actuators left, right, buoyancy) as lily_01"
+    assert f"--against has {good}, made with {made_with}" in " ".join(done.err.split())
     assert not (tmp_path / "out").exists()

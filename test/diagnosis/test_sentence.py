@@ -24,7 +24,12 @@ from cocorosim_ros.diagnosis.findings import (
     Recalibrated,
     Rival,
 )
-from cocorosim_ros.diagnosis.report.headline import difference_sentence, sentence_of, unable_sentence
+from cocorosim_ros.diagnosis.report.headline import (
+    difference_sentence,
+    other_vehicle_headline,
+    sentence_of,
+    unable_sentence,
+)
 from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
 from cocorosim_ros.diagnosis.showing.doubt import NOT_FORETOLD, SIZE_MAY_BE_NOTHING
@@ -139,6 +144,17 @@ def test_reasons_stand_below_the_headline_where_nothing_could_be_tested() -> Non
     assert unable_sentence(["It never moves."]) == "It never moves."
     assert long in detail_lines(found(verdict="insufficient", reasons=(long,), sentence=unable_sentence([long])))
     assert detail_lines(found(verdict="insufficient", reasons=("A.",), sentence="A.")) == ()
+
+
+def test_another_vehicle_is_told_with_as_many_numbers_as_fit() -> None:
+    """The headline has the factors of a robot's numbers, fewer of many, and none of one with a name of many words."""
+    factors = {"thrust gain": 0.278, "yaw drag": 0.5, "inertia": 2.5, "yaw torque gain": 1.8}
+    assert other_vehicle_headline("boat", dict(list(factors.items())[:2])) == (
+        "boat does not look like the same vehicle: thrust gain 0.28, yaw drag 0.5 times as before; nothing is named."
+    )
+    for count in range(1, 5):
+        assert is_headline(other_vehicle_headline("boat", dict(list(factors.items())[:count])))
+    assert is_headline(other_vehicle_headline("a " * 20, factors))
 
 
 def test_laws_are_said_in_words_that_tell_them_apart() -> None:

@@ -1,13 +1,14 @@
 """Signs that recordings are not of the vehicle that they are compared with, before anything is fitted.
 
-A recording of the simulator has the scenario that it was made from, and with it hull and mass of its robots; those of
-real vehicles say nothing of the kind, and are asked for how hard they were driven alone.
+Commands name the actuators of a vehicle. A recording of the simulator has the scenario that it was made from, and with
+it hull, mass and actuators of its robots; those of real vehicles say nothing of the kind, and are asked for how hard
+they were driven too. Rates of readings are a setting of the recorder, and say nothing of the vehicle.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -29,7 +30,8 @@ class MadeOf(NamedTuple):
 def check_same_vehicle(bad: Evidence, good: Evidence, pairs: Mapping[str, str]) -> None:
     """Raise CocorosimError where recordings say themselves that they are of another vehicle, or of another use of it.
 
-    pairs: by the name of each robot to be judged, its name in the recordings that it is compared with.
+    pairs: by the name of each robot to be judged, the name that it had in the recordings that it is compared with, and
+    has in their scenarios still.
     """
     judged, before = _made_of(bad), _made_of(good)
     for mine, theirs in pairs.items():
@@ -40,6 +42,7 @@ def check_same_vehicle(bad: Evidence, good: Evidence, pairs: Mapping[str, str]) 
                     f"{here.origin} was made with {_in_words(here.platform)} as {mine}; give recordings of the same "
                     "vehicle."
                 )
+        _check_actuators(_commanded(bad, mine), _commanded(good, mine))
     _check_commands(bad, good)
 
 
@@ -65,7 +68,14 @@ def _platforms(scenario: str, origin: str) -> Iterator[tuple[str, Platform]]:
 
 def _is_another(one: Platform, other: Platform) -> bool:
     sizes = zip(_sizes(one), _sizes(other), strict=True)
-    return any(max(pair) > SAME_VEHICLE.declared_ratio * min(pair) for pair in sizes)
+    return _both_lack(one.actuator_names, other.actuator_names) or any(
+        max(pair) > SAME_VEHICLE.declared_ratio * min(pair) for pair in sizes
+    )
+
+
+def _both_lack(these: Collection[str], those: Collection[str]) -> bool:
+    """Tell whether each of two sets of actuators has one that the other lacks; one alone may have lost some."""
+    return bool(set(these) - set(those)) and bool(set(those) - set(these))
 
 
 def _sizes(platform: Platform) -> tuple[float, ...]:
@@ -75,7 +85,22 @@ def _sizes(platform: Platform) -> tuple[float, ...]:
 
 def _in_words(platform: Platform) -> str:
     *sides, mass = _sizes(platform)
-    return f"'{platform.name}' ({' x '.join(f'{side:g}' for side in sides)} m, {mass:g} kg)"
+    size = f"{' x '.join(f'{side:g}' for side in sides)} m, {mass:g} kg"
+    return f"'{platform.name}' ({size}, actuators {', '.join(platform.actuator_names)})"
+
+
+def _commanded(evidence: Evidence, name: str) -> dict[str, None]:
+    """Names of the actuators that a robot's commands name in any of its recordings, in their order."""
+    logs = [log for recording in evidence.recordings for log in recording.robots if log.name == name]
+    return dict.fromkeys(each for log in logs for each in log.commanded)
+
+
+def _check_actuators(mine: Collection[str], theirs: Collection[str]) -> None:
+    if _both_lack(mine, theirs):
+        raise CocorosimError(
+            f"--against has commands of the actuators {', '.join(theirs)}, and the recordings to be judged of "
+            f"{', '.join(mine)}; give recordings of the same vehicle, or name the same actuators alike in both."
+        )
 
 
 def _check_commands(bad: Evidence, good: Evidence) -> None:

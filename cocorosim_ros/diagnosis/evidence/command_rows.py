@@ -19,12 +19,16 @@ from cocorosim_ros.wire.cdr.stamped_numbers import Stamps
 
 @dataclass(frozen=True)
 class CommandRows:
-    """Contents of n messages in their order: header stamps (n,) [ns], fractions (n, actuators), readable (n,)."""
+    """Contents of n messages in their order: header stamps (n,) [ns], fractions (n, actuators), readable (n,).
+
+    commanded: actuators that the messages name, those that sticks drive among them, in the order of first appearance.
+    """
 
     stamp_ns: Stamps
     values: Floats
     readable: Flags
     remarks: tuple[str, ...]
+    commanded: tuple[str, ...]
 
 
 def read_command_rows(topic: str, messages: Sequence[bytes], platform: Platform) -> CommandRows:
@@ -45,7 +49,7 @@ def read_command_rows(topic: str, messages: Sequence[bytes], platform: Platform)
         names = (*(name for name in names if name not in mixing.sticks), *mixing.driven)
     remarks = _check_names(topic, names, actuators)
     values = _usable(topic, numbers, read.readable, remarks)
-    return CommandRows(read.stamp_ns, values, read.readable, (*said, *remarks))
+    return CommandRows(read.stamp_ns, values, read.readable, (*said, *remarks), tuple(dict.fromkeys(names)))
 
 
 @dataclass(frozen=True)

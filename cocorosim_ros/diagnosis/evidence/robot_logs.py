@@ -64,6 +64,7 @@ def robot_log(name: str, topics: Sequence[ClockedRows], start_ns: int, actuators
         gaps_of(finished["pose"].time) if "pose" in finished else (),
         _attitude([topic.rows for topic in topics], start_ns),
         command_shifted=commands.shifted if commands else 0.0,
+        commanded=commands.commanded if commands else (),
     )
     level, said = levelled(log)
     return level, [*remarks, *said]

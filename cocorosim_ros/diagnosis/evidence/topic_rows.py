@@ -30,6 +30,7 @@ class TopicRows:
 
     The columns are those of STREAMS, or the platform's actuators. remarks: a sentence for all that was left out.
     shifted: by how much most of the stamps were set later to be on one clock [s].
+    commanded: actuators that commands name, whether the platform has them or not.
     """
 
     robot: str
@@ -42,6 +43,7 @@ class TopicRows:
     )  # (n, 2) roll and pitch [rad], where the topic tells them
     remarks: tuple[str, ...] = ()
     shifted: float = 0.0
+    commanded: tuple[str, ...] = ()
 
     def chosen(self, rows: Integers | Flags) -> TopicRows:
         """The rows with these numbers, or where these flags (n,) are true, in that order."""
@@ -114,9 +116,11 @@ def _rows(topic: str, found: _Found, platform: Platform) -> TopicRows:
     robot, name = split_topic(topic)
     log_ns = np.array(found.log_ns, dtype=np.int64)
     attitude, said = NO_ATTITUDE, ""
+    commanded: tuple[str, ...] = ()
     if name == COMMAND:
         commands = read_command_rows(topic, found.data, platform.of_robot(robot))
         readable, stamps, values, remarks = commands.readable, commands.stamp_ns, commands.values, commands.remarks
+        commanded = commands.commanded
     else:
         recorded = _RECORDED[name]
         read = read_stamped_numbers(found.data, recorded.numbers)
@@ -124,7 +128,8 @@ def _rows(topic: str, found: _Found, platform: Platform) -> TopicRows:
         if recorded.orientation is not None:
             attitude, said = tilt_of(topic, recorded.orientation(read.numbers))
     remarks = (*remarks, *unreadable(topic, readable), *([said] if said else []))
-    return TopicRows(robot, name, stamps, log_ns, values, attitude, remarks).chosen(readable)
+    rows = TopicRows(robot, name, stamps, log_ns, values, attitude, remarks, commanded=commanded)
+    return rows.chosen(readable)
 
 
 def unreadable(topic: str, readable: Flags) -> Sequence[str]:

@@ -6,7 +6,7 @@ fewer of them and the number of the others, the same in the shortest words, the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -89,6 +89,17 @@ def difference_sentence(
     names += [_unsure("most likely ", effect_words(each), ", by how much cannot be told", each) for each in vague]
     names += [_of_either(each) for each in either]
     return _named(list(dict.fromkeys(names)), lambda told: f"{_BEGIN}, these differ: {told}.", "findings")
+
+
+def other_vehicle_headline(robot: str, factors: Mapping[str, float]) -> str:
+    """The headline where recordings do not look like those of the same vehicle.
+
+    factors: words of the numbers of a robot that say so, and how many times what it was each is.
+    """
+    words = [f"{name} {factor:.2g}" for name, factor in factors.items()]
+    tellings = [f"{', '.join(words[:count])} times as before" for count in range(len(words), 0, -1)]
+    most = [f"{robot} does not look like the same vehicle: {told}; nothing is named." for told in tellings]
+    return _short_enough((*most, "These recordings do not look like those of the same vehicle; nothing is named."))
 
 
 def unable_sentence(reasons: Sequence[str]) -> str:

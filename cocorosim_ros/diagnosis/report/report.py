@@ -42,8 +42,8 @@ from cocorosim_ros.diagnosis.report.sentence import detail_lines
 from cocorosim_ros.diagnosis.report.shift_figure import shifts
 from cocorosim_ros.diagnosis.report.significance import may_be_nothing, not_shown_numbers
 from cocorosim_ros.diagnosis.report.verdict_words import (
-    is_untested,
     nothing_missing_words,
+    untested_because,
     verdict_words,
     weighed_words,
 )
@@ -72,7 +72,7 @@ def render_report(diagnosis: Diagnosis, origin: Origin) -> str:
     known = {
         "verdict": verdict_words(diagnosis),
         "nothing_missing": nothing_missing_words(diagnosis),
-        "untested": is_untested(diagnosis),
+        "untested": untested_because(diagnosis),
         "probability": told_probabilities(diagnosis),
         "meaning": meaning_words(diagnosis),
         "weighed": weighed_words(diagnosis),

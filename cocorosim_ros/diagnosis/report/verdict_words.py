@@ -101,6 +101,11 @@ DIFFERENCES = {
     ),
     "insufficient": INSUFFICIENT,
 }
+ANOTHER = Words(
+    "These recordings look like another vehicle's",
+    "They differ from the compared recordings in more than happens to one vehicle; nothing is said of what differs.",
+    "Give recordings of the same vehicle with --against, or diagnose these with the platform of their own.",
+)
 DIFFERS = Words(
     "Something differs",
     "No change of the vehicle's own numbers explains the difference from the compared recordings; effects do.",
@@ -149,6 +154,15 @@ def is_untested(diagnosis: Diagnosis) -> bool:
     return diagnosis.verdict == "insufficient" and not (diagnosis.screened or diagnosis.fit)
 
 
+def untested_because(diagnosis: Diagnosis) -> str:
+    """The reason for which a page has nothing to show of a fit, as a clause; '' where it has."""
+    if not is_untested(diagnosis):
+        return ""
+    if _is_of_another(diagnosis):
+        return "because these recordings do not look like the same vehicle"
+    return "because the recording holds too little information"
+
+
 def nothing_missing_words(diagnosis: Diagnosis) -> str:
     """The reason, as a sentence, for a diagnosis without effects."""
     if diagnosis.verdict == "insufficient":
@@ -164,8 +178,10 @@ def nothing_missing_words(diagnosis: Diagnosis) -> str:
 
 def _why_untold(diagnosis: Diagnosis) -> str:
     """The reason for which recordings cannot tell: nothing was tried, the fit has collapsed, or too little shows."""
+    if _is_of_another(diagnosis):
+        return "Nothing is named: what differs is more than happens to one vehicle."
     if is_untested(diagnosis):
-        return "Nothing could be tested, because the recording holds too little information."
+        return f"Nothing could be tested, {untested_because(diagnosis)}."
     if diagnosis.held or collapsed_channels(diagnosis.fit):
         return "Nothing is named: effects were tried, but what explains something here may be the fault of the fit."
     return "Nothing is named: effects were tried, but most of them this recording would not have shown."
@@ -189,8 +205,14 @@ def weighed_words(diagnosis: Diagnosis) -> str:
     return f"{weighed}; of another vehicle it is a guess."
 
 
+def _is_of_another(diagnosis: Diagnosis) -> bool:
+    return diagnosis.against is not None and bool(diagnosis.against.unlike)
+
+
 def _of_difference(diagnosis: Diagnosis) -> Words:
     """Words of a comparison with recordings of the same vehicle when it was well."""
+    if _is_of_another(diagnosis):
+        return ANOTHER
     if diagnosis.verdict != "mismatch":
         return DIFFERENCES[diagnosis.verdict]
     if not diagnosis.effects:

@@ -90,15 +90,29 @@ def test_what_differs_from_repeated_readings_is_not_sure(driven: Callable[..., A
 
 
 def test_another_boat_is_told_as_such(driven: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Three times the mass, five times the inertia and more drag: whatever is named is suspected, for this reason."""
+    """Three times the mass, five times the inertia and more drag: nothing is named, and the factors are the reason."""
     good = driven(5)
     monkeypatch.setattr(boats, "MASS", 3.0 * boats.MASS)
     monkeypatch.setattr(boats, "INERTIA", 5.0 * boats.INERTIA)
     found = compared(boats.recorded(good.platform, boats.Truth(20.0, 60.0, 0.6), 60.0, 6), good)
-    (warning,) = (each for each in found.warnings if "another vehicle" in each)
-    assert warning.startswith("Numbers of boat differ in kind after kind from those of the recordings of --against")
-    assert {each.parameter for each in found.recalibrated} >= {"thrust_gain", "inertia"}
-    assert all(each.tier == "suspected" and warning in each.because for each in found.effects)
+    assert (found.verdict, found.effects, found.recalibrated, found.warnings) == ("insufficient", (), (), ())
+    assert found.sentence.startswith("boat does not look like the same vehicle: thrust gain 0.28, ")
+    assert found.sentence.endswith(" times as before; nothing is named.")
+    assert found.reasons[0].startswith(
+        "The recordings of boat and those of --against do not look like the same vehicle"
+    )
+    assert found.against is not None and found.against.unlike == ("boat",)
+    assert (found.manoeuvres, diagnosis_tree(found)["reasons"]) == ((), list(found.reasons))
+
+
+def test_a_loaded_boat_is_no_other_one(driven: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """With 1.6 times the mass and inertia the boat is still itself, and its inertia is told."""
+    good = driven(5)
+    monkeypatch.setattr(boats, "MASS", 1.6 * boats.MASS)
+    monkeypatch.setattr(boats, "INERTIA", 1.6 * boats.INERTIA)
+    found = compared(boats.recorded(good.platform, boats.Truth(), 60.0, 6), good)
+    assert found.against is not None and found.against.unlike == ()
+    assert found.verdict != "insufficient"
 
 
 def test_what_differs_from_a_vehicle_that_was_damaged_halfway_is_not_sure(driven: Callable[..., Any]) -> None:

@@ -300,6 +300,7 @@ def test_an_actuator_beside_those_of_the_platform(
     circle[COMMAND] = command.changed(numbers=numbers, names=("left", "right", "buoyancy", "lamp"))
     recording = gather_recording(record(circle), lily_platform)
     assert is_said(recording.remarks, "no actuator lamp")
+    assert recording.robots[0].commanded == ("left", "right", "buoyancy", "lamp")
     np.testing.assert_array_equal(recording.robots[0].command, command.numbers)
 
 

@@ -133,6 +133,16 @@ def test_recordings_that_cannot_tell_say_what_was_tried(example: Example) -> Non
     assert "collapsed" in words.heading and words.next == ""  # its model.yaml is the platform as given
 
 
+def test_another_vehicle_is_no_lack_of_information(example: Example) -> None:
+    """The page says everywhere why nothing is named; no recording was too poor, and no drive would show more."""
+    found = replace(example("insufficient"), manoeuvres=(), against=replace(AGAINST, unlike=("boat",)))
+    assert "another vehicle" in verdict_words(found).heading
+    page = told(found)
+    assert "No effect was screened, because these recordings do not look like the same vehicle" in page
+    assert "more than happens to one vehicle" in page and "This was not worked out" in page
+    assert "too little information" not in page and "was not driven so" not in page
+
+
 def test_differences_are_as_sure_as_their_names(example: Example) -> None:
     """Suspected, of readings alone, or beside a number that has changed for certain."""
     found = replace(example("mismatch"), against=AGAINST, recalibrated=())

@@ -64,7 +64,8 @@ class RobotLog:
     command_time (m,) [s], ascending: start of each row of `command` (m, actuators), fractions of the maximum in the
     order of the platform's actuators. command_shifted: by how much most of their stamps were set later [s], as those
     of a stream. way: level velocity of a robot that pitches, whose log shows the speed ahead alone, where its pressure
-    tells the rest; a known input, as the attitude is, and no reading.
+    tells the rest; a known input, as the attitude is, and no reading. commanded: actuators that its commands name,
+    whether the platform has them or not.
     """
 
     name: str
@@ -78,6 +79,7 @@ class RobotLog:
     command_shifted: float = 0.0
     feedback: tuple[Feedback, ...] = ()  # what its actuators report
     way: Velocities | None = None
+    commanded: tuple[str, ...] = ()
     acting: Acting | None = None  # None where everything acts as it was ordered
 
     @property
