@@ -48,7 +48,7 @@ ONE_VEHICLE: dict[str, Any] = {
     "a lost thruster": ([], [thruster("left", 0.0)]),
     "sizes that are badly known": ([moved("drag", 2.5, 0.5), moved("inertia", 2.5, 0.5)], []),
     "two robots": ([moved("drag", 2.5), moved("inertia", 2.5, robot="other")], []),
-    "less than anybody looks at": ([moved("thrust_gain", 1.3, 0.01), moved("inertia", 1.3, 0.01)], []),
+    "less than speaks for another vehicle": ([moved("thrust_gain", 1.3, 0.01), moved("inertia", 1.3, 0.01)], []),
 }
 FORM = FoundEffect("hull_lift", "lift of the hull", "", ("boat",), "confirmed", {}, 157.0)
 ONE_VEHICLE |= {
