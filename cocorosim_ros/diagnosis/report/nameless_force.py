@@ -24,7 +24,9 @@ def no_bound_sentence(channels: Sequence[str]) -> str:
     """A sentence on such channels; '' if there are none."""
     if not channels:
         return ""
+    *others, last = channels
+    listed = f"{', '.join(others)} and {last}" if others else last
     return (
-        f"In {' and '.join(channels)} a model without such a force errs less, by more than its interval: what the "
-        "force leaves is no bound there. It stands for no delay, stamp or centre of mass."
+        f"In {listed} a model without such a force errs less, by more than its interval: what the force leaves is no "
+        "bound there. It is a sum of a few terms, and stands for no delay, stamp or centre of mass."
     )

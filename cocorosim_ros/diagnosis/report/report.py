@@ -264,7 +264,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
             {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(name, each), "against": each.against}
             for name, each in diagnosis.fit.items()
         ],
-        "no_bound": no_bound_sentence([CHANNEL_WORDS[name] for name in channels_without_bound(diagnosis.fit)]),
+        "no_bound": no_bound_sentence(channels_without_bound(diagnosis.fit)),
         "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
         "parameters": [_parameter(each) for each in parameters],

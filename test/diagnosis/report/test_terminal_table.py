@@ -76,12 +76,13 @@ def test_a_force_without_a_name_is_no_bound_where_a_model_errs_less(example: Exa
     sure = {"recalibrated": (0.06, 0.08), "augmented": (0.02, 0.03)}
     for floor, said in ((0.031, True), (0.029, False)):
         row = HeldOut(0.1, 0.07, 0.025, floor, "m", sure)
-        found = replace(example("mismatch"), fit={"position": row, "compass": replace(row, noise_floor=0.5)})
+        table = {"position": row, "heading": replace(row, unit="rad"), "compass": replace(row, noise_floor=0.5)}
+        found = replace(example("mismatch"), fit=table)
         origin = Origin(load_platform("lily"), ("bags/tank_7",), ("lily_01",), 600.0)
         page, lines = render_report(found, origin), shown(found).splitlines()
-        assert ("is no bound there. It stands for no delay" in page) is said
-        assert page.count('<span class="mark">no bound</span>') == said
-        assert [line.split()[1] for line in lines if "no bound" in line] == ["position"] * said
+        assert ("In position and heading a model without such a force errs less" in page) is said
+        assert page.count('<span class="mark">no bound</span>') == 2 * said
+        assert [line.split()[1] for line in lines if "no bound" in line] == ["position", "heading"] * said
         assert "little can be better" not in page and "floor" not in page + "".join(lines)
 
 
