@@ -175,7 +175,7 @@ def test_platform_reads_back_and_pickles(tmp_path: Path) -> None:
         ("name: bow", "name: port", "'actuators' has the name 'port' more than once"),
         ("compass: true", "compass: 1", "'sensors.compass' has '1' without a source"),
         ("compass: true", "compass: maybe", "'sensors.compass' has 'maybe'; write true or false."),
-        ("unit: N s/m", "unit: N s", "'effects.linear_drag.surge' has '0.3 N s', whose unit is unknown"),
+        ("unit: N s/m", "unit: N h", "'effects.linear_drag.surge' has '0.3 N h', whose unit is unknown"),
         (
             "name: boat",
             "name: boat\nbased_on: lilly",

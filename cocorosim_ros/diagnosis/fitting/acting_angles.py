@@ -32,7 +32,7 @@ def driven_as_shown(evidence: Evidence, fitted: Callable[[Evidence], Fit]) -> Dr
     Without any report it is fitted once.
     """
     reported = fitted(evidence)
-    if not reports_act(track.log for track in reported.tracks):
+    if not reports_act(log for recording in evidence.recordings for log in recording.robots):
         return Driven(reported, evidence)
     by_orders = as_ordered(evidence)
     ordered = fitted(by_orders)
