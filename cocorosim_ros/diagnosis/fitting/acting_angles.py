@@ -19,10 +19,9 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 
 
 class Driven(NamedTuple):
-    """A base fit, the evidence as it drives it, and sentences on what drives it where angles are reported."""
+    """A base fit, and sentences on what drives it where angles are reported."""
 
     base: Fit
-    evidence: Evidence
     sentences: tuple[str, ...] = ()
 
 
@@ -33,13 +32,12 @@ def driven_as_shown(evidence: Evidence, fitted: Callable[[Evidence], Fit]) -> Dr
     """
     reported = fitted(evidence)
     if not reports_act(log for recording in evidence.recordings for log in recording.robots):
-        return Driven(reported, evidence)
-    by_orders = as_ordered(evidence)
-    ordered = fitted(by_orders)
+        return Driven(reported)
+    ordered = fitted(as_ordered(evidence))
     nats = _best_delayed(reported) - _best_delayed(ordered)
     if nats > ACTING_ANGLES.clear or not finite(ordered):
-        return Driven(reported, evidence, tuple(_reports_win(reported.tracks, nats)))
-    return Driven(ordered, by_orders, tuple(_orders_win(reported.tracks, nats)))
+        return Driven(reported, tuple(_reports_win(reported.tracks, nats)))
+    return Driven(ordered, tuple(_orders_win(reported.tracks, nats)))
 
 
 def _best_delayed(fit: Fit) -> float:

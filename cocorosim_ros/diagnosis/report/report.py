@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.report.free_run_figure import free_runs_figure
 from cocorosim_ros.diagnosis.report.marks import DOUBTFUL_NUMBER, limit_words, marked_words, unlike_words
 from cocorosim_ros.diagnosis.report.medium import in_its_medium
 from cocorosim_ros.diagnosis.report.model_file import Origin
-from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, channels_without_bound, no_bound_sentence
+from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, is_no_bound, no_bound_sentence
 from cocorosim_ros.diagnosis.report.nats_words import explained_at_first_sight
 from cocorosim_ros.diagnosis.report.not_shown import not_shown_context
 from cocorosim_ros.diagnosis.report.number_text import estimate_words, in_unit_of
@@ -264,7 +264,7 @@ def _fit(diagnosis: Diagnosis) -> Context:
             {"channel": CHANNEL_WORDS.get(name, name), "cells": _held_out(name, each), "against": each.against}
             for name, each in diagnosis.fit.items()
         ],
-        "no_bound": no_bound_sentence(channels_without_bound(diagnosis.fit)),
+        "no_bound": no_bound_sentence([name for name, row in diagnosis.fit.items() if is_no_bound(name, row)]),
         "seconds": next((f"{each.seconds:g}" for each in diagnosis.fit.values() if each.seconds), None),
         "free_runs": free_runs_figure(_chosen_runs(diagnosis.free_runs), diagnosis.fit, augmented=augmented),
         "parameters": [_parameter(each) for each in parameters],
@@ -282,7 +282,7 @@ def _chosen_runs(runs: Sequence[FreeRun]) -> list[FreeRun]:
 
 def _held_out(channel: str, found: HeldOut) -> list[Context]:
     """The cells of a row of the table, all in one unit; the best model's is marked, and a figure that is no bound."""
-    unbound = channels_without_bound({channel: found})
+    unbound = is_no_bound(channel, found)
     models = {name: getattr(found, name) for name in ("nominal", "recalibrated", "augmented", "noise_floor")}
     errors = sorted(models[name] for name in ("nominal", "recalibrated", "augmented") if math.isfinite(models[name]))
     scale = handy_scale(errors[-1] if errors else math.nan, found.unit)

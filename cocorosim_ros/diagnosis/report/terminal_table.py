@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.actuator_table import reported_headings, reported_rows
 from cocorosim_ros.diagnosis.report.advice import manoeuvre_words
 from cocorosim_ros.diagnosis.report.marks import marked_words, unlike_words
-from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, channels_without_bound
+from cocorosim_ros.diagnosis.report.nameless_force import NO_BOUND, is_no_bound
 from cocorosim_ros.diagnosis.report.nats_words import NATS_IN_WORDS
 from cocorosim_ros.diagnosis.report.number_text import in_unit_of
 from cocorosim_ros.diagnosis.report.probability_words import told_probabilities
@@ -103,7 +103,7 @@ def _errors(diagnosis: Diagnosis) -> Table:
         scale = handy_scale(max((each for each in numbers if math.isfinite(each)), default=0.0), found.unit)
         against = "; ".join(part for part in (found.against, unlike_words(diagnosis.unlike)) if part)
         cells = [with_unit(plain_number(each * scale.factor), scale.unit) for each in numbers]
-        cells[-1] += f"; {NO_BOUND}" if channels_without_bound({channel: found}) else ""
+        cells[-1] += f"; {NO_BOUND}" if is_no_bound(channel, found) else ""
         table.add_row(*(Text(cell) for cell in (channel, *cells, against)))
     return table
 
