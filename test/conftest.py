@@ -7,6 +7,7 @@ tests expect does not depend on how files are read.
 from __future__ import annotations
 
 import math
+import os
 import shutil
 import subprocess
 import sys
@@ -28,6 +29,16 @@ TICK = 0.5  # s
 OPEN_WATER = ((-1000.0, -1000.0, -1000.0), (1000.0, 1000.0, 0.0))
 TANK = {"bounds": OPEN_WATER, "spheres": (), "boxes": ()}
 PAPER_TANK = ((-3.0, -3.0, -2.0), (3.0, 3.0, 0.0))
+
+
+@pytest.fixture(autouse=True)
+def own_environment() -> Iterator[None]:
+    """What a command sets in this process's environment, such as its ROS domain, ends with the test that ran it."""
+    before = dict(os.environ)
+    yield
+    if dict(os.environ) != before:
+        os.environ.clear()
+        os.environ.update(before)
 
 
 @pytest.fixture

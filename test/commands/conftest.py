@@ -46,16 +46,11 @@ def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
         monkeypatch.delenv(name, raising=False)
     for name in ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"):
         monkeypatch.delenv(name, raising=False)
-    before = dict(os.environ)
     own = OwnDomain()
     keep_on_this_machine(network=False)
     os.environ["ROS_DOMAIN_ID"] = str(own.number)
-    try:
-        yield own.number
-    finally:
-        own.release()
-        os.environ.clear()
-        os.environ.update(before)
+    yield own.number
+    own.release()
 
 
 @pytest.fixture
