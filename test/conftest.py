@@ -36,9 +36,11 @@ def own_environment() -> Iterator[None]:
     """What a command sets in this process's environment, such as its ROS domain, ends with the test that ran it."""
     before = dict(os.environ)
     yield
-    if dict(os.environ) != before:
-        os.environ.clear()
-        os.environ.update(before)
+    for name in os.environ.keys() - before.keys() - {"PYTEST_CURRENT_TEST"}:
+        del os.environ[name]
+    for name, value in before.items() - os.environ.items():
+        if name != "PYTEST_CURRENT_TEST":
+            os.environ[name] = value
 
 
 @pytest.fixture
