@@ -27,7 +27,7 @@ from cocorosim_ros.scenario.parts.platform import Platform
 from cocorosim_ros.wire.bags.bag_reader import Bag, read_bag
 from cocorosim_ros.wire.bags.bag_summary import METADATA_NAME
 from cocorosim_ros.wire.cdr.primitives import NANOSECONDS
-from cocorosim_ros.wire.conversion.conversion import PRESSURE_FROM_DEPTH
+from cocorosim_ros.wire.conversion.conversion import MEASURED_COMMANDS, PRESSURE_FROM_DEPTH
 from cocorosim_ros.world.sensors.pressure import PRESSURE
 
 
@@ -89,9 +89,9 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     for name in sorted({rows.robot for rows in clean}):
         mine = [ClockedRows(rows, skew) for rows, skew in zip(clean, skews, strict=True) if rows.robot == name]
         log, log_remarks = robot_log(name, mine, start, len(platform.actuators))
-        log, said_afloat = with_times_afloat(_with_origin_of_pressure(log, bag), platform)
+        log, said_afloat = with_times_afloat(_as_converted(log, bag), platform)
         robots.append(replace(log, clock=Clock(str(path), start)))
-        remarks += [*log_remarks, *hole_sentences(log), *said_afloat]
+        remarks += [*log_remarks, *hole_sentences(log), *said_afloat, *_on_measured(log)]
     robots, identity_remarks = with_true_identities(robots, platform)
     remarks += identity_remarks
     try:
@@ -104,13 +104,25 @@ def gather_recording(path: Path, platform: Platform) -> RecordingLog:
     return RecordingLog(str(path), duration, tuple(robots), tuple(remarks), made_from)
 
 
-def _with_origin_of_pressure(log: RobotLog, bag: Bag) -> RobotLog:
-    """Note in a log whether its pressures were made of depths, by what the recording says of its conversion."""
+def _as_converted(log: RobotLog, bag: Bag) -> RobotLog:
+    """Note in a log, by what the recording says of its conversion, whether its commands were measured.
+
+    And whether its pressures were made of depths.
+    """
+    said = bag.summary.metadata.get(METADATA_NAME, {})
+    log = replace(log, measured=log.name in json.loads(said.get(MEASURED_COMMANDS, "[]")))
     stream = log.streams.get(PRESSURE.topic)
-    made = bag.summary.metadata.get(METADATA_NAME, {}).get(PRESSURE_FROM_DEPTH, "[]")
-    if stream is None or log.name not in json.loads(made):
+    if stream is None or log.name not in json.loads(said.get(PRESSURE_FROM_DEPTH, "[]")):
         return log
     return replace(log, streams={**log.streams, PRESSURE.topic: replace(stream, from_depth=True)})
+
+
+def _on_measured(log: RobotLog) -> tuple[str, ...]:
+    """Say, where it is so, that commands were measured, and what this leaves out."""
+    said = (
+        f"{log.name}: its commands are what its actuators were measured to do; that they act late was not looked for."
+    )
+    return (said,) if log.measured else ()
 
 
 def _nothing_usable(path: Path, bag: Bag) -> CocorosimError:

@@ -25,7 +25,7 @@ from cocorosim_ros.world.sensors import KINDS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.terms.search import Scene
 
-_SKEW = "clock_skew"
+_SKEW, _DELAY = "clock_skew", "command_delay"
 
 
 class Robots(NamedTuple):
@@ -245,9 +245,11 @@ def _shows(entry: Entry, tracks: Sequence[Track], known: Collection[str] = ()) -
     """Tell whether any of these tracks has readings of the entry's stream, and others by which its error is told.
 
     known: states that are shown by something else. A skew of the stream's clock is told by commands that have another
-    clock.
+    clock. Commands that were measured act when they are logged.
     """
     topic = entry.topic
+    if entry.id == _DELAY:
+        return not all(track.log.measured for track in tracks)
     if topic is None:
         return True
     having = [track for track in tracks if topic in track.log.streams and len(track.log.streams[topic].time)]

@@ -52,6 +52,7 @@ class Stream:
     travels: bool = False  # the heading is still to be taken from the track
     sort: bool = False  # rows whose time runs backwards are sorted
     from_depth: bool = False  # pressures that were made of depths
+    measured: bool = False  # commands that are what the actuators did
     source: str = ""  # file or topic, and table of the map, that it is from
 
 
@@ -88,8 +89,14 @@ def table_streams(table: TableMap, rows: Rows, named: str, findings: list[str]) 
                 travels(mapped.values),
                 table.sort,
                 is_made_of_depth(mapped.topic, mapped.values),
+                _is_measured(mapped),
                 f"{rows.origin} ({table.place.key})",
             )
+
+
+def _is_measured(mapped: StreamMap) -> bool:
+    """Tell whether a stream of commands holds what all of its actuators were measured to do."""
+    return all(isinstance(value, CommandValue) and value.measured for value in mapped.values.values())
 
 
 def _usable(mapped: StreamMap, columns: Mapping[str, Floats], timed: Flags, rows: Rows) -> tuple[Flags, Flags]:
@@ -145,6 +152,7 @@ def joined(parts: list[Stream], findings: list[str]) -> Stream:
         )
     ordered = [_in_order(part, findings) for part in _pieces(parts)]
     stream = ordered[0] if len(ordered) == 1 else _held_together(ordered, findings)
+    stream = replace(stream, measured=all(part.measured for part in parts))
     repeated = np.count_nonzero(np.diff(stream.stamp_ns) == 0)
     if repeated:
         words = either(repeated, "repeats the stamp before it and was", "repeat the stamp before them and were")

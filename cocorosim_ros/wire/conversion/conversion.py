@@ -27,7 +27,7 @@ from cocorosim_ros.wire.conversion.sources import check_there
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
-PRESSURE_FROM_DEPTH = "pressure_from_depth"
+PRESSURE_FROM_DEPTH, MEASURED_COMMANDS = "pressure_from_depth", "measured_commands"
 """Key of what a recording says of the robots, as a JSON list, whose pressures were made of depths in fresh water."""
 
 
@@ -112,6 +112,9 @@ def _converted(mapped: ConversionMap, run: SourceRun) -> Conversion:
     of_depth = [stream.robot for stream in streams if stream.from_depth]
     if of_depth:
         metadata[PRESSURE_FROM_DEPTH] = json.dumps(of_depth)
+    measured = [stream.robot for stream in streams if stream.measured]
+    if measured:
+        metadata[MEASURED_COMMANDS] = json.dumps(measured)
     return Conversion(run.name, streams, tuple(findings), metadata)
 
 

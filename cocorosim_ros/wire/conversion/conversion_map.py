@@ -72,6 +72,7 @@ class CommandValue:
     """A thruster command: the fraction of the maximum that lies between `stop` and `forward` or `reverse` [SI].
 
     Without `reverse` the thruster does not turn backwards, and a cell on that side of `stop` is an error.
+    measured: the column holds what the actuator did, not what it was told.
     """
 
     column: ColumnValue | MixedValue
@@ -79,6 +80,7 @@ class CommandValue:
     forward: float
     reverse: float | None
     place: Entry
+    measured: bool = False
 
     def for_recording(self, recording: str) -> CommandValue:
         """Settle what depends on the recording."""

@@ -22,6 +22,7 @@ from cocorosim_ros.wire.conversion.run_wise import Number, read_number
 COMMAND_DIMENSIONS = ("pure number", "time", "voltage", "force", "torque", "angle", "angular velocity")
 _COLUMN_KEYS = ("column", "formula", "unit", "scale", "offset")
 _LIMITS = ("stop", "forward", "reverse")
+_MEASURED = "measured"
 _HEADINGS: dict[str, Value] = {"travel": TravelValue(), "unknown": UnknownValue()}
 
 
@@ -55,14 +56,15 @@ class ValueReader:
 
     def command(self, entry: Entry) -> CommandValue:
         """A thruster's column with the cells that stand for stop, full ahead and full astern."""
-        section = entry.section((), (*_COLUMN_KEYS, *_LIMITS))
-        bare = {name: part for name, part in section.items() if name not in _LIMITS}
+        section = entry.section((), (*_COLUMN_KEYS, *_LIMITS, _MEASURED))
+        bare = {name: part for name, part in section.items() if name in _COLUMN_KEYS}
         column = self.column(replace(entry, value=bare), COMMAND_DIMENSIONS)
         dimension = self._dimension(section, COMMAND_DIMENSIONS)
         given = {name: section[name] for name in _LIMITS if name in section}
         if dimension != "pure number" and not {"stop", "forward"} <= given.keys():
             raise entry.problem("lacks 'stop' and 'forward'; say which cells are no thrust and full thrust ahead.")
-        return limited(column, given, dimension, entry)
+        measured = _MEASURED in section and section[_MEASURED].flag()
+        return replace(limited(column, given, dimension, entry), measured=measured)
 
     def column(self, entry: Entry, dimensions: tuple[str, ...]) -> ColumnValue:
         """A column or a formula whose unit has one of the dimensions."""

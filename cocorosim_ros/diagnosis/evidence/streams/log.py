@@ -81,6 +81,7 @@ class RobotLog:
     way: Velocities | None = None
     commanded: tuple[str, ...] = ()
     acting: Acting | None = None  # None where everything acts as it was ordered
+    measured: bool = False  # its commands are what its actuators did, and no orders
 
     @property
     def acts(self) -> Acting:
