@@ -293,6 +293,12 @@ class TiltCriteria:
     loses a hundredth."""
     fewest_smoothed: int = 5
     """[readings] in that time, below which they stay as they are. Chosen, not measured."""
+    steadied: tuple[float, ...] = (6.4, 3.2, 1.6, 0.8, 0.4)
+    """[s] of the parabola through neighbours of a velocity, the first that leaves noise alone. Chosen, not measured."""
+    noise_alone: float = 1.05
+    """[of the noise of single readings] that may be left over so: more, and it is motion. Chosen, not measured."""
+    pause: float = 5.0
+    """[of the usual time between velocities] beyond which no parabola reaches. Chosen, not measured."""
     climb_span: float = 1.0
     """[s] over which heights are differenced. Chosen, not measured."""
     climb_readings: float = 2.0

@@ -14,6 +14,7 @@ from cocorosim_ros.diagnosis.tracks.columns import ACTUATING, COLUMN, COMMAND_DE
 from cocorosim_ros.diagnosis.tracks.lately import Lately
 from cocorosim_ros.diagnosis.tracks.lateness import clocks_of, common_lateness
 from cocorosim_ros.diagnosis.tracks.passes import Smoothed
+from cocorosim_ros.diagnosis.tracks.tilted_fins import FIN_NUMBERS, Angles, tilted_fins
 from cocorosim_ros.diagnosis.tracks.tilted_hull import TAKEN, TiltedHull
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
 from cocorosim_ros.foundation.arrays import Floats
@@ -21,6 +22,8 @@ from cocorosim_ros.world.motion.actuation import ACTUATION_BITS
 from cocorosim_ros.world.state.state import X, Z
 from cocorosim_ros.world.terms.course import Course
 from cocorosim_ros.world.vehicle_model.vehicles import LAW_BITS, Body
+
+_TILTED = [*TAKEN, *FIN_NUMBERS]  # columns of the numbers that the forces of a tilted hull and its fins depend on
 
 
 class Actuation:
@@ -49,7 +52,7 @@ class Actuation:
         acting = (body.active & ACTUATION_BITS, row[ACTUATING].tobytes(), self._delay(row))
         force, rate = self._lately.once(acting, lambda: self._tilted(*self._forces(row, body)))
         if self._hull.is_known:
-            force = self._with_hull.once((acting, row[TAKEN].tobytes()), lambda: self._on_hull(force, row))
+            force = self._with_hull.once((acting, row[_TILTED].tobytes()), lambda: self._on_hull(force, row))
         return Drive(force, rate, self.vehicle.surroundings.around)
 
     def _forces(self, row: Floats, body: Body) -> tuple[Floats, Floats]:
@@ -80,7 +83,13 @@ class Actuation:
     def _on_hull(self, force: Floats, row: Floats) -> Floats:
         """Forces (points, acting) with what roll and pitch add to those of the hull, under a row (columns,)."""
         commanded = len(self.vehicle.actuator_wrench)  # what the tilt adds stands behind the actuators
-        return np.hstack([force[:, :commanded], force[:, commanded:] + self._hull.wrench(row)])
+        added = force[:, commanded:] + self._hull.wrench(row)
+        if self.vehicle.fin_normal.any():
+            assert self._turns is not None
+            to_level = force[:, :commanded]
+            angles = Angles(to_level - self._angles_to_level(self._turns), to_level)
+            added = added + tilted_fins(self.vehicle, self._hull.flow, angles, row)
+        return np.hstack([force[:, :commanded], added])
 
     def _angles_to_level(self, turns: Floats) -> Floats:
         """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.

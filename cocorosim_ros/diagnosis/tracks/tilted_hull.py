@@ -21,6 +21,7 @@ Source: Fossen (2021), sections 2.2, 6.3 and 6.4; levelled axes as in `streams.a
 from __future__ import annotations
 
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from scipy.signal import savgol_filter
@@ -28,6 +29,7 @@ from scipy.signal import savgol_filter
 from cocorosim_ros.diagnosis.criteria.evidence import TILT
 from cocorosim_ros.diagnosis.evidence.streams.attitude import Attitude
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
+from cocorosim_ros.diagnosis.evidence.streams.steadied import steadied
 from cocorosim_ros.diagnosis.evidence.streams.stream_columns import TURN_RATE
 from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
 from cocorosim_ros.diagnosis.evidence.streams.whole_velocity import whole_velocity
@@ -53,6 +55,25 @@ TAKEN = [_MASS, _SWAY, _HEAVE, *_LINEAR, _DRAG, COLUMN[OWN_SURGE_DRAG], _FORM, *
 """Columns of the numbers that these forces depend on."""
 
 
+class Motion(NamedTuple):
+    """Velocity (points, 3) [m/s], and rates (points,) of turning and pitching [rad/s], along and about some axes."""
+
+    velocity: Floats
+    turn_rate: Floats
+    pitch_rate: Floats
+
+
+class Flow(NamedTuple):
+    """Recorded motion between the grid points of a track, along its level axes and the body's own.
+
+    turns: rotations (points, 3, 3) from the body's to level ones.
+    """
+
+    turns: Floats
+    level: Motion
+    body: Motion
+
+
 class TiltedHull:
     """Forces and moments that the tilt of one robot adds between the grid points of its track."""
 
@@ -74,6 +95,16 @@ class TiltedHull:
         ahead = self._seen(self._middles)[:, X]
         return np.asarray(self._attitude.pitch_rate_at(self._middles) * ahead / (ahead**2 + TILT.at_rest**2))
 
+    @cached_property
+    def flow(self) -> Flow:
+        """The recorded motion, where it is known."""
+        moments = self._middles
+        seen, turns = self._seen(moments), self._attitude.turns(moments)
+        heading, own = self._turn_rates(moments)
+        pitching = self._attitude.pitch_rate_at(moments)
+        body = Motion(np.einsum("nji,nj->ni", turns, seen), own, pitching)
+        return Flow(turns, Motion(seen, heading, np.zeros_like(pitching)), body)
+
     def _force(self, row: Floats) -> Floats:
         """Force (points, 3) [N; level axes] under the numbers of a model, row (columns,)."""
         mass = row[_MASS] + np.array([0.0, row[_SWAY], row[_HEAVE]])
@@ -92,9 +123,7 @@ class TiltedHull:
     def _moments(self) -> Floats:
         """Yaw moment (4, points) of a unit of inertia, linear drag, drag, and added mass sideways less forwards."""
         moments, half = self._middles, 0.5 * self._span
-        level = self._seen(moments)
-        body = np.einsum("nji,nj->ni", self._attitude.turns(moments), level)
-        heading, own = self._turn_rates(moments)
+        (level, heading, _), (body, own, _) = self.flow.level, self.flow.body
         early, late = (np.subtract(*self._turn_rates(moments + shift)) for shift in (-half, half))
         sways = level[:, X] * level[:, Y] - body[:, X] * body[:, Y]
         resisted = np.abs(heading) * heading - np.abs(own) * own
@@ -133,8 +162,9 @@ class TiltedHull:
 
     @cached_property
     def _velocity(self) -> Velocities | None:
-        """Level velocities; None without."""
-        return self._log.way or whole_velocity(self._log.streams)
+        """Level velocities without the noise of single readings; None without."""
+        seen = self._log.way or whole_velocity(self._log.streams)
+        return None if seen is None else steadied(seen)
 
     def _seen(self, moments: Floats) -> Floats:
         """Level velocity (m, 3) [m/s]."""

@@ -1,0 +1,45 @@
+"""Velocities without most of the noise of their readings, for forces that are computed of them and of their rates."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.signal import savgol_filter
+
+from cocorosim_ros.diagnosis.criteria.evidence import TILT
+from cocorosim_ros.diagnosis.evidence.streams.noise import noise_of
+from cocorosim_ros.diagnosis.evidence.streams.velocities import Velocities
+from cocorosim_ros.foundation.arrays import Flags, Floats
+
+ORDER = 2  # of the polynomial through neighbours
+
+
+def steadied(seen: Velocities) -> Velocities:
+    """Put a parabola through the neighbours of each velocity, over the longest time that leaves noise alone.
+
+    Each part has a time of its own, among TILT.steadied; where none is short enough, it stays as it was read. Nothing
+    is taken from beyond a pause. Source: Savitzky and Golay, Anal. Chem. 36 (1964) 1627.
+    """
+    if len(seen.time) < TILT.fewest:
+        return seen
+    gap = float(np.median(np.diff(seen.time)))
+    begins = np.append(True, np.diff(seen.time) > TILT.pause * gap)
+    return Velocities(seen.time, np.column_stack([_steady(seen.time, part, gap, begins) for part in seen.value.T]))
+
+
+def _steady(time: Floats, part: Floats, gap: float, begins: Flags) -> Floats:
+    """One part (n,) of velocities, gap [s] between its readings; begins (n,): where a piece without pause begins."""
+    noise = noise_of(time, part)
+    for span in TILT.steadied:
+        width = 2 * int(0.5 * span / gap) + 1
+        if width < TILT.fewest_smoothed:
+            break
+        smooth = _by_parabolas(part, width, begins)
+        if float(np.sqrt(np.mean((part - smooth) ** 2))) < TILT.noise_alone * noise:
+            return smooth
+    return part
+
+
+def _by_parabolas(part: Floats, width: int, begins: Flags) -> Floats:
+    """A part with parabolas through `width` neighbours; a piece that is shorter stays as it is."""
+    pieces = np.split(part, np.flatnonzero(begins)[1:])
+    return np.concatenate([savgol_filter(each, width, ORDER) if len(each) >= width else each for each in pieces])
