@@ -54,8 +54,8 @@ class Hull:
     """Outer size [m; body axes].
 
     front_above_water, side_above_water: areas that the wind meets from ahead and from the side [m^2], 0 if None.
-    cable_diameter: of the cable that it tows, None where it swims free. cable_length: what is deployed of it, None
-    where that is the distance to the place from which it is tended.
+    cable_diameter: of the cable that it tows, 0 where it swims free, None where that is not known. cable_length: what
+    is deployed of it, None where that is the distance to the place from which it is tended.
     """
 
     length: float = field(metadata=quantity("length", "positive"))
@@ -63,7 +63,7 @@ class Hull:
     height: float = field(metadata=quantity("length", "positive"))
     front_above_water: float | None = field(default=None, metadata=quantity("area", "not negative"))
     side_above_water: float | None = field(default=None, metadata=quantity("area", "not negative"))
-    cable_diameter: float | None = field(default=None, metadata=quantity("length", "positive"))
+    cable_diameter: float | None = field(default=None, metadata=quantity("length", "not negative"))
     cable_length: float | None = field(default=None, metadata=quantity("length", "positive"))
 
 

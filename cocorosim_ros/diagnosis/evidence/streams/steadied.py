@@ -22,6 +22,8 @@ def steadied(seen: Velocities) -> Velocities:
     if len(seen.time) < TILT.fewest:
         return seen
     gap = float(np.median(np.diff(seen.time)))
+    if not gap > 0.0:
+        return seen
     begins = np.append(True, np.diff(seen.time) > TILT.pause * gap)
     return Velocities(seen.time, np.column_stack([_steady(seen.time, part, gap, begins) for part in seen.value.T]))
 
