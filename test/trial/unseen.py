@@ -29,11 +29,13 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
     """Errors by channel that readings show; empty where the recordings cannot be used.
 
     Starts, and how long models run, are those of the platform's file, recalibrated on these very recordings: the only
-    thing that is fitted here, and no part of either model. As neither model has seen anything of these recordings, free
-    runs go through all of each, but for the share at its beginning in which the filter finds the state.
+    thing that is fitted here, and no part of either model. Both are driven by reported angles where a diagnosis of
+    these recordings would be, else by those ordered. As neither model has seen anything of these recordings, free runs
+    go through all of each, but for the share at its beginning in which the filter finds the state.
     """
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.diagnosis.evidence.intake import take_in
+    from cocorosim_ros.diagnosis.fitting.acting_angles import driven_as_shown
     from cocorosim_ros.diagnosis.fitting.recalibration import base_fit
     from cocorosim_ros.diagnosis.foretelling.foreseeable import foreseeable_parts
     from cocorosim_ros.diagnosis.foretelling.gains import FreeRuns
@@ -43,7 +45,7 @@ def on_unseen(nominal: str, found: Path, bags: Sequence[Path]) -> dict[str, OnUn
     intake = take_in(gather_evidence(bags, load_platform(nominal)))
     if intake.reasons:
         return {}
-    base = base_fit(intake.evidence)
+    base = driven_as_shown(intake.evidence, base_fit).base
     starts = starts_of(base.tracks, base.filled)
     unseen = Unseen(base, _whole(base.tracks), foreseeable_parts(base).seconds, base.filled, (), starts, ())
     runs = FreeRuns(unseen, unseen.rows)
