@@ -29,7 +29,7 @@ def test_every_need_of_the_table_is_one_of_effects() -> None:
 @pytest.mark.parametrize(
     ("name", "expected"),
     [
-        ("lily", {}),  # it dives: no wind, has no cable, and both jets blow beside each other
+        ("lily", CABLE),  # it dives: no wind; and both jets blow beside each other
         ("kvlcc2_hsva", CABLE | AREAS),
         ("remus100", {}),  # it dives by its fins, and swims free
         ("bluerov2_heavy", {}),  # all is given
