@@ -77,3 +77,14 @@ def test_a_measured_that_is_neither_true_nor_false_is_refused(tmp_path: Path) ->
     (tmp_path / "map.yaml").write_text(text, "utf-8")
     with pytest.raises(CocorosimError, match=r"map\.yaml.*measured.*often"):
         load_map(tmp_path / "map.yaml")
+
+
+def test_what_is_reported_is_measured_anyway(tmp_path: Path) -> None:
+    """A report that is called so is refused, with the way out."""
+    converted(tmp_path, "left")
+    text = (tmp_path / "map.yaml").read_text("utf-8")
+    number = "{column: left, unit: '1', measured: true}"
+    reported = text.replace("}}}}", "}}, actuator_feedback: {left: {fraction: NUMBER}}}}").replace("NUMBER", number)
+    (tmp_path / "map.yaml").write_text(reported, "utf-8")
+    with pytest.raises(CocorosimError, match=r"fraction.*says nothing here.*leave it out"):
+        load_map(tmp_path / "map.yaml")

@@ -66,13 +66,19 @@ def _feedback(entry: Entry, reader: ValueReader) -> dict[str, Value]:
         if not numbers:
             raise part.problem(f"names nothing that this actuator reports; add one of {', '.join(QUANTITIES)}.")
         for quantity, number in numbers.items():
-            value = (
-                reader.command(number)
-                if quantity == FRACTION
-                else reader.column(number, (QUANTITIES[quantity].dimension,))
-            )
-            found[feedback_name(actuator, quantity)] = value
+            found[feedback_name(actuator, quantity)] = _reported(number, quantity, reader)
     return found
+
+
+def _reported(entry: Entry, quantity: str, reader: ValueReader) -> Value:
+    if quantity != FRACTION:
+        return reader.column(entry, (QUANTITIES[quantity].dimension,))
+    value = reader.command(entry)
+    if value.measured:
+        raise entry.problem(
+            "has 'measured', which says nothing here, since all that actuators report is; leave it out."
+        )
+    return value
 
 
 def _check_actuators(entry: Entry, example: str = "left: {column: ..., unit: ...}") -> None:
