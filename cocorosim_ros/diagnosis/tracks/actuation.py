@@ -77,7 +77,7 @@ class Actuation:
             return force, rate
         added = [self._added(self._turns, numbers) for numbers in (force, rate)]
         if self.vehicle.fin_normal.any():
-            force = force + self._angles_to_level(self._turns)
+            force = force + self._angles_to_level
         return np.hstack([force, added[0]]), np.hstack([rate, added[1]])
 
     def _on_hull(self, force: Floats, row: Floats) -> Floats:
@@ -85,21 +85,22 @@ class Actuation:
         commanded = len(self.vehicle.actuator_wrench)  # what the tilt adds stands behind the actuators
         added = force[:, commanded:] + self._hull.wrench(row)
         if self.vehicle.fin_normal.any():
-            assert self._turns is not None
             to_level = force[:, :commanded]
-            angles = Angles(to_level - self._angles_to_level(self._turns), to_level)
+            angles = Angles(to_level - self._angles_to_level, to_level)
             added = added + tilted_fins(self.vehicle, self._hull.flow, angles, row)
         return np.hstack([force[:, :commanded], added])
 
-    def _angles_to_level(self, turns: Floats) -> Floats:
+    @cached_property
+    def _angles_to_level(self) -> Floats:
         """Angles (points, actuators) that roll and pitch add to those of fins to level flow [rad]; 0 of others.
 
         Level flow u meets a normal n, turned by R, with u (R n)_x in place of u n_x; the lift u d - V_n falls by that.
         A hull that pitches at a rate q moves a fin at x and z along its normal by q (n_x z - n_z x), where its speed
         is known. Assumes: small angles to the level, as the law of fins does.
         """
+        assert self._turns is not None
         normals, places = self.vehicle.fin_normal, self.vehicle.fin_place
-        angles = normals[:, X] - np.einsum("nj,aj->na", turns[:, X], normals)
+        angles = normals[:, X] - np.einsum("nj,aj->na", self._turns[:, X], normals)
         if self._hull.is_known:
             arms = normals[:, Z] * places[:, X] - normals[:, X] * places[:, Z]
             angles = angles + self._hull.nodding[:, None] * arms

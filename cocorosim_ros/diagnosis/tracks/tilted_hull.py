@@ -92,8 +92,8 @@ class TiltedHull:
     @cached_property
     def nodding(self) -> Floats:
         """Rate of the pitch over the speed ahead (points,) [rad/m], between the grid points; 0 where the hull rests."""
-        ahead = self._seen(self._middles)[:, X]
-        return np.asarray(self._attitude.pitch_rate_at(self._middles) * ahead / (ahead**2 + TILT.at_rest**2))
+        ahead = self.flow.level.velocity[:, X]
+        return np.asarray(self.flow.body.pitch_rate * ahead / (ahead**2 + TILT.at_rest**2))
 
     @cached_property
     def flow(self) -> Flow:
@@ -141,12 +141,10 @@ class TiltedHull:
         Then (2, points, 3) of the lift across, by the speeds to the left and upwards.
         """
         moments, half = self._middles, 0.5 * self._span
-        level = self._seen(moments)
-        turns = self._attitude.turns(moments)
+        turns, (level, turn_rate, _), (body, _, _) = self.flow
         swing = (self._turned_less_level(moments + half) - self._turned_less_level(moments - half)) / (2.0 * half)
         now = self._turned_less_level(moments)
-        around = np.cross(np.array([0.0, 0.0, 1.0]), now) * self._turn_rate(moments)[:, None]
-        body = np.einsum("nji,nj->ni", turns, level)
+        around = np.cross(np.array([0.0, 0.0, 1.0]), now) * turn_rate[:, None]
         own = np.einsum("nik,nk->kni", turns, np.abs(body) * body) - np.einsum(
             "nk,ki->kni", np.abs(level) * level, np.eye(3)
         )

@@ -27,8 +27,10 @@ from cocorosim_ros.wire.conversion.sources import check_there
 from cocorosim_ros.wire.topics.topics import ROBOT_TOPICS, robot_topic
 
 WORLD_FRAME = "world"
-PRESSURE_FROM_DEPTH, MEASURED_COMMANDS = "pressure_from_depth", "measured_commands"
+PRESSURE_FROM_DEPTH = "pressure_from_depth"
 """Key of what a recording says of the robots, as a JSON list, whose pressures were made of depths in fresh water."""
+MEASURED_COMMANDS = "measured_commands"
+"""Key of the same of the robots whose commands are what their actuators were measured to do."""
 
 
 @dataclass(frozen=True)
