@@ -97,3 +97,35 @@ def test_a_table_shows_its_lines_in_a_traceback(monkeypatch: pytest.MonkeyPatch)
     assert linecache.getline(file, 2) == "    return 2.0 * x\n"
     assert cache_base() in Path(file).parents
     assert made_function(1.5) == 3.0
+
+
+CALLED = """
+import sys
+sys.path.insert(0, {folder!r})
+from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
+from callee import twice
+from {module} import Pair
+
+print(twice(Pair(1.0, 2.0)))
+"""
+
+
+def test_a_class_that_moved_to_another_module_is_no_error(tmp_path: Path) -> None:
+    """A caller's class among the types of a cached function, as after an upgrade that moved it."""
+    (tmp_path / "callee.py").write_text(
+        "from cocorosim_ros.foundation.compiling.kernel import allocating_kernel\n\n\n"
+        "@allocating_kernel\ndef twice(pair):\n    return 2.0 * pair.left\n",
+        encoding="utf-8",
+    )
+    environment = {**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache"), "NUMBA_CACHE_DIR": ""}
+    for module in ("first_home", "second_home"):
+        (tmp_path / f"{module}.py").write_text(
+            "from typing import NamedTuple\n\n\nclass Pair(NamedTuple):\n    left: float\n    right: float\n",
+            encoding="utf-8",
+        )
+        text = CALLED.format(folder=str(tmp_path), module=module)
+        ended = subprocess.run(
+            [sys.executable, "-c", text], env=environment, capture_output=True, text=True, check=False
+        )
+        assert (ended.returncode, ended.stdout) == (0, "2.0\n"), ended.stderr
+        (tmp_path / f"{module}.py").unlink()

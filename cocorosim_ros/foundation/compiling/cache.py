@@ -46,7 +46,28 @@ def folder_of_text(text: str, files: Iterable[Path]) -> Path:
 def cached_with_its_sources(compiler: Compiler, function: Callable[..., Any]) -> Callable[..., Any]:
     """The function compiled by `compiler`, its machine code kept in the folder of its file."""
     numba.config.CACHE_DIR = str(folder_of(Path(function.__code__.co_filename)))
-    return compiler(function)
+    compiled = compiler(function)
+    if hasattr(compiled, "_cache"):  # not where numba is switched off
+        _forgive_types_that_are_gone(compiled._cache._cache_file)  # noqa: SLF001
+    return compiled
+
+
+def _forgive_types_that_are_gone(file: Any) -> None:
+    """Let numba start an index anew that names a class which is no longer where it was.
+
+    A function is kept for each set of types that it was called with. A class among these may be defined by a caller,
+    whose source is none of the function's own; if another version of this package has moved the class, numba would
+    raise ModuleNotFoundError or AttributeError where it reads the index.
+    """
+    load = file._load_index  # noqa: SLF001
+
+    def load_or_start_anew() -> Any:
+        try:
+            return load()
+        except (ImportError, AttributeError):
+            return {}
+
+    file._load_index = load_or_start_anew  # noqa: SLF001
 
 
 def _folder(digest: str) -> Path:
