@@ -191,11 +191,13 @@ def _filter(
             _remember_after(motion, body, parts, point, belief.history)
 
 
-@allocating_kernel
 def filter_pass(
     readings: Readings, drive: Drive, start: Start, body: Body, numbers: PassNumbers, belief: Belief
 ) -> None:
-    """The whole filter over a recording; results are in `belief`."""
+    """The whole filter over a recording; results are in `belief`.
+
+    Not compiled itself: a compiled function that called the filter would hold all of it once more.
+    """
     noise = numbers.random_force
     fade = fading(readings.step, noise[CORRELATION], noise[SMOOTHNESS])
     parts = make_spread(start.spread, noise, swollen(NewVariance(1.0, fade.common, 1.0), numbers.swell, 0))

@@ -48,7 +48,7 @@ def cached_with_its_sources(compiler: Compiler, function: Callable[..., Any]) ->
     numba.config.CACHE_DIR = str(folder_of(Path(function.__code__.co_filename)))
     compiled = compiler(function)
     if hasattr(compiled, "_cache"):  # not where numba is switched off
-        _forgive_types_that_are_gone(compiled._cache._cache_file)  # noqa: SLF001
+        _forgive_types_that_are_gone(compiled._cache._cache_file)
     return compiled
 
 
@@ -59,7 +59,7 @@ def _forgive_types_that_are_gone(file: Any) -> None:
     whose source is none of the function's own; if another version of this package has moved the class, numba would
     raise ModuleNotFoundError or AttributeError where it reads the index.
     """
-    load = file._load_index  # noqa: SLF001
+    load = file._load_index
 
     def load_or_start_anew() -> Any:
         try:
@@ -67,7 +67,7 @@ def _forgive_types_that_are_gone(file: Any) -> None:
         except (ImportError, AttributeError):
             return {}
 
-    file._load_index = load_or_start_anew  # noqa: SLF001
+    file._load_index = load_or_start_anew
 
 
 def _folder(digest: str) -> Path:
