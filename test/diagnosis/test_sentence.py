@@ -12,7 +12,7 @@ import pytest
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.catalogue.eddies import ALONG_X
 from cocorosim_ros.diagnosis.catalogue.law_forms import single
-from cocorosim_ros.diagnosis.catalogue.law_words import READING_WORDS, identifier_words, law_words
+from cocorosim_ros.diagnosis.catalogue.law_words import READING_WORDS, identifier_words, law_words, opposite_law_words
 from cocorosim_ros.diagnosis.catalogue.laws import LAWS_OF, SWINGING
 from cocorosim_ros.diagnosis.catalogue.sensor_laws import SENSOR_LAWS_OF
 from cocorosim_ros.diagnosis.findings import (
@@ -132,7 +132,9 @@ def test_a_headline_is_shortened_step_by_step() -> None:
     assert sentence_of("mismatch", [LAG, long], []) == (
         "Missing from the model of lily_01: a lag of the thrust; and 1 more."
     )
-    assert sentence_of("mismatch", [long], []) == ("Missing from the model of lily_01: an unexplained force forwards.")
+    assert sentence_of("mismatch", [long], []) == (
+        "Missing from the model of lily_01: an unexplained force ahead or astern."
+    )
     wordy = replace(long, id="word_" * 30)
     assert sentence_of("mismatch", [wordy, wordy], []) == ("Missing from the model of lily_01: 2 effects, named below.")
 
@@ -166,6 +168,12 @@ def test_laws_are_said_in_words_that_tell_them_apart() -> None:
         assert not letters & set(told.replace(",", " ").split()) and not set("_*^|~") & set(told), told
     assert law_words(Law.parse("unknown:sway~u*r")) == (
         "an unexplained force to the left in proportion to the speed forwards times the turn rate"
+    )
+    assert opposite_law_words(Law.parse("unknown:sway~u*r")) == (
+        "an unexplained force to the right in proportion to the speed forwards times the turn rate"
+    )
+    assert identifier_words("unknown:sway~u*r") == (  # of which the sign is not known
+        "an unexplained force to one side in proportion to the speed forwards times the turn rate"
     )
     assert law_words(Law.parse("unknown:velocity~r", "velocity_v")) == (
         "an unexplained error of the speed log to the left in proportion to the turn rate"

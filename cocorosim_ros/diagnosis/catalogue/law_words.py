@@ -16,11 +16,22 @@ _POWERS = {2.0: "the square of", 3.0: "the cube of"}
 
 def law_words(law: Law) -> str:
     """Words for a law, such as 'an unexplained force to the left in proportion to the speed forwards'."""
-    return f"{_subject(READING_WORDS[law.of]) if law.topic else _force(law.of)} {_proportion(law.product)}"
+    subject = _subject(READING_WORDS[law.of]) if law.topic else _unexplained(EQUATION[law.of].meaning)
+    return f"{subject} {_proportion(law.product)}"
+
+
+def opposite_law_words(law: Law) -> str:
+    """Words for a law of motion with a negative coefficient: its force to the right, and so on."""
+    return f"{_unexplained(EQUATION[law.of].opposite)} {_proportion(law.product)}"
+
+
+def law_words_of_either_sign(law: Law) -> str:
+    """Words for a law of motion whose sign is not known, or changes."""
+    return f"{_force(law.of)} {_proportion(law.product)}"
 
 
 def short_law_words(law: Law) -> str:
-    """Words for a law that leave out what it is in proportion to."""
+    """Words for a law that leave out what it is in proportion to, and the direction, which depends on that."""
     return _subject(READING_WORDS[law.of]) if law.topic else _force(law.of)
 
 
@@ -55,7 +66,11 @@ def regressor_words(name: str) -> str:
 
 
 def _force(equation: str) -> str:
-    return f"an unexplained {EQUATION[equation].meaning.removeprefix('the ')}"
+    return _unexplained(EQUATION[equation].either)
+
+
+def _unexplained(force: str) -> str:
+    return f"an unexplained {force.removeprefix('the ')}"
 
 
 def _subject(reading: str) -> str:

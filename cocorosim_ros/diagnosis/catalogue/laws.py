@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
-from cocorosim_ros.diagnosis.catalogue.law_words import law_words
+from cocorosim_ros.diagnosis.catalogue.law_words import law_words, law_words_of_either_sign, opposite_law_words
 from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE, LAWS
 from cocorosim_ros.world.effects.pump_lag import PUMP_TICK
 from cocorosim_ros.world.laws.law import Factor, Law, Product
@@ -146,6 +146,7 @@ def law_entry(place: str, law: Law, scene: Scene) -> Entry:
         fixed=given(place, law.codes),
         of_pump=law.of == "heave" and _follows_pump(product),
         law=place,
+        opposite=opposite_law_words(law),
         form=law,
     )
 
@@ -183,9 +184,11 @@ def _roundings(place: str, product: Product, scene: Scene) -> tuple[Shape, ...]:
 
 def _swinging(place: str, equation: str, scene: Scene) -> Entry:
     """Make the entry of a force c sin(omega t + phase), with the periods at which the residual swings most as grid."""
-    omega, phase = f"{place}.omega", f"{place}.phase"
+    omega, phase, law = f"{place}.omega", f"{place}.phase", Law(equation, single("sin_t"))
     return replace(
-        law_entry(place, Law(equation, single("sin_t")), scene),
+        law_entry(place, law, scene),
+        name=law_words_of_either_sign(law),
+        opposite="",
         equation=f"{EQUATION[equation].symbol} = c sin(omega t + phase)",
         shapes=(
             Shape(
