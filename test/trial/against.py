@@ -235,6 +235,20 @@ def _of_probabilities(believed: list[tuple[float, bool]]) -> list[str]:
     ]  # fmt: skip
 
 
+def by_kind(rows: list[dict[str, Any]]) -> list[str]:
+    """Lines of the table of outcomes by kind of alteration; rows: those of the page's figures."""
+    kinds: dict[str, list[str]] = {}
+    for row in rows:
+        if row["way"] != "control":
+            kinds.setdefault(row["way"].partition("_")[0], []).append(row["outcome"])
+    head = [f"| kind | altered | {' | '.join(OUTCOMES)} |", "|---" * (len(OUTCOMES) + 2) + "|"]
+    lines = [
+        f"| {kind} | {len(found)} | {' | '.join(str(found.count(outcome)) for outcome in OUTCOMES)} |"
+        for kind, found in sorted(kinds.items())
+    ]
+    return [*head, *lines, ""]
+
+
 def _page(rows: list[dict[str, Any]], lines: list[str], source: dict[str, Any]) -> list[str]:
     put_in = [row for row in rows if row["way"] != "control"]
     controls = [row for row in rows if row["way"] == "control"]
@@ -254,6 +268,7 @@ def _page(rows: list[dict[str, Any]], lines: list[str], source: dict[str, Any]) 
         "the diagnosis lists the effect (of that stream, or that number of it) as not shown, tells a size from which",
         "it would be named that is above the one put in, or warns that it may differ but that it cannot tell.", "",
         sentence(source), "",
+        *by_kind(rows),
         "| recordings | altered | to be found | outcome | named | halves of GOOD |", "|---|---|---|---|---|---|",
         *lines, "",
     ]  # fmt: skip

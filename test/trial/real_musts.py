@@ -14,6 +14,7 @@ from trial.ships import BAR, TANKER, WIND_BAR, WINDY
 Tree = dict[str, Any]
 BLIMP, GLIDER = "rgblimp", "slocum_glider"
 COLLAPSED, AT_A_BOUND = "its fit has collapsed", "the end of its range"  # of warnings of a diagnosis
+OF_A_GLIDER = {"stratification", "hull_compressibility", "hull_lift"}  # density, hull, angle of attack
 DRAWN = 200  # altered logs that are asked for
 ALTERED = "altered logs against unaltered ones ([against](against.md))"
 
@@ -211,7 +212,10 @@ def blimp_row(figures: Tree) -> Row:
 
 
 def glider_row(figures: Tree) -> Row:
-    """The glider's silence: no name on a collapsed fit. Its speed through the water, the goal, is not in the data."""
+    """The glider: no fit that has collapsed, and causes of its own kind or none.
+
+    Numbers at the end of their ranges are told beside it. Its speed through the water, the goal, is not in the data.
+    """
     asked = Asked(
         f"{GLIDER}: no collapsed fit, a cause that concerns density, hull or angle of attack, or silence",
         "yes",
@@ -223,7 +227,12 @@ def glider_row(figures: Tree) -> Row:
     named = [title(each) for half in said if half is not None for each in half["effects"]]
     verdicts = ", ".join("no diagnosis" if half is None else half["verdict"] for half in said)
     told = f"{verdicts} (one half, the other): {', '.join(named) or 'nothing is named'}"
-    return Row(asked, told, not named and None not in said)
+    warnings = [warning for half in said if half is not None for warning in half["warnings"]]
+    at_ends = sum(AT_A_BOUND in warning for warning in warnings)
+    collapsed = any(COLLAPSED in warning for warning in warnings)
+    told += "; a fit has collapsed" if collapsed else f"; {at_ends} number at the end of its range" if at_ends else ""
+    causes = {each["id"] for half in said if half is not None for each in half["effects"]}
+    return Row(asked, told, None not in said and not collapsed and causes <= OF_A_GLIDER)
 
 
 def table(rows: Sequence[Row]) -> list[str]:

@@ -6,7 +6,7 @@ import random
 from typing import Any
 
 import pytest
-from trial.against import _of_probabilities, judged
+from trial.against import _of_probabilities, by_kind, judged
 from trial.draws import WHOLE, Draw, way_of
 
 NONE: dict[str, Any] = {"effects": [], "recalibrated": [], "not_shown_by_this_recording": []}
@@ -96,3 +96,15 @@ def test_the_gain_of_a_single_thruster_is_a_number_of_the_platform() -> None:
     assert judged(NONE | {"recalibrated": [moved]}, weak)["outcome"] == "something else"
     other = Draw("scale", 0.1, 0.1, both=False).drawn(random.Random(1))
     assert judged(NONE | {"recalibrated": [moved]}, other)["beside"] == [WHOLE]
+
+
+def test_outcomes_are_told_by_kind_of_alteration() -> None:
+    """Each kind in a line, without the controls."""
+    rows = [
+        {"way": way, "outcome": outcome}
+        for way, outcome in (
+            ("gain_0_-0.2", "right"), ("gain_2_-0.4", "cannot be seen"), ("control", "right"), ("axis_1", "right"),
+            ("gain_1_-0.1", "right"),
+        )
+    ]  # fmt: skip
+    assert by_kind(rows)[2:] == ["| axis | 1 | 1 | 0 | 0 | 0 | 0 |", "| gain | 3 | 2 | 1 | 0 | 0 | 0 |", ""]

@@ -87,7 +87,8 @@ def test_the_rovs_table_asks_at_its_own_levels_of_random_force() -> None:
         for noise, hits in (("0.5", 18), ("1", 20), ("1.5", 19))
     }
     figures = {
-        "table": {"rates": rates, "ambiguity_set_size": None}, "intervals": {"coverage": {"of": 0}}, "held_out": {},
+        "table": {"rates": rates, "ambiguity_set_size": None},
+        "intervals": {"coverage": {"of": 0}, "coverage_of_effects": {"of": 0}}, "held_out": {},
     }  # fmt: skip
     rows = asked_table(figures, SHEETS["trial_rov"].levels)[2:4]
     assert [(row.split(" | ")[0].strip("| "), row.split(" | ")[-1].strip("| ")) for row in rows] == [
