@@ -23,6 +23,9 @@ class ReportCriteria:
     """[of a thruster's force] a share along an axis, from which a manoeuvre uses it there. Chosen, not measured."""
     fewest_samples: int = 8
     """[samples] of a cell of the map of places; cells with fewer stay empty. Chosen, not measured."""
+    most_sets: int = 4
+    """[sets of suspects] whose probability is told in a sentence. Chosen, not measured: ten sets, as a hovercraft had,
+    are a paragraph."""
     most_robots: int = 3
     """[robots] with pictures of their own. Chosen, not measured."""
     most_located: int = 3

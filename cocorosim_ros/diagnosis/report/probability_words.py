@@ -6,22 +6,37 @@ import math
 from collections.abc import Mapping, Sequence
 
 from cocorosim_ros.diagnosis.catalogue.law_words import stream_words
+from cocorosim_ros.diagnosis.criteria.report import REPORT
 from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect
 from cocorosim_ros.diagnosis.report.words import effect_words
 from cocorosim_ros.diagnosis.showing.probability import Probabilities, probabilities_of
 from cocorosim_ros.diagnosis.showing.suspect_sets import AND_MORE, NO_EFFECT, SOMETHING_ELSE, TOGETHER
 
 _UNSURE = {"100": "over 99", "0": "below 1"}
+_OTHERS = "other such sets, each less probable"
 _AS_THEY_ARE = (NO_EFFECT, SOMETHING_ELSE, AND_MORE)
 
 
 def probability_words(told: Mapping[str, float]) -> str:
-    """Words such as '97 % thruster lag, 2 % something else, 1 % nothing'; what rounds to 0 % is left out."""
+    """Words such as '97 % thruster lag, 2 % something else, 1 % nothing'; what rounds to 0 % is left out.
+
+    Of many sets the most probable are told, and nothing; the others share one number.
+    """
     names = [_set_words(name) for name in told]
-    shown = [(name, share) for name, share in zip(names, percents(list(told.values())), strict=True) if share]
-    if len(shown) == 1:
-        return f"over 99\u00a0% {shown[0][0]}"
-    return ", ".join(f"{share}\u00a0% {name}" for name, share in shown)
+    every = [(name, share) for name, share in zip(names, percents(list(told.values())), strict=True) if share]
+    if len(every) == 1:
+        return f"over 99\u00a0% {every[0][0]}"
+    shown = _foremost(every) if len(every) > REPORT.most_sets + 1 else every
+    left = sum(share for _, share in every) - sum(share for _, share in shown)
+    words = [f"{share}\u00a0% {name}" for name, share in shown]
+    return ", ".join([*words, f"{left}\u00a0% {_OTHERS}"] if left else words)
+
+
+def _foremost(every: Sequence[tuple[str, int]]) -> list[tuple[str, int]]:
+    """The most probable of sets and their percents, in their order, and nothing, wherever it stands."""
+    least = sorted((share for _, share in every), reverse=True)[REPORT.most_sets - 1]
+    chosen = [place for place, (_, share) in enumerate(every) if share >= least][: REPORT.most_sets]
+    return [each for place, each in enumerate(every) if place in chosen or each[0] == NO_EFFECT]
 
 
 def told_probabilities(diagnosis: Diagnosis) -> str:

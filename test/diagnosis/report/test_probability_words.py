@@ -34,6 +34,18 @@ def test_words_are_those_of_a_workshop() -> None:
     assert plain(told) == "60 % tether and something else, 40 % something else"
 
 
+def test_of_many_sets_the_most_probable_are_told() -> None:
+    """Four and nothing, the others as one number; six are many, five are not."""
+    many = {"tether": 0.3, "linear_drag": 0.2, "wind": 0.15, "something else": 0.13, "imu_bias": 0.12, "nothing": 0.1}
+    assert plain(many) == (
+        "30 % tether, 20 % linear drag, 15 % wind, 13 % something else, 10 % nothing, "
+        "12 % other such sets, each less probable"
+    )
+    del many["imu_bias"]
+    few = {name: share / 0.88 for name, share in many.items()}
+    assert plain(few) == "34 % tether, 23 % linear drag, 17 % wind, 15 % something else, 11 % nothing"
+
+
 def told(found: Diagnosis) -> str:
     """The line of a diagnosis, with usual spaces."""
     return told_probabilities(found).replace("\u00a0", " ")

@@ -98,6 +98,7 @@ def test_odometry_twist_and_thrusters(tmp_path: Path, messages: Callable[[Path],
         ("/odometry/filtered", 50, odometry(40, 1.5)),
         ("/odometry/filtered", 60, odometry(30, 1.0)),  # out of order, which bags are
         ("/dvl/twist", 61, twist),
+        ("/pressure", 66, TYPES["sensor_msgs/msg/FluidPressure"](header(65, "hull"), 111_000.0, 0.0)),
         ("/thrusters/left/input", 70, number(17.5)),
         ("/thrusters/right/input", 80, number(-14.0)),
         ("/thrusters/left/input", 90, number(0.0)),
@@ -109,10 +110,26 @@ def test_odometry_twist_and_thrusters(tmp_path: Path, messages: Callable[[Path],
     assert [(message.at, message.content.pose.position.x) for message in poses] == [(30, 1.0), (40, 1.5)]
     assert (poses[0].content.pose.orientation.z, poses[0].content.pose.orientation.w) == (0.6, 0.8)
     assert poses[0].content.header.frame_id == "world"
+    assert [(each.at, each.content.fluid_pressure) for each in topics["/boat/pressure"]] == [(65, 111_000.0)]
     linear = topics["/boat/ground_velocity"][0].content.twist.linear
     assert (topics["/boat/ground_velocity"][0].at, linear.x, linear.y) == (7, 0.5, -0.1)
     commands = [(message.at, *message.content.command) for message in topics["/boat/thruster_command"]]
     assert commands == [(80, 0.5, -0.5), (90, 0.0, -0.5)]
+
+
+def test_a_bag_without_a_doppler_log(tmp_path: Path, messages: Callable[[Path], dict[str, list[Any]]]) -> None:
+    """Odometry and thrusters alone are enough for the shipped example; what the bag lacks is said."""
+    number = TYPES["std_msgs/msg/Float64"]
+    rows: list[Row] = [
+        ("/odometry/filtered", 30, odometry(30, 1.0)),
+        ("/thrusters/left/input", 70, number(17.5)),
+        ("/thrusters/right/input", 80, number(-14.0)),
+    ]
+    (made,) = convert(load_map(find_config("maps", "odometry_bag")), write(tmp_path / "bag", rows), tmp_path / "ours")
+    assert sorted(topic for topic in messages(tmp_path / "ours") if topic.startswith("/boat/")) == [
+        "/boat/pose", "/boat/thruster_command",
+    ]  # fmt: skip
+    assert any("/dvl/twist" in finding for finding in made.conversion.findings)
 
 
 def test_transforms_of_one_frame(convert_bag: Callable[..., SimpleNamespace]) -> None:
