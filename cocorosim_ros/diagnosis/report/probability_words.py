@@ -22,21 +22,20 @@ def probability_words(told: Mapping[str, float]) -> str:
 
     Of many sets the most probable are told, and nothing; the others share one number.
     """
-    names = [_set_words(name) for name in told]
-    every = [(name, share) for name, share in zip(names, percents(list(told.values())), strict=True) if share]
+    shares = percents(list(told.values()))
+    every = {_set_words(name): share for name, share in zip(told, shares, strict=True) if share}
     if len(every) == 1:
-        return f"over 99\u00a0% {every[0][0]}"
-    shown = _foremost(every) if len(every) > REPORT.most_sets + 1 else every
-    left = sum(share for _, share in every) - sum(share for _, share in shown)
-    words = [f"{share}\u00a0% {name}" for name, share in shown]
+        return f"over 99\u00a0% {next(iter(every))}"
+    shown = _foremost(every) if len(every) > REPORT.most_sets + 1 else list(every)
+    left = sum(share for name, share in every.items() if name not in shown)
+    words = [f"{every[name]}\u00a0% {name}" for name in shown]
     return ", ".join([*words, f"{left}\u00a0% {_OTHERS}"] if left else words)
 
 
-def _foremost(every: Sequence[tuple[str, int]]) -> list[tuple[str, int]]:
-    """The most probable of sets and their percents, in their order, and nothing, wherever it stands."""
-    least = sorted((share for _, share in every), reverse=True)[REPORT.most_sets - 1]
-    chosen = [place for place, (_, share) in enumerate(every) if share >= least][: REPORT.most_sets]
-    return [each for place, each in enumerate(every) if place in chosen or each[0] == NO_EFFECT]
+def _foremost(every: Mapping[str, int]) -> list[str]:
+    """The most probable of sets, by their percents, in their order, and nothing, wherever it stands."""
+    foremost = sorted(every, key=lambda name: -every[name])[: REPORT.most_sets]
+    return [name for name in every if name in foremost or name == NO_EFFECT]
 
 
 def told_probabilities(diagnosis: Diagnosis) -> str:
