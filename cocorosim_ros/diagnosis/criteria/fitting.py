@@ -282,10 +282,6 @@ class StepCriteria:
     """[logarithm] of a noise in one step: farther away the curvature says little. Chosen, not measured."""
     noise_difference: float = 0.02
     """[logarithm] of a noise for its slopes: far above rounding, and small beside 1. Chosen, not measured."""
-    most_doubted: float = 5e-4
-    """[share of a track's readings] beyond the gate, up to which changes by noise are told to first order. Measured:
-    with shares of 0 to 0.0002 (a Lily, a tanker, an airship, a small AUV) scores are off by 0.1 of what they are
-    uncertain by; with 0.002 to 0.006 (a hovercraft that spins through stalls, an AUV in a pool) by 0.01 to 2.2."""
     beside_noise: float = 1e-4
     """[standard deviations; logarithm of a noise] for slopes of numbers and noise together: small, since a reading that
     is believed before the step alone bends all behind it. Measured: of a hovercraft, with 0.01 one was, and a common

@@ -43,7 +43,7 @@ def shares_left(readings: Readings, memory: Floats) -> Floats:
 
 
 @outlined_kernel
-def error_before(
+def _error_before(
     readings: Readings, index: int, row: Floats, rates: Rates, sensor: Floats, water: Floats, motors: Motors
 ) -> float:
     """Error of the reading of the same kind before this one, as the state at the grid point of this one has it."""
@@ -68,7 +68,7 @@ def error_left(
     if left == 0.0:
         return 0.0
     rates = Rates(motion.rate, motion.leap)
-    error: float = left * error_before(readings, index, motion.row, rates, sensor, water, motors)
+    error: float = left * _error_before(readings, index, motion.row, rates, sensor, water, motors)
     return error
 
 

@@ -26,13 +26,6 @@ class Spread(NamedTuple):
     response: Floats  # (4 + 9,) acceleration by unit of force along each axis, and (3, 3) of surge, sway and yaw, flat
 
 
-class Covariances(NamedTuple):
-    """The covariances of both blocks alone, flat."""
-
-    wide: Floats  # (HORIZONTAL, HORIZONTAL)
-    high: Floats  # (VERTICAL, VERTICAL)
-
-
 class NewVariance(NamedTuple):
     """Variance of a random force and its gust, for a force with an rms of 1."""
 
@@ -41,20 +34,14 @@ class NewVariance(NamedTuple):
     gust: float
 
 
-@kernel
-def put_start(wide: Floats, high: Floats, deviation: Floats) -> None:
-    """Write the variance of pose and velocity from their standard deviations (8,) into both blocks, flat."""
-    places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
-    for i in range(6):
-        wide[i * HORIZONTAL + i] = deviation[places[i]] ** 2
-    high[0], high[VW * VERTICAL + VW] = deviation[Z] ** 2, deviation[HEAVE] ** 2
-
-
 @allocating_kernel
 def make_spread(deviation: Floats, noise: Floats, new: NewVariance) -> Spread:
     """Start the covariance from the standard deviation of the state (8,) and from the random force (PassNumbers)."""
     wide, high = np.zeros(HORIZONTAL * HORIZONTAL), np.zeros(VERTICAL * VERTICAL)
-    put_start(wide, high, deviation)
+    places = (X, Y, YAW, SURGE, SWAY, YAW_RATE)
+    for i in range(6):
+        wide[i * HORIZONTAL + i] = deviation[places[i]] ** 2
+    high[0], high[VW * VERTICAL + VW] = deviation[Z] ** 2, deviation[HEAVE] ** 2
     size = HORIZONTAL * HORIZONTAL
     parts = Spread(
         wide,
@@ -81,7 +68,7 @@ def _add_pair(matrix: Floats, at: int, size: int, apart: int, rms: float, new: N
 
 
 @kernel
-def add_force(parts: Spread | Covariances, noise: Floats, new: NewVariance) -> None:
+def add_force(parts: Spread, noise: Floats, new: NewVariance) -> None:
     """Let variance into the random forces."""
     _add_pair(parts.wide, HFX, HORIZONTAL, 3, noise[RMS_LEVEL], new)
     _add_pair(parts.wide, HFY, HORIZONTAL, 3, noise[RMS_LEVEL], new)
@@ -90,7 +77,7 @@ def add_force(parts: Spread | Covariances, noise: Floats, new: NewVariance) -> N
 
 
 @kernel
-def let_wander(parts: Spread | Covariances, noise: Floats, step: float) -> None:
+def let_wander(parts: Spread, noise: Floats, step: float) -> None:
     """Let variance of a step [s] into the place, where the one that an instrument shows wanders."""
     added = noise[WANDERING] * noise[WANDERING] * step
     parts.wide[X * HORIZONTAL + X] += added

@@ -1,4 +1,4 @@
-"""Score and Fisher information of the noise, by passes of the filter with each noise a step off."""
+"""Score and Fisher information of the noise, by full passes of the filter with each noise a step off."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from cocorosim_ros.diagnosis.filter.products import weighted_products
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.solving import solve
 from cocorosim_ros.diagnosis.fitting.unknowns import nudged, prior_precision, prior_slope
-from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_number, of_each_stretch, of_each_track
+from cocorosim_ros.diagnosis.tracks.passes import Pass
+from cocorosim_ros.diagnosis.tracks.track import Track
+from cocorosim_ros.diagnosis.tracks.tracks_at_once import of_each_number, of_each_track
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.four import LANES
 
 
 def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
@@ -35,58 +36,39 @@ def noise_information(fit: Fit, chosen: Sequence[int]) -> tuple[Floats, Floats]:
             else None
             for index, unknown in zip(chosen, unknowns, strict=True)
         ]
-        return _of_track(fit, number, others)
+        return _of_track(fit.tracks[number], fit.passes[number], others, len(fit.tracks))
 
     for added_score, added_matrix in of_each_track(of_track, len(fit.tracks)):
         score, matrix = score + added_score, matrix + added_matrix
     return score, matrix
 
 
-def _of_track(fit: Fit, number: int, rows: Sequence[Floats | None]) -> tuple[Floats, Floats]:
-    """Score (n,) and information (n, n) of noise from one track, without priors.
+def _of_track(track: Track, passed: Pass, rows: Sequence[Floats | None], tracks: int) -> tuple[Floats, Floats]:
+    """Score (n,) and information (n, n) of noise from one of so many tracks, without priors.
 
     rows: for each noise the track's row with that noise a step off; None for noise that is not of this track.
     """
-    passed = fit.passes[number]
-    moved, swollen = _changes(fit, number, rows)
-    excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
-    one = np.ones_like(passed.variance)
-    score = -weighted_products(moved, passed.innovation[:, None], passed.variance)[:, 0]
-    score += 0.5 * weighted_products(swollen, excess[:, None], one)[:, 0]
-    matrix = weighted_products(moved, moved, passed.variance)
-    return score, matrix + 0.5 * weighted_products(swollen, swollen, one)
+    mean, relative = np.zeros((2, len(rows), len(passed.innovation)))
 
-
-def _changes(fit: Fit, number: int, rows: Sequence[Floats | None]) -> tuple[Floats, Floats]:
-    """Derivatives (m, n) of the innovations of a track, and of the logarithm of their variance, by the noise of `rows`.
-
-    Where hardly a reading is doubted, the model follows what it is shown, and passes beside the known one tell them to
-    first order. Another track is run through again for each noise.
-    """
-    passed = fit.passes[number]
-    columns = [column for column, row in enumerate(rows) if row is not None]
-    off = np.array([row for row in rows if row is not None])
-    moved, swollen = np.zeros((2, len(rows), len(passed.innovation)))
-
-    def write_beside(stretch: range) -> None:
-        found = fit.tracks[number].filter.beside(fit.filled[number], off[stretch], passed)
-        moved[[columns[place] for place in stretch]] = (found[0] - passed.innovation) / STEPS.noise_difference
-        swollen[[columns[place] for place in stretch]] = (found[1] / passed.variance - 1.0) / STEPS.noise_difference
-
-    def write(place: int) -> None:
-        track, growth = fit.tracks[number], swollen[columns[place]]  # written in place: these arrays are large
-        other = track.filter.full(off[place], with_gains=False)
-        change = passed.change_to(other, track.timeline.is_angle)
-        np.divide(change, STEPS.noise_difference, out=moved[columns[place]])
+    def write(column: int) -> None:
+        row = rows[column]
+        if row is None:
+            return
+        other = track.filter.full(row, with_gains=False)
+        growth = relative[column]  # written in place: these arrays are large
+        np.divide(passed.change_to(other, track.timeline.is_angle), STEPS.noise_difference, out=mean[column])
         np.subtract(other.variance, passed.variance, out=growth)
         growth /= STEPS.noise_difference
         growth /= passed.variance
 
-    if np.mean(~passed.believed) <= STEPS.most_doubted:
-        of_each_stretch(write_beside, len(columns), len(fit.tracks), LANES)
-    else:
-        of_each_number(write, len(columns), len(fit.tracks))
-    return moved.T, swollen.T
+    of_each_number(write, len(rows), tracks)
+    excess = np.where(passed.believed, passed.innovation**2 / passed.variance - 1.0, 0.0)
+    one = np.ones_like(passed.variance)
+    moved, swollen = mean.T, relative.T
+    score = -weighted_products(moved, passed.innovation[:, None], passed.variance)[:, 0]
+    score += 0.5 * weighted_products(swollen, excess[:, None], one)[:, 0]
+    matrix = weighted_products(moved, moved, passed.variance)
+    return score, matrix + 0.5 * weighted_products(swollen, swollen, one)
 
 
 def noise_covariance(fit: Fit) -> Floats:

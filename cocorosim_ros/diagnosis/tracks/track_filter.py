@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
@@ -11,9 +11,7 @@ from cocorosim_ros.diagnosis.criteria.filter import FILTER
 from cocorosim_ros.diagnosis.filter.coloured import shares_left
 from cocorosim_ros.diagnosis.filter.covariance import GATE
 from cocorosim_ros.diagnosis.filter.filter import filter_pass, slope_pass
-from cocorosim_ros.diagnosis.filter.many_noises import passes_beside
-from cocorosim_ros.diagnosis.filter.motion import make_motion, run_free
-from cocorosim_ros.diagnosis.filter.noise_sets import Beliefs, Known, Noises, make_space
+from cocorosim_ros.diagnosis.filter.motion import run_free
 from cocorosim_ros.diagnosis.filter.records import (
     Belief,
     History,
@@ -34,7 +32,6 @@ from cocorosim_ros.diagnosis.tracks.reading_laws import law_shift, without_laws
 from cocorosim_ros.diagnosis.tracks.start import Beginning
 from cocorosim_ros.diagnosis.tracks.timeline import Timeline
 from cocorosim_ros.foundation.arrays import Floats
-from cocorosim_ros.foundation.compiling.four import LANES
 from cocorosim_ros.world.state.state import STATE_SIZE
 from cocorosim_ros.world.terms.blocks import HORIZONTAL, VERTICAL
 from cocorosim_ros.world.terms.course import Course
@@ -54,18 +51,6 @@ def _blank_history(points: int) -> History:
     means = [np.zeros((points, 16)) for _ in range(2)]
     wide, high = ([np.zeros((points, size, size)) for _ in range(3)] for size in (HORIZONTAL, VERTICAL))
     return History(*means, *wide, *high)
-
-
-def _in_groups(values: Sequence[Floats]) -> Floats:
-    """Values (n,) of each row as (groups, n, LANES); the last row fills the last group up."""
-    groups = -(-len(values) // LANES)
-    filled = np.array([*values, *[values[-1]] * (groups * LANES - len(values))])
-    return np.ascontiguousarray(filled.reshape(groups, LANES, filled.shape[1]).swapaxes(1, 2))
-
-
-def _out_of_groups(values: Floats, rows: int) -> Floats:
-    """Values (rows, n) of so many rows from (groups, n, LANES)."""
-    return values.swapaxes(1, 2).reshape(-1, values.shape[1])[:rows]
 
 
 class TrackFilter:
@@ -143,30 +128,6 @@ class TrackFilter:
         path: Floats = run_free(drive, start, body, grid, Stretch(first, points), push)
         return path
 
-    def beside(self, row: Floats, rows: Floats, past: Pass) -> tuple[Floats, Floats]:
-        """Innovations and their variances (rows, m) under `rows` (rows, columns) with other noise than `row`.
-
-        past: the pass under `row`, whose course all share; what noise changes is found to first order.
-        """
-        left = [self._shares_left(each) for each in rows]
-        swell = [self._swell(each) for each in rows]
-        if any(len(each) for each in swell):
-            swell = [each if len(each) else np.ones(self.timeline.grid.points) for each in swell]
-        noises = Noises(
-            _in_groups([np.exp(each[WATER]) for each in rows]),
-            _in_groups([np.exp(2.0 * each[READING_COLUMNS]) for each in rows]),
-            _in_groups(left if any(each.any() for each in left) else [each[:0] for each in left]),
-            _in_groups(swell),
-        )
-        found = Beliefs(*np.empty((2, len(noises.left), len(self.timeline.kind), LANES)))
-        kept = Past(past.innovation, past.gain, past.believed)
-        known = Known(row[SENSORS], np.exp(row[WATER]), self._shares_left(row), kept)
-        body, start, readings = self.actuation.vehicle.body(row), self.start(row), self.readings(row)
-        motion, space = make_motion(start.mean, body), make_space(noises, readings.step)
-        passes_beside(readings, self.actuation.drive(row), start, motion, body, known, noises, space, found)
-        innovation, variance = (_out_of_groups(each, len(rows)) for each in found)
-        return innovation, variance
-
     def slope(self, row: Floats, past: Pass, step: float, slope: Floats) -> None:
         """Write into `slope` (m,) the derivative of the innovations of the pass `past` by one unknown, gains held.
 
@@ -193,16 +154,12 @@ class TrackFilter:
         count = len(self.timeline.kind)
         gain = np.zeros((count if with_gains else 0, HORIZONTAL))
         belief = Belief(np.empty(count), np.empty(count), gain, kept)
-        swell = self._swell(row)
+        swell = self._agitation.variance(row, self.timeline.grid.moments) if self._agitation else NO_SWELL
         variance = np.exp(2.0 * row[READING_COLUMNS])
         numbers = PassNumbers(row[SENSORS], np.exp(row[WATER]), variance, self._shares_left(row), swell)
         body = self.actuation.vehicle.body(row)
         filter_pass(self.readings(row), self.actuation.drive(row), self.start(row), body, numbers, belief)
         return belief
-
-    def _swell(self, row: Floats) -> Floats:
-        """Factors (points,) of the random force's variance; empty where it grows with nothing."""
-        return self._agitation.variance(row, self.timeline.grid.moments) if self._agitation else NO_SWELL
 
     def start(self, row: Floats) -> Start:
         """Start under the errors of sensors in a row; slopes by most numbers ask for the same one again."""

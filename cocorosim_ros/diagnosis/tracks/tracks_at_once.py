@@ -26,23 +26,7 @@ def of_each_number(work: Callable[[int], Found], count: int, tracks: int) -> lis
     In threads where there are more processors than `tracks`, each of which asks for this at the same time: a diagnosis
     of a single recording, too, has work for all of them. No result may depend on another one of the same call.
     """
-    return _in_threads(work, count, min(count, _threads_for_each(tracks)))
-
-
-def of_each_stretch(work: Callable[[range], Found], count: int, tracks: int, least: int) -> list[Found]:
-    """Call `work` with stretches of the numbers 0 to `count` - 1, each a multiple of `least` long but for the last.
-
-    As many as there are threads, as in `of_each_number`: for work that numbers share.
-    """
-    groups = -(-count // least)
-    threads = max(min(groups, _threads_for_each(tracks)), 1)
-    length = least * -(-groups // threads)
-    stretches = [range(begin, min(begin + length, count)) for begin in range(0, count, length)] if count else []
-    return _in_threads(lambda number: work(stretches[number]), len(stretches), threads)
-
-
-def _threads_for_each(tracks: int) -> int:
-    return -(-min(processors(), MOST) // tracks)
+    return _in_threads(work, count, min(count, -(-min(processors(), MOST) // tracks)))
 
 
 def _in_threads(work: Callable[[int], Found], count: int, most: int) -> list[Found]:
