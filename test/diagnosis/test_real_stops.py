@@ -36,7 +36,7 @@ def told(name: str, bags: list[Path], folder: Path) -> tuple[DiagnosisResult, An
 
 
 def test_a_pressure_sensor_that_alone_shows_the_depth_has_no_law(tmp_path: Path) -> None:
-    """Three dives of a small AUV: a gauge that reads 95 % of the depth as its own error was confirmed.
+    """Three dives of a small AUV: of twelve, a law by which the gauge errs with the depth was confirmed.
 
     Whatever is named is suspected at most, with its reasons.
     """
@@ -51,7 +51,7 @@ def test_a_pressure_sensor_that_alone_shows_the_depth_has_no_law(tmp_path: Path)
 
 
 def test_a_glider_whose_speed_nobody_measured_has_no_cause(tmp_path: Path) -> None:
-    """Two dives: drag stood at 120 times its value, and laws of time and depth were confirmed beside it."""
+    """Two dives: a trim of the buoyancy was confirmed on a fit that had collapsed, and then a hull that gives way."""
     lines = (DATA / "slocum_glider" / "glider_A.csv").read_text("utf-8").splitlines(keepends=True)
     (tmp_path / "glider_A.csv").write_text("".join(lines[:GLIDER_ROWS]), encoding="utf-8")
     convert(load_map(find_config("maps", "slocum_glider")), tmp_path / "glider_A.csv", tmp_path / "bag")
