@@ -13,8 +13,10 @@ import numpy as np
 import pytest
 
 MADE = str(Path(__file__).parent / "made")  # vehicles that no simulator of ours moves
-if MADE not in sys.path:
-    sys.path.append(MADE)
+TRIALS = str(Path(__file__).parents[1])  # drivers of trials, which know how recordings of others are cut
+for folder in (MADE, TRIALS):
+    if folder not in sys.path:
+        sys.path.append(folder)
 
 SEED = 20261121
 STEP = 0.05  # s, of the simulation
