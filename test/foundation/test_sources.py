@@ -102,7 +102,6 @@ def test_a_table_shows_its_lines_in_a_traceback(monkeypatch: pytest.MonkeyPatch)
 CALLED = """
 import sys
 sys.path.insert(0, {folder!r})
-from cocorosim_ros.foundation.compiling.kernel import allocating_kernel
 from callee import twice
 from {module} import Pair
 

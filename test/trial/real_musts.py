@@ -224,14 +224,15 @@ def glider_row(figures: Tree) -> Row:
     if GLIDER not in figures["groups"]:
         return Row(asked, "-", None)
     said = [diagnosis(figures["groups"][GLIDER], half) for half in (ONE, OTHER)]
-    named = [title(each) for half in said if half is not None for each in half["effects"]]
+    made = [half for half in said if half is not None]
+    effects = [each for half in made for each in half["effects"]]
     verdicts = ", ".join("no diagnosis" if half is None else half["verdict"] for half in said)
-    told = f"{verdicts} (one half, the other): {', '.join(named) or 'nothing is named'}"
-    warnings = [warning for half in said if half is not None for warning in half["warnings"]]
+    told = f"{verdicts} (one half, the other): {', '.join(map(title, effects)) or 'nothing is named'}"
+    warnings = [warning for half in made for warning in half["warnings"]]
     at_ends = sum(AT_A_BOUND in warning for warning in warnings)
     collapsed = any(COLLAPSED in warning for warning in warnings)
     told += "; a fit has collapsed" if collapsed else f"; {at_ends} number at the end of its range" if at_ends else ""
-    causes = {each["id"] for half in said if half is not None for each in half["effects"]}
+    causes = {each["id"] for each in effects}
     return Row(asked, told, None not in said and not collapsed and causes <= OF_A_GLIDER)
 
 

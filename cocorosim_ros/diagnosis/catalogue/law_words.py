@@ -25,18 +25,13 @@ def opposite_law_words(law: Law) -> str:
     return f"{_unexplained(EQUATION[law.of].opposite)} {_proportion(law.product)}"
 
 
-def law_words_of_either_sign(law: Law) -> str:
-    """Words for a law of motion whose sign is not known, or changes."""
-    return f"{_force(law.of)} {_proportion(law.product)}"
-
-
 def short_law_words(law: Law) -> str:
     """Words for a law that leave out what it is in proportion to, and the direction, which depends on that."""
     return _subject(READING_WORDS[law.of]) if law.topic else _force(law.of)
 
 
 def identifier_words(identifier: str) -> str:
-    """Words for the identifier of a law, which says of a stream but not of which of its readings."""
+    """Words for the identifier of a law, which says of a stream but not of which of its readings, and knows no sign."""
     subject, product = subject_and_product(identifier)
     kind = _force(subject) if subject in EQUATION else _subject(stream_words(subject))
     return f"{kind} {_proportion(product)}"

@@ -20,7 +20,7 @@ from cocorosim_ros.diagnosis.catalogue.law_forms import (
     square,
     typical_size,
 )
-from cocorosim_ros.diagnosis.catalogue.law_words import law_words, law_words_of_either_sign, opposite_law_words
+from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words, law_words, opposite_law_words
 from cocorosim_ros.diagnosis.criteria.catalogue import CATALOGUE, LAWS
 from cocorosim_ros.world.effects.pump_lag import PUMP_TICK
 from cocorosim_ros.world.laws.law import Factor, Law, Product
@@ -187,7 +187,7 @@ def _swinging(place: str, equation: str, scene: Scene) -> Entry:
     omega, phase, law = f"{place}.omega", f"{place}.phase", Law(equation, single("sin_t"))
     return replace(
         law_entry(place, law, scene),
-        name=law_words_of_either_sign(law),
+        name=identifier_words(law.text),
         opposite="",
         equation=f"{EQUATION[equation].symbol} = c sin(omega t + phase)",
         shapes=(
