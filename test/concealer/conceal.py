@@ -11,8 +11,8 @@ from typing import Any
 
 from concealer.prior import Wish
 from concealer.recording import make
-from concealer.rov.recording import make as make_rov
 from concealer.seal import publish
+from concealer.six_degrees.recording import make as make_rov
 
 
 def conceal(out: Path, numbers: dict[str, Any], seed: int, indices: range, wish: Wish, jobs: int = 1) -> Iterator[str]:

@@ -17,7 +17,7 @@ WITHOUT = {
 def test_every_effect_of_the_catalogue_has_a_form() -> None:
     """In the Lily or in the ROV; a reason stands only where there is none."""
     from concealer.catalogue_sensors import CATALOGUE
-    from concealer.rov.effects import EFFECTS
+    from concealer.six_degrees.effects import EFFECTS
 
     from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES, IDS
 
@@ -32,8 +32,8 @@ def test_every_form_has_a_size() -> None:
     """The registered priors say how large each is, so that a recording with it can be asked for."""
     from concealer import prior
     from concealer.catalogue_sensors import CATALOGUE
-    from concealer.rov.effects import EFFECTS
-    from concealer.rov.recording import load
+    from concealer.six_degrees.effects import EFFECTS
+    from concealer.six_degrees.recording import load
 
     for numbers, forms in ((prior.load(), CATALOGUE), (load(), EFFECTS)):
         assert set(forms) <= set(prior.entries(numbers))
@@ -43,7 +43,7 @@ def test_every_form_has_a_size() -> None:
 def test_what_is_asked_for_alone_is_never_drawn() -> None:
     """Recordings that a seed drew before stay as they were."""
     from concealer import prior
-    from concealer.rov.recording import load
+    from concealer.six_degrees.recording import load
 
     for numbers in (prior.load(), load()):
         assert not set(numbers["asked_for"]) & {*numbers["effects"], *numbers["outside"]}

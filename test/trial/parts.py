@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from trial.provenance import ROOT
 
-ROV_PRIOR = ROOT / "test" / "concealer" / "rov" / "rov.yaml"
+ROV_PRIOR = ROOT / "test" / "concealer" / "six_degrees" / "rov.yaml"
 ROV_PLATFORM = ROOT / "test" / "trial" / "rov_platform.yaml"
 
 

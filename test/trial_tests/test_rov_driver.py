@@ -99,7 +99,7 @@ def test_the_rovs_table_asks_at_its_own_levels_of_random_force() -> None:
 def test_levels_on_the_page_are_those_of_the_rovs_prior() -> None:
     """Rows of the table ask for noise that the prior draws."""
     from concealer.figures import percent
-    from concealer.rov.recording import load
+    from concealer.six_degrees.recording import load
     from trial.sealed_text import SHEETS
 
     drawn = {percent(noise) for noise in load()["noise"]}

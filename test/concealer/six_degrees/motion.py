@@ -16,7 +16,7 @@ import numpy as np
 
 from concealer.compiled import compiled
 from concealer.layout import FloatArray
-from concealer.rov import vehicle as at
+from concealer.six_degrees import layout as at
 
 PIECES = 12  # of a cable
 FRICTION = 0.02  # drag along a cable over drag across it

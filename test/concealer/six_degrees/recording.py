@@ -12,13 +12,13 @@ from ruamel.yaml import YAML
 from concealer import bag, water
 from concealer.layout import FloatArray
 from concealer.prior import Wish, entries, pick, size
-from concealer.rov import vehicle as at
-from concealer.rov.effects import EFFECTS, Scene
-from concealer.rov.instruments import observed
-from concealer.rov.oracle import noise as noise_of_pose
-from concealer.rov.oracle import oracle
-from concealer.rov.programme import drawn, drive
 from concealer.seal import canonical, file_digest, seal
+from concealer.six_degrees import layout as at
+from concealer.six_degrees.effects import EFFECTS, Scene
+from concealer.six_degrees.instruments import observed
+from concealer.six_degrees.oracle import noise as noise_of_pose
+from concealer.six_degrees.oracle import oracle
+from concealer.six_degrees.programme import drawn, drive
 
 PRIOR = Path(__file__).with_name("rov.yaml")
 ROBOT = "rov_01"

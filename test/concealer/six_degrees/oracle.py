@@ -9,9 +9,9 @@ import numpy as np
 
 from concealer.layout import FloatArray
 from concealer.oracle import HELD_OUT, Scores, scored
-from concealer.rov import vehicle as at
-from concealer.rov.programme import replay
 from concealer.sensors import Stream
+from concealer.six_degrees import layout as at
+from concealer.six_degrees.programme import replay
 
 WINDOWS = (1.0, 2.0, 5.0, 10.0, 20.0)  # s: such a vehicle coasts for a third of a second
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from concealer.layout import FloatArray
-from concealer.rov import vehicle as at
-from concealer.rov.effects import Scene
 from concealer.sensors import DIGIT, Stream
+from concealer.six_degrees import layout as at
+from concealer.six_degrees.effects import Scene
 
 Numbers = dict[str, Any]
 

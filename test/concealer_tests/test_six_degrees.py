@@ -13,8 +13,8 @@ import pytest
 
 def _moved(p: Any, s: Any, seconds: float, command: Any = None) -> Any:
     """The state after a time without random forces."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.motion import advance
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.motion import advance
 
     commands = np.zeros(8) if command is None else command
     for step in range(round(seconds / at.STEP)):
@@ -24,7 +24,7 @@ def _moved(p: Any, s: Any, seconds: float, command: Any = None) -> Any:
 
 def _bare(**places: float) -> Any:
     """(SIZE,) the vehicle without drag, lift and righting, but for these numbers."""
-    from concealer.rov import vehicle as at
+    from concealer.six_degrees import layout as at
 
     p = at.nominal()
     p[at.LINEAR : at.LINEAR + 12] = 0.0
@@ -36,8 +36,8 @@ def _bare(**places: float) -> Any:
 
 def test_a_free_body_keeps_energy_and_its_momenta_in_the_world() -> None:
     """Kirchhoff's equations without forces keep kinetic energy, and linear momentum as the world sees it."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.motion import turned
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.motion import turned
 
     p, s = _bare(), np.zeros(at.STATE)
     s[at.QUATERNION] = 1.0
@@ -57,7 +57,7 @@ def test_a_free_body_keeps_energy_and_its_momenta_in_the_world() -> None:
 
 def test_a_tilted_vehicle_swings_as_a_pendulum() -> None:
     """A small roll swings with the period 2 pi sqrt(I / righting) where nothing damps it."""
-    from concealer.rov import vehicle as at
+    from concealer.six_degrees import layout as at
 
     p, s = _bare(righting=4.0), np.zeros(at.STATE)
     s[at.QUATERNION], s[at.QUATERNION + 1] = math.cos(0.01), math.sin(0.01)
@@ -67,7 +67,7 @@ def test_a_tilted_vehicle_swings_as_a_pendulum() -> None:
 
 def test_steady_speed_is_where_drag_is_thrust() -> None:
     """All four vectored thrusters at c: 4 cos(45 deg) 40 N c = d u + q u^2; the vehicle goes straight."""
-    from concealer.rov import vehicle as at
+    from concealer.six_degrees import layout as at
 
     p, s = at.nominal(), np.zeros(at.STATE)
     p[at.LIFT], p[at.RIGHTING] = 0.0, 1e3  # as good as level
@@ -80,8 +80,8 @@ def test_steady_speed_is_where_drag_is_thrust() -> None:
 
 def test_a_resting_accelerometer_feels_gravity_and_effects_pull_as_they_are_said_to() -> None:
     """At rest, without lift: 9.81 m/s^2 upward; a tether of 2 N/m and 1.5 m pulls 3 N, to be shared by the mass."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.motion import felt, level_of
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.motion import felt, level_of
 
     p, s = _bare(tether=2.0, tether_x=1.5), np.zeros(at.STATE)
     s[at.QUATERNION] = 1.0
@@ -95,8 +95,8 @@ def test_a_towed_cable_takes_what_its_pieces_take() -> None:
 
     Along it there is a fiftieth of that. A bow has drag along the line to the anchor as well, and never gives energy.
     """
-    from concealer.rov import vehicle as at
-    from concealer.rov.motion import cable_drag
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.motion import cable_drag
 
     p, s = _bare(cable=1.2, cable_x=-3.0), np.zeros(at.STATE)
     s[at.Z], s[at.QUATERNION], s[at.VELOCITY + 1] = -4.0, 1.0, 0.4
@@ -112,8 +112,8 @@ def test_a_towed_cable_takes_what_its_pieces_take() -> None:
 @pytest.mark.parametrize(("sign", "lever"), [(1.0, 0.03 * 1.2), (-1.0, 0.03 * 0.8)])
 def test_thrust_to_the_side_turns_by_its_lever(sign: float, lever: float) -> None:
     """All four vectored thrusters at c, for sway alone: Y = 4 sin(45 deg) 40 N c; N = lever Y, longer to the left."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.motion import loads
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.motion import loads
 
     p, s = _bare(side_lever=0.03, side_uneven=0.2), np.zeros(at.STATE)
     s[at.QUATERNION] = 1.0
@@ -129,7 +129,7 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Three sealed recordings of 40 s."""
     from concealer.conceal import conceal
     from concealer.prior import Wish
-    from concealer.rov.recording import load
+    from concealer.six_degrees.recording import load
 
     out = tmp_path_factory.mktemp("rov") / "t"
     assert list(conceal(out, load(), 9, range(3), Wish("single", noise=0.005, duration=40.0))) == [
@@ -142,8 +142,8 @@ def test_recordings_of_the_rov_are_sealed_and_the_same_twice(recordings: Path, t
     """All seals hold; the same seed writes the same bytes."""
     from concealer.conceal import conceal
     from concealer.prior import Wish
-    from concealer.rov.recording import load
     from concealer.seal import broken_seals
+    from concealer.six_degrees.recording import load
 
     ledger = recordings / "ledger.json"
     assert broken_seals(ledger, recordings / "envelopes", recordings / "recordings") == []
@@ -155,7 +155,7 @@ def test_recordings_of_the_rov_are_sealed_and_the_same_twice(recordings: Path, t
 def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: Path) -> None:
     """rosbags reads names and levels of the thrusters and a quaternion of length 1; the envelope names one effect."""
     from concealer.bag import typestore
-    from concealer.rov import vehicle as at
+    from concealer.six_degrees import layout as at
     from rosbags.rosbag2 import Reader
 
     with Reader(recordings / "recordings" / "r0001") as reader:
@@ -175,7 +175,7 @@ def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: 
 
 def test_the_platform_file_is_the_vehicle_that_the_concealer_has() -> None:
     """The file that the tool is given says the Concealer's own nominal numbers, and the same thrusters."""
-    from concealer.rov import vehicle as at
+    from concealer.six_degrees import layout as at
     from ruamel.yaml import YAML
 
     file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
@@ -197,7 +197,7 @@ def test_two_effects_are_hidden_where_several_are_wished_for(tmp_path: Path) -> 
     """They are different entries of the prior, of the sizes of that kind."""
     from concealer.conceal import conceal
     from concealer.prior import Wish
-    from concealer.rov.recording import load
+    from concealer.six_degrees.recording import load
 
     list(conceal(tmp_path / "t", load(), 3, range(2), Wish("several", noise=0.0, duration=20.0)))
     for path in (tmp_path / "t" / "envelopes").iterdir():
@@ -208,8 +208,8 @@ def test_two_effects_are_hidden_where_several_are_wished_for(tmp_path: Path) -> 
 
 def test_the_envelope_tells_the_vehicle_by_the_names_of_its_platform_file() -> None:
     """Of the nominal vehicle all numbers are those of the file; another one has its own."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.recording import in_words
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.recording import in_words
     from ruamel.yaml import YAML
 
     file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
@@ -230,9 +230,9 @@ def test_the_envelope_tells_the_vehicle_by_the_names_of_its_platform_file() -> N
 
 def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
     """1.7 N on 17 kg without drag, unknown to it: the place is off by 0.1 t^2 / 2; without a push it does not err."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.oracle import free_run
-    from concealer.rov.programme import drive
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.oracle import free_run
+    from concealer.six_degrees.programme import drive
 
     plan, time = np.array([[0.0, 0.0, 0.0, 0.0, 2.0]]), np.arange(0.0, 1.0 + 0.5 * at.ROW_TIME, at.ROW_TIME)
     for push in (0.0, 1.7):
@@ -245,9 +245,9 @@ def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
 
 def test_an_effect_that_is_hidden_is_known_to_the_model_that_knows_the_truth() -> None:
     """A swinging force and a battery go on from the moment at which a window begins."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.oracle import free_run
-    from concealer.rov.programme import drawn, drive
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.oracle import free_run
+    from concealer.six_degrees.programme import drawn, drive
 
     p = at.nominal()
     p[[at.SWING, at.SWING_OMEGA, at.BATTERY, at.LAG, at.DURATION]] = 3.0, 0.4, 0.5, 0.2, 30.0
@@ -258,9 +258,9 @@ def test_an_effect_that_is_hidden_is_known_to_the_model_that_knows_the_truth() -
 
 def test_the_noise_of_the_pose_is_that_of_its_readings() -> None:
     """A late pose that errs by 2 cm to and fro and turns by 0.01 rad has just that noise, whatever the motion."""
-    from concealer.rov import vehicle as at
-    from concealer.rov.oracle import noise
     from concealer.sensors import Stream
+    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.oracle import noise
 
     clock = np.arange(0.0, 20.0 + 0.5 * at.ROW_TIME, at.ROW_TIME)
     rows, time = np.zeros((len(clock), at.ROW)), np.arange(2.0, 20.0, 0.25)

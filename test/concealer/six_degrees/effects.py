@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from concealer.layout import FloatArray
-from concealer.rov import vehicle as at
 from concealer.scene import Secret, signed
+from concealer.six_degrees import layout as at
 
 
 @dataclass

@@ -13,8 +13,8 @@ import numpy as np
 
 from concealer.compiled import compiled
 from concealer.layout import FloatArray
-from concealer.rov import vehicle as at
-from concealer.rov.motion import advance, felt, turned_back
+from concealer.six_degrees import layout as at
+from concealer.six_degrees.motion import advance, felt, turned_back
 
 REACH = 4.0  # m from the origin, beyond which it is steered back
 
