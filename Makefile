@@ -100,6 +100,9 @@ prove-families: set-up
 prove-rov: set-up
 	$(PROVE) rov --warm --count $(TRIAL_COUNT) --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT)-rov --pages $(TRIAL_OUT)-rov/pages
 
+prove-slender: set-up
+	$(PROVE) slender --warm --count $(TRIAL_COUNT) --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT)-slender --pages $(TRIAL_OUT)-slender/pages
+
 prove-against: set-up
 	@test -n "$(TRIAL_DATA)" || { echo "Say where the recordings are: make prove-against TRIAL_DATA=FOLDER" >&2; exit 1; }
 	$(PROVE) against --data $(TRIAL_DATA) --count $(TRIAL_ALTERED) --limit 900 --jobs $(TRIAL_JOBS) --minutes $(TRIAL_MINUTES) --out $(TRIAL_OUT)-against --pages $(TRIAL_PAGES)

@@ -27,6 +27,7 @@ TYPES = {
     "pressure": "sensor_msgs/msg/FluidPressure",
     "imu": "sensor_msgs/msg/Imu",
     "velocity": "geometry_msgs/msg/TwistStamped",
+    "ground_velocity": "geometry_msgs/msg/TwistStamped",
     "thruster_command": "cocorosim_msgs/msg/ThrusterCommand",
 }
 ACTUATORS = ["left", "right", "buoyancy"]
@@ -52,7 +53,7 @@ def blank(topic: str, frame: str, actuators: list[str]) -> Any:
     turn = types["geometry_msgs/msg/Quaternion"](0.0, 0.0, 0.0, 1.0)
     if topic == "pose":
         return kind(header, types["geometry_msgs/msg/Pose"](types["geometry_msgs/msg/Point"](0.0, 0.0, 0.0), turn))
-    if topic == "velocity":
+    if topic in ("velocity", "ground_velocity"):
         return kind(header, types["geometry_msgs/msg/Twist"](vector, vector))
     if topic == "imu":
         nine = np.zeros(9)

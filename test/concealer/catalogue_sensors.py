@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from concealer import speed_logs
 from concealer.catalogue import BODY, Hide
 from concealer.layout import DURATION, FloatArray
 from concealer.scene import Faults, Scene, Secret, direction, signed
@@ -173,27 +174,18 @@ def marked(state: FloatArray, faults: Faults) -> FloatArray:
 
 
 def speed_log_scale(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
-    """A factor that swings as the water warms and cools; the number is its mean."""
-    fault = scene.fault
-    fault.log_scale = signed(rng, amount)
-    fault.log_warmth = float(scene.own[DURATION] / rng.integers(2, 5)), rng.uniform(-math.pi, math.pi)
-    form = "1 + s (1 + 0.3 sin(2 pi t / T)), whole periods; scale: the mean"
-    return Secret("speed_log_scale", {"scale": 1.0 + fault.log_scale}, form, "velocity")
+    """A log of the speed through the water with another gain."""
+    return speed_logs.scale(rng, amount, scene.fault, "speed_log", scene.own[DURATION])
 
 
 def speed_log_misalignment(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
-    """Two beams that are turned nearly alike; the number is the mean of both angles."""
-    angle, apart = signed(rng, amount), rng.uniform(-0.1, 0.1)
-    scene.fault.log_turn = angle * (1.0 + apart), angle * (1.0 - apart)
-    return Secret("speed_log_misalignment", {"angle": angle}, "each beam turned by itself; angle: the mean", "velocity")
+    """A log of the speed through the water that is put on askew."""
+    return speed_logs.misalignment(rng, amount, scene.fault, "speed_log")
 
 
 def speed_log_lever(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
-    """A log on a pole, which turns to one side lean outwards and those to the other inwards; the number is the mean."""
-    scene.fault.log_place, scene.fault.log_swing = direction(rng, amount), rng.uniform(-0.15, 0.15)
-    ahead, left = scene.fault.log_place
-    form = "(ahead, left) times 1 + s sign(r); ahead, left: the mean of both turns"
-    return Secret("speed_log_lever", {"ahead": ahead, "left": left}, form, "velocity")
+    """A log of the speed through the water beside the centre."""
+    return speed_logs.lever(rng, amount, scene.fault, "speed_log")
 
 
 def pose_heading(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:

@@ -12,13 +12,14 @@ from typing import Any
 from concealer.prior import Wish
 from concealer.recording import make
 from concealer.seal import publish
-from concealer.six_degrees.recording import make as make_rov
+from concealer.six_degrees.makes import MAKES
+from concealer.six_degrees.recording import make as make_with_six
 
 
 def conceal(out: Path, numbers: dict[str, Any], seed: int, indices: range, wish: Wish, jobs: int = 1) -> Iterator[str]:
     """Names of the recordings as they are finished; the ledger is written after the last one.
 
-    Numbers are those of a prior: of the second vehicle if they say so by `robot: rov`.
+    Numbers are those of a prior: of a vehicle with six degrees of freedom if they say so, as by `robot: rov`.
 
     Raises FileExistsError if the folder holds a trial already.
     """
@@ -26,7 +27,7 @@ def conceal(out: Path, numbers: dict[str, Any], seed: int, indices: range, wish:
         (out / folder).mkdir(parents=True)
     entries: dict[str, dict[str, str]] = {}
     fixed = (repeat(seed), repeat(out), repeat(numbers), repeat(wish))
-    make_one = make_rov if numbers.get("robot") == "rov" else make
+    make_one = make_with_six if numbers.get("robot") in MAKES else make
     if jobs == 1:
         for entry in map(make_one, indices, *fixed):
             entries.update([entry])

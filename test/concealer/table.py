@@ -9,7 +9,7 @@ from concealer.cases import CATALOGUE_KINDS, Case
 from concealer.figures import percent, rate
 
 Scores = dict[str, Any]
-BY_THE_PRIOR = ("", "main", "families", "rov")  # parts of a trial in which nothing was asked for
+BY_THE_PRIOR = ("", "main", "families", "rov", "slender")  # parts of a trial in which nothing was asked for
 
 
 def of_kind(cases: Iterable[Case], *kinds: str) -> list[Case]:

@@ -25,8 +25,9 @@ def _moved(p: Any, s: Any, seconds: float, command: Any = None) -> Any:
 def _bare(**places: float) -> Any:
     """(SIZE,) the vehicle without drag, lift and righting, but for these numbers."""
     from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import ROV
 
-    p = at.nominal()
+    p = ROV.nominal()
     p[at.LINEAR : at.LINEAR + 12] = 0.0
     p[at.LIFT] = p[at.RIGHTING] = 0.0
     for name, value in places.items():
@@ -68,11 +69,12 @@ def test_a_tilted_vehicle_swings_as_a_pendulum() -> None:
 def test_steady_speed_is_where_drag_is_thrust() -> None:
     """All four vectored thrusters at c: 4 cos(45 deg) 40 N c = d u + q u^2; the vehicle goes straight."""
     from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import ROV
 
-    p, s = at.nominal(), np.zeros(at.STATE)
+    p, s = ROV.nominal(), np.zeros(at.STATE)
     p[at.LIFT], p[at.RIGHTING] = 0.0, 1e3  # as good as level
     s[at.QUATERNION] = 1.0
-    _moved(p, s, 30.0, 0.1 * at.ALLOCATION[0])
+    _moved(p, s, 30.0, 0.1 * np.array(ROV.allocation[0]))
     u = (-4.03 + math.sqrt(4.03**2 + 4.0 * 18.18 * 0.4 * math.sqrt(0.5) * 40.0)) / (2.0 * 18.18)
     assert s[at.VELOCITY] == pytest.approx(u, rel=1e-3)
     assert s[at.VELOCITY + 1] == pytest.approx(0.0, abs=1e-9) and s[at.RATE + 2] == pytest.approx(0.0, abs=1e-9)
@@ -113,11 +115,12 @@ def test_a_towed_cable_takes_what_its_pieces_take() -> None:
 def test_thrust_to_the_side_turns_by_its_lever(sign: float, lever: float) -> None:
     """All four vectored thrusters at c, for sway alone: Y = 4 sin(45 deg) 40 N c; N = lever Y, longer to the left."""
     from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import ROV
     from concealer.six_degrees.motion import loads
 
     p, s = _bare(side_lever=0.03, side_uneven=0.2), np.zeros(at.STATE)
     s[at.QUATERNION] = 1.0
-    s[at.LEVEL : at.LEVEL + 8] = sign * 0.2 * at.ALLOCATION[1]
+    s[at.LEVEL : at.LEVEL + 8] = sign * 0.2 * np.array(ROV.allocation[1])
     force, moment = loads(p, s, np.zeros(4), 0.0)
     sideways = sign * 0.2 * 4.0 * math.sqrt(0.5) * 40.0
     assert force[1] == pytest.approx(sideways)
@@ -132,7 +135,7 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
     from concealer.six_degrees.recording import load
 
     out = tmp_path_factory.mktemp("rov") / "t"
-    assert list(conceal(out, load(), 9, range(3), Wish("single", noise=0.005, duration=40.0))) == [
+    assert list(conceal(out, load("rov"), 9, range(3), Wish("single", noise=0.005, duration=40.0))) == [
         "r0000", "r0001", "r0002",
     ]  # fmt: skip
     return out
@@ -148,14 +151,14 @@ def test_recordings_of_the_rov_are_sealed_and_the_same_twice(recordings: Path, t
     ledger = recordings / "ledger.json"
     assert broken_seals(ledger, recordings / "envelopes", recordings / "recordings") == []
     again = tmp_path / "t"
-    assert len(list(conceal(again, load(), 9, range(3), Wish("single", noise=0.005, duration=40.0)))) == 3
+    assert len(list(conceal(again, load("rov"), 9, range(3), Wish("single", noise=0.005, duration=40.0)))) == 3
     assert (again / "ledger.json").read_bytes() == ledger.read_bytes()
 
 
 def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: Path) -> None:
     """rosbags reads names and levels of the thrusters and a quaternion of length 1; the envelope names one effect."""
     from concealer.bag import typestore
-    from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import ROV
     from rosbags.rosbag2 import Reader
 
     with Reader(recordings / "recordings" / "r0001") as reader:
@@ -163,7 +166,7 @@ def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: 
             link.topic.rpartition("/")[2]: typestore().deserialize_cdr(data, link.msgtype)
             for link, _, data in reader.messages()
         }
-    assert list(first["thruster_command"].name) == at.NAMES
+    assert list(first["thruster_command"].name) == list(ROV.names)
     assert len(first["thruster_command"].command) == 8 and np.abs(first["thruster_command"].command).max() <= 1.0
     q = first["imu"].orientation
     assert math.hypot(q.x, q.y, q.z, q.w) == pytest.approx(1.0, abs=1e-6)
@@ -173,24 +176,38 @@ def test_an_independent_reader_finds_eight_commands_and_an_attitude(recordings: 
     assert len(truth["effects"]) == 1 and truth["kind"] == "single"
 
 
-def test_the_platform_file_is_the_vehicle_that_the_concealer_has() -> None:
+@pytest.mark.parametrize("name", ["rov", "slender"])
+def test_the_platform_file_is_the_vehicle_that_the_concealer_has(name: str) -> None:
     """The file that the tool is given says the Concealer's own nominal numbers, and the same thrusters."""
     from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import MAKES
     from ruamel.yaml import YAML
 
-    file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
-    told, p = YAML(typ="safe").load(file.read_text(encoding="utf-8")), at.nominal()
+    made, file = MAKES[name], Path(__file__).resolve().parents[1] / "trial" / f"{name}_platform.yaml"
+    told, p = YAML(typ="safe").load(file.read_text(encoding="utf-8")), made.nominal()
+    assert told["name"] == name
     assert told["mass"]["value"] == pytest.approx(p[at.MASS]) and told["drag"]["value"] == p[at.QUADRATIC]
-    cable = told["hull"]["cable_diameter"]
-    assert cable["value"] == pytest.approx(1e3 * at.CABLE_WIDTH) and cable["unit"] == "mm"
+    assert told["yaw_inertia"]["value"] == pytest.approx(p[at.INERTIA + 2])
     added = told["effects"]["added_mass"]
     assert [added[key]["value"] for key in ("sway_minus_surge", "heave_minus_surge")] == pytest.approx(
         list(p[at.MASS + 1 : at.MASS + 3] - p[at.MASS])
     )
-    assert [actuator["name"] for actuator in told["actuators"]] == at.NAMES
-    for actuator, place, way in zip(told["actuators"], at.PLACES, at.DIRECTIONS, strict=True):
-        assert actuator["position"]["value"] == pytest.approx(list(place))
-        assert actuator["direction"]["value"] == pytest.approx(list(way), abs=1e-6)
+    assert [actuator["name"] for actuator in told["actuators"]] == list(made.names)
+    for k, actuator in enumerate(told["actuators"]):
+        assert actuator["position"]["value"] == pytest.approx(list(made.places[k]))
+        assert actuator["direction"]["value"] == pytest.approx(list(made.directions[k]), abs=1e-6)
+        assert actuator["maximum"]["value"] == made.thrust * made.strengths[k]
+        assert actuator.get("diameter", {"value": p[at.PROPELLER]})["value"] == p[at.PROPELLER]
+
+
+def test_the_cable_is_that_of_the_platform_file() -> None:
+    """The file says its width in millimetres."""
+    from concealer.six_degrees import layout as at
+    from ruamel.yaml import YAML
+
+    file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
+    cable = YAML(typ="safe").load(file.read_text(encoding="utf-8"))["hull"]["cable_diameter"]
+    assert cable["value"] == pytest.approx(1e3 * at.CABLE_WIDTH) and cable["unit"] == "mm"
 
 
 def test_two_effects_are_hidden_where_several_are_wished_for(tmp_path: Path) -> None:
@@ -199,21 +216,22 @@ def test_two_effects_are_hidden_where_several_are_wished_for(tmp_path: Path) -> 
     from concealer.prior import Wish
     from concealer.six_degrees.recording import load
 
-    list(conceal(tmp_path / "t", load(), 3, range(2), Wish("several", noise=0.0, duration=20.0)))
+    list(conceal(tmp_path / "t", load("rov"), 3, range(2), Wish("several", noise=0.0, duration=20.0)))
     for path in (tmp_path / "t" / "envelopes").iterdir():
         hidden = json.loads(path.read_text())["effects"]
         assert len({effect["id"] for effect in hidden}) == 2
-        assert all(effect["id"] in load()["effects"] and 0.3 <= effect["size"] <= 1.0 for effect in hidden)
+        assert all(effect["id"] in load("rov")["effects"] and 0.3 <= effect["size"] <= 1.0 for effect in hidden)
 
 
 def test_the_envelope_tells_the_vehicle_by_the_names_of_its_platform_file() -> None:
     """Of the nominal vehicle all numbers are those of the file; another one has its own."""
     from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import ROV
     from concealer.six_degrees.recording import in_words
     from ruamel.yaml import YAML
 
     file = Path(__file__).resolve().parents[1] / "trial" / "rov_platform.yaml"
-    told, words = YAML(typ="safe").load(file.read_text(encoding="utf-8")), in_words(at.nominal())
+    told, words = YAML(typ="safe").load(file.read_text(encoding="utf-8")), in_words(ROV.nominal(), ROV.nominal())
     for name, value in words.items():
         effect, _, number = name.rpartition(".")
         if effect:
@@ -222,10 +240,11 @@ def test_the_envelope_tells_the_vehicle_by_the_names_of_its_platform_file() -> N
         [told[name]["value"] for name in ("mass", "yaw_inertia", "drag", "yaw_drag")]
     )
     assert words["assumed"] == pytest.approx({"mass": 17.0, "inertia": 0.28})
-    p = at.nominal()
+    p = ROV.nominal()
     p[at.THRUST], p[at.QUADRATIC] = 44.0, 2.0 * p[at.QUADRATIC]
-    assert in_words(p)["thrust_gain"] == in_words(p)["yaw_torque_gain"] == pytest.approx(1.1)
-    assert in_words(p)["anisotropic_drag.sway_ratio"] == pytest.approx(21.66 / 36.36)
+    words = in_words(p, ROV.nominal())
+    assert words["thrust_gain"] == words["yaw_torque_gain"] == pytest.approx(1.1)
+    assert words["anisotropic_drag.sway_ratio"] == pytest.approx(21.66 / 36.36)
 
 
 def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
@@ -234,7 +253,7 @@ def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
     from concealer.six_degrees.oracle import free_run
     from concealer.six_degrees.programme import drive
 
-    plan, time = np.array([[0.0, 0.0, 0.0, 0.0, 2.0]]), np.arange(0.0, 1.0 + 0.5 * at.ROW_TIME, at.ROW_TIME)
+    plan, time = np.array([[0.0, 0.0, 0.0, 0.0, 2.0, 0.0]]), np.arange(0.0, 1.0 + 0.5 * at.ROW_TIME, at.ROW_TIME)
     for push in (0.0, 1.7):
         knots = np.zeros((81, 4))
         knots[:, 0] = push
@@ -246,12 +265,13 @@ def test_a_model_that_knows_the_truth_errs_by_what_pushes_alone() -> None:
 def test_an_effect_that_is_hidden_is_known_to_the_model_that_knows_the_truth() -> None:
     """A swinging force and a battery go on from the moment at which a window begins."""
     from concealer.six_degrees import layout as at
+    from concealer.six_degrees.makes import ROV
     from concealer.six_degrees.oracle import free_run
     from concealer.six_degrees.programme import drawn, drive
 
-    p = at.nominal()
+    p = ROV.nominal()
     p[[at.SWING, at.SWING_OMEGA, at.BATTERY, at.LAG, at.DURATION]] = 3.0, 0.4, 0.5, 0.2, 30.0
-    rows, commands = drive(p, drawn(np.random.default_rng(1), 30.0), np.zeros((301, 4)), 300)
+    rows, commands = drive(p, drawn(np.random.default_rng(1), 30.0, ROV.pilot), np.zeros((301, 4)), 300)
     assert np.ptp(rows[:, at.X]) > 0.1
     assert free_run(p, rows, commands, 5.0) == pytest.approx(np.zeros(4), abs=1e-12)
 

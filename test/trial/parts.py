@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from trial.provenance import ROOT
 
-ROV_PRIOR = ROOT / "test" / "concealer" / "six_degrees" / "rov.yaml"
-ROV_PLATFORM = ROOT / "test" / "trial" / "rov_platform.yaml"
+VEHICLES = ("rov", "slender")  # with six degrees of freedom, beside Lily
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,12 @@ def families_parts(count: int, word: str) -> list[Part]:
     return [part for part in every if part.count]
 
 
-def rov_parts(count: int) -> list[Part]:
-    """The one part of a trial of the second vehicle: what its prior draws."""
-    return [Part("rov", count, ("--prior", str(ROV_PRIOR)), str(ROV_PLATFORM))]
+def platform_of(vehicle: str) -> Path:
+    """Path of the platform file that the tool is given of one of VEHICLES."""
+    return ROOT / "test" / "trial" / f"{vehicle}_platform.yaml"
+
+
+def vehicle_parts(vehicle: str, count: int) -> list[Part]:
+    """The one part of a trial of one of VEHICLES: what its prior draws."""
+    prior = ROOT / "test" / "concealer" / "six_degrees" / f"{vehicle}.yaml"
+    return [Part(vehicle, count, ("--prior", str(prior)), str(platform_of(vehicle)))]

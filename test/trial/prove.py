@@ -1,7 +1,7 @@
 """Proof that `cocorosim diagnose` keeps its word.
 
-`prove.py sealed | families | rov | tampered | real | against | fleet`; `prove.py weights` fits the weights of its
-probabilities, `prove.py real-page` writes the page of `real` again.
+`prove.py sealed | families | rov | slender | tampered | real | against | fleet`; `prove.py weights` fits the weights of
+its probabilities, `prove.py real-page` writes the page of `real` again.
 """
 
 from __future__ import annotations
@@ -74,10 +74,11 @@ def _families(options: argparse.Namespace) -> int:
     return _trial(options, source, parts, {"families_table": table}, "trial_families")
 
 
-def _rov(options: argparse.Namespace) -> int:
-    from trial.parts import rov_parts
+def _vehicle(options: argparse.Namespace) -> int:
+    from trial.parts import vehicle_parts
 
-    return _trial(options, _seeded(options), rov_parts(options.count), {}, "trial_rov")
+    parts = vehicle_parts(options.vehicle, options.count)
+    return _trial(options, _seeded(options), parts, {}, f"trial_{options.vehicle}")
 
 
 def _trial(
@@ -190,8 +191,9 @@ def parser() -> argparse.ArgumentParser:
     one.set_defaults(run=_sealed)
     two = commands.add_parser("families", parents=[common, concealed], help="concealed effects in forms of families")
     two.set_defaults(run=_families)
-    second = commands.add_parser("rov", parents=[common, concealed], help="a second vehicle: an ROV")
-    second.set_defaults(run=_rov)
+    for name, words in (("rov", "a second vehicle: an ROV"), ("slender", "a third vehicle: a slender AUV")):
+        made = commands.add_parser(name, parents=[common, concealed], help=words)
+        made.set_defaults(run=_vehicle, vehicle=name)
     for name, run, words in (("tampered", _tampered, "altered logs"), ("real", _real, "recordings as they are")):
         other = commands.add_parser(name, parents=[common], help=f"real recordings: {words}")
         other.add_argument("--data", type=Path, required=True, help="folder with the data sets, each in its own folder")

@@ -134,6 +134,15 @@ ROV = (
     "drawn. What is asked for below is what is asked of the trial of Lily.",
     "",
 )
+SLENDER = (
+    "The vehicle is a made AUV in six degrees of freedom: a hull of revolution, two propellers behind each other,",
+    "four tunnel thrusters, a Doppler log over ground, attitude, compass, pressure and sounded places. Its",
+    "[platform file](../test/trial/slender_platform.yaml) tells the vehicle as it is drawn; drag, thrust and lift",
+    "differ from it in every recording. Lift of the hull, thrust lost in a jet and faults of a log over ground are",
+    "concealed in forms of their own, all else in the plain forms of the catalogue. Recordings that cannot tell are",
+    "not drawn. What is asked for below is what is asked of the trial of Lily.",
+    "",
+)
 
 
 @dataclass(frozen=True)
@@ -149,6 +158,7 @@ SHEETS = {
     "trial": Sheet("The sealed trial"),
     "trial_families": Sheet("The sealed trial, with families of forms", FAMILIES),
     "trial_rov": Sheet("The sealed trial of a second vehicle, an ROV", ROV, ("0.5", "1.5")),
+    "trial_slender": Sheet("The sealed trial of a third vehicle, a slender AUV", SLENDER, ("0.5", "1.5")),
 }
 
 

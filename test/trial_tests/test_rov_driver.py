@@ -27,9 +27,9 @@ def made(tool: Tool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[P
         'case "$*" in *test/trial/rov_platform.yaml*) ;; *) exit 1;; esac\n'
         f'mkdir -p "$out" && echo \'{answer}\' > "$out/diagnosis.json"'
     )
-    (whole,) = parts.rov_parts(4)
+    (whole,) = parts.vehicle_parts("rov", 4)
     short = parts.Part("rov", 4, (*whole.words, *SHORT), whole.platform)
-    monkeypatch.setattr(parts, "rov_parts", lambda count: [short] if count == 4 else [])
+    monkeypatch.setattr(parts, "vehicle_parts", lambda vehicle, count: {("rov", 4): [short]}[vehicle, count])
     words = ["rov", "--count", "4", "--seed-word", "a word", "--jobs", "1", "--limit", "20", "--minutes", "5"]
     options = prove.parser().parse_args([*words, "--out", str(out), "--pages", str(pages)])
     assert options.run(options) == 0
@@ -96,23 +96,26 @@ def test_the_rovs_table_asks_at_its_own_levels_of_random_force() -> None:
     ]  # fmt: skip
 
 
-def test_levels_on_the_page_are_those_of_the_rovs_prior() -> None:
+@pytest.mark.parametrize("vehicle", ["rov", "slender"])
+def test_levels_on_the_page_are_those_of_the_vehicles_prior(vehicle: str) -> None:
     """Rows of the table ask for noise that the prior draws."""
     from concealer.figures import percent
     from concealer.six_degrees.recording import load
     from trial.sealed_text import SHEETS
 
-    drawn = {percent(noise) for noise in load()["noise"]}
-    assert {f"{level}%" for level in SHEETS["trial_rov"].levels} == drawn - {"0%"}
+    drawn = {percent(noise) for noise in load(vehicle)["noise"]}
+    assert {f"{level}%" for level in SHEETS[f"trial_{vehicle}"].levels} == drawn - {"0%"}
 
 
-def test_the_tool_is_loaded_with_the_vehicle_of_the_trial(tmp_path: Path) -> None:
-    """The warm-up is a recording of the ROV with its file, and Lily's where no part is given."""
-    from trial.parts import ROV_PLATFORM, rov_parts
+@pytest.mark.parametrize("vehicle", ["rov", "slender"])
+def test_the_tool_is_loaded_with_the_vehicle_of_the_trial(tmp_path: Path, vehicle: str) -> None:
+    """The warm-up is a recording of the vehicle with its file, and Lily's where no part is given."""
+    from concealer.six_degrees.makes import MAKES
+    from trial.parts import platform_of, vehicle_parts
     from trial.sealed import short_diagnosis
 
-    task = short_diagnosis(tmp_path / "rov", rov_parts(1)[0])
-    truth = json.loads((tmp_path / "rov" / "warm_up" / "envelopes" / "r0000.json").read_text())
-    assert (truth["robots"], truth["kind"], truth["duration"]) == (["rov_01"], "nothing", 30.0)
-    assert task.words[-4:-2] == ["--platform", str(ROV_PLATFORM)]
+    task = short_diagnosis(tmp_path / vehicle, vehicle_parts(vehicle, 1)[0])
+    truth = json.loads((tmp_path / vehicle / "warm_up" / "envelopes" / "r0000.json").read_text())
+    assert (truth["robots"], truth["kind"], truth["duration"]) == ([MAKES[vehicle].robot], "nothing", 30.0)
+    assert task.words[-4:-2] == ["--platform", str(platform_of(vehicle))]
     assert short_diagnosis(tmp_path / "lily").platform == "lily"

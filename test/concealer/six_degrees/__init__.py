@@ -1,1 +1,1 @@
-"""A second vehicle: an ROV with eight thrusters and six degrees of freedom, of which the tool has a platform file."""
+"""Vehicles with six degrees of freedom, of which the tool has platform files: an ROV and a slender AUV."""

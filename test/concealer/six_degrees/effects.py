@@ -1,15 +1,19 @@
-"""What may be hidden in a recording of the ROV. Each function changes numbers or faults and says what it hid."""
+"""What may be hidden in a recording of a vehicle with six degrees of freedom.
+
+Each function changes numbers or faults and says what it hid.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
+from concealer import speed_logs
 from concealer.layout import FloatArray
-from concealer.scene import Secret, signed
+from concealer.scene import Faults, Secret, signed
 from concealer.six_degrees import layout as at
 
 
@@ -19,6 +23,7 @@ class Scene:
 
     p: FloatArray
     pressure_offset: float = 0.0  # Pa
+    log: Faults = field(default_factory=Faults)  # of the speed log
     latency: tuple[str, float] = ("", 0.0)  # stream, s
 
 
@@ -78,6 +83,36 @@ def side_thrust_lever(rng: np.random.Generator, amount: float, scene: Scene) -> 
     return Secret("side_thrust_lever", {"lever": float(scene.p[at.SIDE_LEVER])}, form)
 
 
+def hull_lift(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A hull and fins that lift, behind or before the origin; the lift falls off at large angles of attack."""
+    centre = rng.uniform(-0.3, 0.1)
+    scene.p[[at.HULL_LIFT, at.HULL_CENTRE, at.HULL_STALL]] = amount, centre, rng.uniform(0.1, 0.4)
+    form = "lift at a centre ahead of the origin, a (1 - k sin^2(attack)); numbers: those of small angles"
+    numbers = {"sway_by_drift": amount, "yaw_by_drift": amount * centre, "heave_by_climb": amount}
+    return Secret("hull_lift", numbers, form)
+
+
+def wash_loss(_rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A propeller that loses thrust in the jet of another one."""
+    scene.p[at.WASH] = amount
+    return Secret("wash_loss", {"loss": amount}, "loss by the ratio of both thrusts, 1 at most, within a cone")
+
+
+def ground_log_scale(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A log of the speed over ground with another gain."""
+    return speed_logs.scale(rng, amount, scene.log, "ground_log", float(scene.p[at.DURATION]))
+
+
+def ground_log_misalignment(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A log of the speed over ground that is put on askew."""
+    return speed_logs.misalignment(rng, amount, scene.log, "ground_log")
+
+
+def ground_log_lever(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
+    """A log of the speed over ground beside the centre."""
+    return speed_logs.lever(rng, amount, scene.log, "ground_log")
+
+
 def pressure_offset(rng: np.random.Generator, amount: float, scene: Scene) -> Secret:
     """A constant number of pascals."""
     scene.pressure_offset = signed(rng, amount)
@@ -114,6 +149,7 @@ EFFECTS: dict[str, Hide] = {
     hide.__name__: hide
     for hide in (
         thruster_lag, thruster_deadband, reverse_loss, battery_sag, tether, tether_drag, payload_shift,
-        side_thrust_lever,        pressure_offset, sensor_latency, swing_x, swing_yaw,
+        side_thrust_lever, pressure_offset, sensor_latency, swing_x, swing_yaw,
+        hull_lift, wash_loss, ground_log_scale, ground_log_misalignment, ground_log_lever,
     )
 }  # fmt: skip

@@ -1,4 +1,4 @@
-"""What the ROV's instruments make of a trajectory: sounded place, compass, pressure, IMU with attitude, Doppler log."""
+"""What the instruments make of a trajectory: sounded place, compass, pressure, IMU with attitude, Doppler log."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 
 from concealer.layout import FloatArray
-from concealer.sensors import DIGIT, Stream
+from concealer.sensors import DIGIT, Stream, hung, logged
 from concealer.six_degrees import layout as at
 from concealer.six_degrees.effects import Scene
+from concealer.speed_logs import TOPICS
 
 Numbers = dict[str, Any]
 
@@ -85,20 +86,23 @@ class Instruments:
         values[:, 25:28] = self.seen(shown, at.STATE, 3) + accel * self.rng.standard_normal((time.size, 3))
         return self.stream("imu", time, values)
 
-    def velocity(self) -> Stream:
-        """Doppler log in body axes, and the rate of turn."""
-        n, (time, shown) = self.numbers["velocity"], self.beats("velocity")
+    def velocity(self, topic: str) -> Stream:
+        """Doppler log in body axes, and the rate of turn; topic: through the water or over ground."""
+        n, (time, shown) = self.numbers[topic], self.beats(topic)
         sigma, values = self.between(n["noise"]), np.zeros((time.size, 6))
-        values[:, :3] = self.seen(shown, at.VELOCITY, 3) + sigma * self.rng.standard_normal((time.size, 3))
-        values[:, 3:] = self.seen(shown, at.RATE, 3) + sigma * self.rng.standard_normal((time.size, 3))
-        return self.stream("velocity", time, values)
+        rates, log = self.seen(shown, at.RATE, 3), self.scene.log
+        speed = logged(shown, hung(self.seen(shown, at.VELOCITY, 3), rates[:, 2], log), log)
+        values[:, :3] = speed + sigma * self.rng.standard_normal((time.size, 3))
+        values[:, 3:] = rates + sigma * self.rng.standard_normal((time.size, 3))
+        return self.stream(topic, time, values)
 
 
 def observed(
     rows: FloatArray, commands: FloatArray, scene: Scene, numbers: Numbers, rng: np.random.Generator
 ) -> list[Stream]:
-    """All streams: trajectory (rows, ROW), commands (ticks, 8)."""
+    """All streams: trajectory (rows, ROW), commands (ticks, COUNT)."""
     eye = Instruments(rows, scene, numbers, rng)
-    streams = [eye.pose(), eye.compass(), eye.pressure(), eye.imu(), eye.velocity()]
+    streams = [eye.pose(), eye.compass(), eye.pressure(), eye.imu()]
+    streams += [eye.velocity(topic) for topic in TOPICS.values() if topic in numbers]
     time = np.arange(len(commands)) * at.TICK
     return [*streams, Stream("thruster_command", time, time + 0.002, commands)]

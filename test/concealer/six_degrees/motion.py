@@ -99,6 +99,47 @@ def world_force(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> Flo
 
 
 @compiled
+def hull_lift(p: FloatArray, v: FloatArray) -> FloatArray:
+    """(3,) lift across a hull that drifts or climbs at speed, in body axes [N]; it stalls at large angles of attack."""
+    out, squared = np.zeros(3), np.sum(v * v)
+    if squared > 0.0:
+        attack = (v[1] * v[1] + v[2] * v[2]) / squared
+        out[1:] = -p[at.HULL_LIFT] * abs(v[0]) * (1.0 - p[at.HULL_STALL] * attack) * v[1:]
+    return out
+
+
+@compiled
+def direction_of(p: FloatArray, k: int) -> FloatArray:
+    """(3,) direction in which a thruster pushes ahead."""
+    return p[at.DIRECTIONS + 3 * k : at.DIRECTIONS + 3 * k + 3]
+
+
+@compiled
+def washed(p: FloatArray, s: FloatArray, k: int) -> float:
+    """Fraction of its thrust that a thruster loses in the jets of others that push alike.
+
+    Of two that push as much a rear one loses what the American Bureau of Shipping reckons with, times a number; of one
+    that pushes more no more than that. A jet widens by a sixth of its way, and ends at its rim.
+    """
+    lost, own = 0.0, s[at.LEVEL + k]
+    if p[at.WASH] <= 0.0 or own == 0.0:
+        return lost
+    for other in range(int(p[at.COUNT])):
+        push = s[at.LEVEL + other]
+        along = np.sum(direction_of(p, k) * direction_of(p, other)) * math.copysign(1.0, own * push)
+        if other == k or push == 0.0 or along <= 0.0:
+            continue
+        way = p[at.PLACES + 3 * k : at.PLACES + 3 * k + 3] - p[at.PLACES + 3 * other : at.PLACES + 3 * other + 3]
+        behind = -math.copysign(1.0, push) * np.sum(way * direction_of(p, other))
+        aside = math.sqrt(max(np.sum(way * way) - behind * behind, 0.0))
+        if behind <= 0.0 or aside >= 0.5 * p[at.PROPELLER] + behind / 6.0:
+            continue
+        left = 0.75 ** ((behind / p[at.PROPELLER]) ** (2.0 / 3.0))
+        lost += p[at.WASH] * left * along * min(abs(push / own), 1.0)
+    return min(lost, 1.0)
+
+
+@compiled
 def loads(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> tuple[FloatArray, FloatArray]:
     """Force (3,) [N] and moment (3,) [N m] on the body, in its axes."""
     q, v, w = s[at.QUATERNION : at.QUATERNION + 4], s[at.VELOCITY : at.VELOCITY + 3], s[at.RATE : at.RATE + 3]
@@ -112,11 +153,15 @@ def loads(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> tuple[Flo
         moment[axis] -= (p[at.LINEAR + 3 + axis] + p[at.QUADRATIC + 3 + axis] * abs(w[axis])) * w[axis]
     aside = 0.0
     left = p[at.THRUST] * (1.0 - p[at.BATTERY] * t / p[at.DURATION])
-    for k in range(8):
-        thrust = left * s[at.LEVEL + k] * at.DIRECTIONS[k]
+    for k in range(int(p[at.COUNT])):
+        thrust = left * p[at.STRENGTHS + k] * (1.0 - washed(p, s, k)) * s[at.LEVEL + k] * direction_of(p, k)
         force += thrust
-        moment += cross(at.PLACES[k], thrust)
+        moment += cross(p[at.PLACES + 3 * k : at.PLACES + 3 * k + 3], thrust)
         aside += thrust[1]
+    if p[at.HULL_LIFT] > 0.0:
+        lift = hull_lift(p, v)
+        force += lift
+        moment += cross(np.array([p[at.HULL_CENTRE], 0.0, 0.0]), lift)
     moment[2] += p[at.SIDE_LEVER] * (aside + p[at.SIDE_UNEVEN] * abs(aside))
     return force, moment
 
@@ -140,7 +185,7 @@ def rate_of(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> FloatAr
 def advance(p: FloatArray, s: FloatArray, command: FloatArray, push: FloatArray, t: float) -> None:
     """Moves the state by one step, in place; thrusters follow with the exact decay of a first-order lag."""
     keep = math.exp(-at.STEP / p[at.LAG]) if p[at.LAG] > 0.0 else 0.0
-    for k in range(8):
+    for k in range(int(p[at.COUNT])):
         wanted = level_of(p, command[k])
         s[at.LEVEL + k] = wanted + keep * (s[at.LEVEL + k] - wanted)
     h = at.STEP

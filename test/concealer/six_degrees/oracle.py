@@ -1,4 +1,4 @@
-"""Free runs of the ROV by a model that knows the truth: errors as those of `concealer.oracle`.
+"""Free runs by a model that knows the truth: errors as those of `concealer.oracle`.
 
 The readings' noise in them is that of the sounded place and of the attitude told with it, against the true course.
 """
