@@ -37,6 +37,7 @@ HULL_LIFT = Effect(
             "sway_by_drift", "kg/m", "a, force across by the speed across",
             multiplies="m^2/s^2", gives="N", part="Y = -a |u| v",
             search=Strength(large=5.0, least=-0.2), example=Example(2.0, "towing"),
+            other_form=0.06,  # lift that falls off at large angles of attack
         ),
         Number(
             "sway_by_turn", "kg", "b, force across by the yaw rate",
@@ -47,6 +48,7 @@ HULL_LIFT = Effect(
             "yaw_by_drift", "kg", "c, moment by the speed across",
             multiplies="m^2/s^2", gives="N m", part="N = -c |u| v", search=Strength(large=0.04),
             example=Example(0.0, "towing"),
+            other_form=0.06,  # as for a
         ),
         Number(
             "yaw_by_turn", "kg m", "d, moment by the yaw rate",
@@ -57,6 +59,7 @@ HULL_LIFT = Effect(
             "heave_by_climb", "kg/m", "e, force upwards by the speed upwards",
             multiplies="m^2/s^2", gives="N", part="Z = -e |u| w",
             search=Strength(large=5.0, least=-0.2), example=Example(2.0, "towing"),
+            other_form=0.06,  # lift that falls off at large angles of attack
         ),
     ),
     needs=("slender_hull",),
