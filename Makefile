@@ -54,10 +54,10 @@ CORE_TESTS := $(filter-out $(ROS_TESTS:%=test/%/),$(sort $(wildcard test/*/)))
 
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test docs bench prove prove-families prove-rov prove-against prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
+.PHONY: help demo test docs bench prove prove-families prove-rov prove-slender prove-against prove-real set-up lint types contracts tests tests-numpy1 numpy1 bench-graph bench-diagnosis lock clean
 
 help:
-	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-families | prove-rov | prove-against | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
+	@echo "make demo | test | docs | bench | bench-graph | bench-diagnosis | prove | prove-families | prove-rov | prove-slender | prove-against | prove-real | numpy1 | lock | clean   (see the head of the Makefile)"
 
 demo: set-up
 	$(BIN)/cocorosim run config/scenarios/eleven_lilys.yaml --out runs/demo --force
