@@ -5,6 +5,7 @@
 # make prove     the sealed trial of `cocorosim diagnose`, about an hour for its 400 and more recordings
 # make prove-families  the same with forms, noise, programmes and laws drawn from families
 # make prove-rov       the same with another vehicle, an ROV in six degrees of freedom
+# make prove-slender   the same with a third, a slender AUV whose log shows the speed over ground
 # make prove-against   altered logs of real vehicles against unaltered ones; TRIAL_DATA=FOLDER says where the recordings are
 # make prove-real      that, and real recordings as they are: hours
 # The set-up lives in .venv alone. PYTHON=... chooses the interpreter, PYTEST_ARGS=... goes to pytest.
