@@ -29,7 +29,7 @@ from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
-from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, Z
+from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, X, Z
 from cocorosim_ros.world.terms.effect import Description
 
 DESCRIBED: Mapping[str, Description] = {**EFFECTS, **ERRORS}
@@ -81,6 +81,7 @@ def variances_of_other_forms(fit: Fit) -> Floats:
     form is the vehicle's own, and of the gain of one thruster nothing follows for others.
     """
     spread = np.array([spread_of_other_forms(each, q) for each, q in zip(fit.unknowns, fit.q.tolist(), strict=True)])
+    spread = spread + spreads_of_places(fit)
     tied = covariance(fit)
     own = np.diag(tied)
     followed = np.divide(tied, own, out=np.zeros_like(tied), where=own > 0.0)
@@ -103,6 +104,33 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
         return 0.0
     share = {number.name: number.other_form for number in DESCRIBED[effect].numbers}.get(name, 0.0)
     return abs(share * (unknown.value(q) - float(NEUTRAL[COLUMN[unknown.column]])) / unknown.slope(q))
+
+
+def spreads_of_places(fit: Fit) -> Floats:
+    """Standard deviations (unknowns,) of q by which places differ under other laws of the kind; 0 for all else.
+
+    It is a share of the distance to the robots, as the file of the effect says: a direction is what errs.
+    """
+    shares = np.array([_share_of_distance(unknown) for unknown in fit.unknowns])
+    if not shares.any():
+        return np.zeros(len(shares))
+    courses, filled = smoothed_tracks(fit), fit.filled
+    for number in np.flatnonzero(shares):
+        unknown = fit.unknowns[number]
+        effect = unknown.column.partition(".")[0]
+        columns = [COLUMN[f"{effect}.{axis}"] for axis in ("x", "y", "z")]
+        tracks = list(unknown.tracks)
+        swum = np.mean([courses[track].mean[:, X : Z + 1].mean(axis=0) for track in tracks], axis=0)
+        distance = np.linalg.norm(filled[tracks[0], columns] - swum)
+        shares[number] *= abs(distance / unknown.slope(float(fit.q[number])))
+    return shares
+
+
+def _share_of_distance(unknown: Unknown) -> float:
+    effect, _, name = unknown.column.partition(".")
+    if effect not in DESCRIBED:
+        return 0.0
+    return {number.name: number.other_place for number in DESCRIBED[effect].numbers}.get(name, 0.0)
 
 
 def _divisions(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Iterator[list[Integers]]:

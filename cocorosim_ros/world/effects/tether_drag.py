@@ -114,6 +114,7 @@ TETHER_DRAG = Effect(
             multiplies="N",
             gives="N",
             search=Strength(large=1.2, least=0.0),
+            other_form=0.04,  # a bow is longer than the line below it
             example=Example(1.2, "cylinder across the flow"),
         ),
         Number(
@@ -141,6 +142,7 @@ TETHER_DRAG = Effect(
             "the anchor, in the world",
             gives="m",
             search=Grid(lambda scene: _places_along(0, scene)),
+            other_place=0.25,  # a cable in a bow of a tenth of its length ends 0.4 rad beside its line
             example=Example(0.5, "where it is tended from"),
         ),
         Number(
@@ -149,6 +151,7 @@ TETHER_DRAG = Effect(
             "the anchor, in the world",
             gives="m",
             search=Grid(lambda scene: _places_along(1, scene)),
+            other_place=0.25,  # a cable in a bow of a tenth of its length ends 0.4 rad beside its line
             example=Example(0.0, "where it is tended from"),
         ),
         Number(

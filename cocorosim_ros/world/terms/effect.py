@@ -30,7 +30,8 @@ class Number(Parameter):
 
     The parameter [its unit] times what it `multiplies` [unit] `gives` the term of the equation that it stands in
     [unit]. search: an amplitude, a shape, or what is given; None if no diagnosis looks for it. other_form: standard
-    deviation of the number, as a share of it, between causes that follow other laws of the kind than the equation.
+    deviation of the number, as a share of it, between causes that follow other laws of the kind than the equation;
+    other_place: of a coordinate of a place, as a share of the distance from the robots to that place.
     between: the least and the most that it can be by its meaning: no more than all of the thrust is lost.
     part: what it alone makes of the effect's equation, a sentence of its own or a sum's term with its sign (' + a x').
     """
@@ -40,6 +41,7 @@ class Number(Parameter):
     search: Strength | Grid | Given | None = None
     example: Example | None = None  # none where a platform file cannot name the effect
     other_form: float = 0.0
+    other_place: float = 0.0
     between: tuple[float, float] = (-math.inf, math.inf)
     part: str = ""
 

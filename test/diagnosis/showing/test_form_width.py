@@ -123,6 +123,36 @@ def test_other_laws_of_a_kind_widen_a_number_by_their_share(logarithmic: bool) -
     assert spread_of_other_forms(replace(gain, column="own_gain.all"), 1.0) == 0.0
 
 
+def with_unknowns(fit: Any, unknowns: Any) -> Any:
+    """The same stand-in of a fit with other unknowns."""
+    return SimpleNamespace(unknowns=unknowns, q=fit.q[: len(unknowns)], tracks=fit.tracks, filled=fit.filled)
+
+
+def test_a_place_errs_by_a_share_of_its_distance(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a cable's end 3, 4 and 12 m from where a robot swims on average each coordinate errs by a share of 13 m."""
+    from cocorosim_ros.diagnosis.fitting.unknowns import Owner, Unknown
+    from cocorosim_ros.diagnosis.showing import form_width
+    from cocorosim_ros.diagnosis.tracks.columns import COLUMN
+    from cocorosim_ros.world.effects import EFFECTS
+
+    share = {each.name: each.other_place for each in EFFECTS["tether_drag"].numbers}
+    assert share["x"] == share["y"] > 0.0 and share["coefficient"] == share["z"] == 0.0
+    course = np.zeros((5, 12))
+    course[:, 0], course[:, 2] = np.linspace(0.0, 2.0, 5), -12.0
+    row = np.zeros((1, len(COLUMN)))
+    row[0, [COLUMN["tether_drag.x"], COLUMN["tether_drag.y"]]] = 4.0, -4.0
+    numbers = (("coefficient", 1.0), ("x", 0.5), ("y", 2.0))
+    unknowns = tuple(
+        Unknown(Owner("tether_drag", ("rov",), name, "m"), f"tether_drag.{name}", (0,), 0.0, scale)
+        for name, scale in numbers
+    )
+    fit = SimpleNamespace(unknowns=unknowns, q=np.array([1.0, 8.0, -2.0]), tracks=(None,), filled=row)
+    monkeypatch.setattr(form_width, "smoothed_tracks", lambda fit: (SimpleNamespace(mean=course),))
+    found = form_width.spreads_of_places(fit)
+    assert found == pytest.approx([0.0, share["x"] * 13.0 / 0.5, share["y"] * 13.0 / 2.0])
+    assert not form_width.spreads_of_places(with_unknowns(fit, unknowns[:1])).any()
+
+
 def test_numbers_that_are_tied_to_one_of_another_form_are_as_wide_as_they_follow_it(swim: Any) -> None:
     """By how far the platform's drag moves if a linear drag is held a standard deviation off and all else fitted."""
     from cocorosim_ros.diagnosis.fitting.climbing import improved
