@@ -10,22 +10,27 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
-from cocorosim_ros.diagnosis.catalogue.entry import Entry
+from cocorosim_ros.diagnosis.catalogue.entry import Amplitude, Entry
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.world.sensors.errors import ERRORS
 
 
 def parts_of_errors(tracks: Sequence[Track]) -> list[Entry]:
-    """Make entries with the amplitudes of one unit alone, of errors of several units that were all recorded."""
+    """Make entries with the amplitudes of one unit alone, of errors of several units that were all recorded.
+
+    A unit of which an error has no amplitude of its own makes none: an offset that a drift begins with is an entry.
+    """
     found = []
     for entry in ENTRIES:
         units = dict.fromkeys(amplitude.unit for amplitude in entry.amplitudes)
         if entry.id in ERRORS and len(units) > 1 and _sees_all(entry, tracks):
-            found += [
-                replace(entry, amplitudes=tuple(each for each in entry.amplitudes if each.unit == unit))
-                for unit in units
-            ]
+            parts = [tuple(each for each in entry.amplitudes if each.unit == unit) for unit in units]
+            found += [replace(entry, amplitudes=part) for part in parts if _has_own(entry, part)]
     return found
+
+
+def _has_own(entry: Entry, part: Sequence[Amplitude]) -> bool:
+    return any(amplitude.column.startswith(f"{entry.id}.") for amplitude in part)
 
 
 def _sees_all(entry: Entry, tracks: Sequence[Track]) -> bool:

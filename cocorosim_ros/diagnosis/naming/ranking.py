@@ -4,7 +4,8 @@ Whether anything differs from recordings that should be alike is told by what a 
 Which of several candidates it is, is told by the same readings for all: a delay of 0.1 s explains them no less because
 alike recordings differ by some milliseconds, and a lag that never differs is no better for it. So candidates with
 evidence enough are ranked by all that they explain, the usual included, and by what is beyond it only where the former
-is as good as equal. Where nothing is compared, nothing is usual, and both orders are one.
+is as good as equal. Where nothing is compared, nothing is usual, and both orders are one. Of two that are as good as
+equal, where one is the other with a number more, that number is not needed.
 """
 
 from __future__ import annotations
@@ -23,11 +24,31 @@ from cocorosim_ros.diagnosis.naming.needed_evidence import needed_nats, standing
 def by_rank(refined: Sequence[Refined], stage: Stage) -> list[Refined]:
     """Order refined candidates, the one to be named first; those whose evidence is no more than usual are left out."""
     left = sorted((each for each in refined if not _is_usual(each, stage)), key=lambda each: -_explained(each))
-    near = [_behind(each, left[0], _explained(left[0]) - _explained(each)) <= NAMING.ambiguity for each in left]
-    places = sorted(
-        range(len(left)), key=lambda place: (not near[place], -standing(left[place]) if near[place] else 0.0)
+    reached = [_behind(each, left[0], _explained(left[0]) - _explained(each)) <= NAMING.ambiguity for each in left]
+    near = sorted(
+        (each for each, reaches in zip(left, reached, strict=True) if reaches), key=lambda each: -standing(each)
     )
-    return [left[place] for place in places]
+    far = [each for each, reaches in zip(left, reached, strict=True) if not reaches]
+    return [*_simplest_first(near), *far]
+
+
+def _simplest_first(near: Sequence[Refined]) -> list[Refined]:
+    """Put what is as good as another with more numbers before it: an offset before a drift that begins with it."""
+    order: list[Refined] = []
+    for each in near:
+        wider = (place for place, other in enumerate(order) if _has_more(other, each))
+        order.insert(next(wider, len(order)), each)
+    return order
+
+
+def _has_more(other: Refined, each: Refined) -> bool:
+    """Tell whether a candidate is of another entry, one that has all amplitudes of `each` and more, on its robots."""
+    one, more = ({amplitude.column for amplitude in of.candidate.entry.amplitudes} for of in (each, other))
+    return (
+        one < more
+        and each.candidate.entry.id != other.candidate.entry.id
+        and each.candidate.robots == other.candidate.robots
+    )
 
 
 def near_rivals(best: Refined, refined: Sequence[Refined], choice: Choice | None) -> list[NearRival]:

@@ -35,6 +35,14 @@ def test_the_gyroscope_and_the_accelerometer_may_err_each_alone() -> None:
     assert parts_of_errors([track_of("gyro_z")]) == []
 
 
+def test_what_another_entry_has_by_itself_is_no_part() -> None:
+    """A drift may begin at nothing; the offset that it begins with otherwise has an entry of its own."""
+    parts = parts_of_errors([track_of("pressure")])
+    assert [(entry.id, [amplitude.name for amplitude in entry.amplitudes]) for entry in parts] == [
+        ("pressure_drift", ["rate"])
+    ]
+
+
 def test_no_instrument_errs_more_for_a_stronger_vehicle() -> None:
     """Full thrust of 350 times a Lily's acceleration: 2 m/s^2 is what an IMU tilted by 12 degrees shows of gravity."""
     strong = Candidate(IMU_BIAS, ("rov",), ((0,),), sizes={**LILY_SIZES, "m/s^2": 350.0, "rad/s": 2.0})

@@ -14,10 +14,11 @@ from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 STAGE: Any = SimpleNamespace(named=())
 
 
-def refined(name: str, nats: float, usual: float = 0.0) -> Refined:
+def refined(name: str, nats: float, usual: float = 0.0, numbers: tuple[str, ...] = ()) -> Refined:
     """A candidate with evidence beyond the usual, and the usual that was taken off."""
-    entry = SimpleNamespace(id=name, law=None, channel="surge", topic=None)
-    candidate: Any = SimpleNamespace(entry=entry, spread=(nats + usual) / nats, key=(name, None, ("a",)))
+    amplitudes = [SimpleNamespace(column=column) for column in numbers]
+    entry = SimpleNamespace(id=name, law=None, channel="surge", topic=None, amplitudes=amplitudes)
+    candidate: Any = SimpleNamespace(entry=entry, spread=(nats + usual) / nats, key=(name, None, ("a",)), robots=("a",))
     fit: Any = SimpleNamespace(unknowns=())
     return Refined(candidate, fit, nats, usual)
 
@@ -35,6 +36,17 @@ def test_what_explains_the_readings_best_leads_although_alike_recordings_differ_
 def test_what_is_usual_gives_way_where_both_explain_as_much() -> None:
     """A candidate of which alike recordings differ by 38 times their noise is not ahead by 40 nats of 380."""
     assert names(by_rank([refined("lever", 10.0, 370.0), refined("gain", 330.0, 10.0)], STAGE)) == ["gain", "lever"]
+
+
+@pytest.mark.parametrize(("ahead", "first"), [(1.9, "offset"), (-1.0, "offset"), (3.5, "drift")])
+def test_a_number_more_has_to_be_worth_it(ahead: float, first: str) -> None:
+    """A drift of 100 nats more than nothing is an offset, if the offset alone explains all but 1.9 of them."""
+    offset = refined("offset", 100.0, numbers=("offset",))
+    drift = refined("drift", 100.0 + ahead, numbers=("rate", "offset"))
+    latency = refined("latency", 99.5 + ahead, numbers=("latency",))
+    order = names(by_rank([drift, latency, offset], STAGE))
+    assert next(each for each in order if each != "latency") == first
+    assert set(order) == {"offset", "drift", "latency"}
 
 
 def test_what_is_no_more_than_usual_is_not_ranked() -> None:
