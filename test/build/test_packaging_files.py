@@ -179,7 +179,7 @@ def test_what_may_be_believed_is_said_in_ten_lines() -> None:
     """The commits that are told are those of the reports, each of them."""
     lines = believed()
     assert [line.split(".")[0] for line in lines] == [str(number) for number in range(1, 11)]
-    newest = [figures(name)["source"]["commit"] for name in ("trial", "trial_families", "trial_rov")]
+    newest = [figures(name)["source"]["commit"] for name in ("trial", "trial_families", "trial_rov", "trial_slender")]
     newest += [re.findall(r"at commit `(\w+)`", report(name))[-1] for name in ("against", "tampered", "real")]
     assert set(re.findall(r"`([0-9a-f]{7,})`", "\n".join(lines))) == {commit[:7] for commit in newest}
 
@@ -204,13 +204,25 @@ def test_intervals_of_effects_are_told_beside_all_intervals() -> None:
 
 def test_figures_of_the_second_vehicle_are_those_of_its_page() -> None:
     """Names, false alarms of both kinds, swinging forces and intervals."""
-    rov, text = figures("trial_rov"), "\n".join(believed())
+    rov, text = figures("trial_rov"), believed()[-1].partition(". [40 of a slender AUV]")[0]
     rates = rov["table"]["rates"]
     alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
     assert f"right {hits(rates['names told as confirmed that are right, in all recordings'])}, false alarm" in text
     assert f"false alarm {sum(each['hits'] for each in alarms)} of {sum(each['of'] for each in alarms)}," in text
     assert f"swinging forces flagged {hits(rates['outside the catalogue: flagged'])}" in text
-    assert f"intervals hold {hits(rov['intervals']['coverage'])}" in text
+    counted = [hits(rov["intervals"][name]) for name in ("coverage", "coverage_of_effects")]
+    assert f"intervals hold {counted[0]}, those of effects alone {counted[1]}" in text
+
+
+def test_figures_of_the_third_vehicle_are_those_of_its_page() -> None:
+    """One effect, confirmed names, false alarms of both kinds and intervals."""
+    slender, text = figures("trial_slender"), believed()[-1].partition(". [40 of a slender AUV]")[2]
+    rates = slender["table"]["rates"]
+    alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
+    assert f"one effect {hits(rates['exact, one effect, all sizes'])}," in text
+    assert f"*confirmed* {hits(rates['names told as confirmed that are right, in all recordings'])}," in text
+    assert f"false alarm {sum(each['hits'] for each in alarms)} of {sum(each['of'] for each in alarms)} " in text
+    assert f"intervals {hits(slender['intervals']['coverage'])}." in text
 
 
 def test_figures_of_real_recordings_are_those_of_their_page() -> None:

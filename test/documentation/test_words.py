@@ -85,6 +85,8 @@ def test_no_courtroom_in_the_proof() -> None:
         "trial_families.json",
         "trial_rov.md",
         "trial_rov.json",
+        "trial_slender.md",
+        "trial_slender.json",
         "tampered.md",
         "real.md",
         "against.md",
