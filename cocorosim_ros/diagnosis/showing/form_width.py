@@ -78,17 +78,17 @@ def variances_of_other_forms(fit: Fit) -> Floats:
 
     What an effect of another form leaves over, the numbers take on that are told from the same readings: a platform's
     drag moves with a ratio of drags as far as the fit ties the two. Of numbers that the platform's file declares the
-    form is the vehicle's own, and of the gain of one thruster nothing follows for others.
+    form is the vehicle's own, and of the gain of one thruster, or of a place, nothing follows for others.
     """
     spread = np.array([spread_of_other_forms(each, q) for each, q in zip(fit.unknowns, fit.q.tolist(), strict=True)])
-    spread = spread + spreads_of_places(fit)
+    places = spreads_of_places(fit)
     tied = covariance(fit)
     own = np.diag(tied)
     followed = np.divide(tied, own, out=np.zeros_like(tied), where=own > 0.0)
     np.fill_diagonal(followed, 1.0)
     alone = [unknown.column in OWN_GAINS or unknown.owner.effect == PLATFORM for unknown in fit.unknowns]
     followed[:, alone] = np.eye(len(alone))[:, alone]
-    return np.asarray(np.square(followed * spread).sum(axis=1))
+    return np.asarray(np.square(followed * spread).sum(axis=1) + np.square(places))
 
 
 def spread_of_other_forms(unknown: Unknown, q: float) -> float:
