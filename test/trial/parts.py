@@ -7,7 +7,8 @@ from pathlib import Path
 
 from trial.provenance import ROOT
 
-VEHICLES = ("rov", "slender")  # with six degrees of freedom, beside Lily
+VEHICLES = {"rov": "a second vehicle: an ROV", "slender": "a third vehicle: a slender AUV"}
+"""Those with six degrees of freedom, in words."""
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ if FOLDER not in sys.path:
     sys.path.append(FOLDER)
 
 from trial.examiner import Terms  # noqa: E402
-from trial.parts import Part  # noqa: E402
+from trial.parts import VEHICLES, Part  # noqa: E402
 
 
 def terms_of(options: argparse.Namespace) -> Terms:
@@ -191,7 +191,7 @@ def parser() -> argparse.ArgumentParser:
     one.set_defaults(run=_sealed)
     two = commands.add_parser("families", parents=[common, concealed], help="concealed effects in forms of families")
     two.set_defaults(run=_families)
-    for name, words in (("rov", "a second vehicle: an ROV"), ("slender", "a third vehicle: a slender AUV")):
+    for name, words in VEHICLES.items():
         made = commands.add_parser(name, parents=[common, concealed], help=words)
         made.set_defaults(run=_vehicle, vehicle=name)
     for name, run, words in (("tampered", _tampered, "altered logs"), ("real", _real, "recordings as they are")):
