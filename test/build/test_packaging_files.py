@@ -175,6 +175,16 @@ def hits(rate: dict[str, Any]) -> str:
     return f"{rate['hits']} of {rate['of']}"
 
 
+def summed(rates: list[dict[str, Any]]) -> dict[str, Any]:
+    """The rate of all that some rates count."""
+    return {key: sum(rate[key] for rate in rates) for key in ("hits", "of")}
+
+
+def false_alarms(rates: dict[str, Any]) -> dict[str, Any]:
+    """The rate of false alarms where nothing is concealed, and where only numbers moved."""
+    return summed([rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]])
+
+
 def test_what_may_be_believed_is_said_in_ten_lines() -> None:
     """The commits that are told are those of the reports, each of them."""
     lines = believed()
@@ -194,10 +204,8 @@ def test_intervals_of_effects_are_told_beside_all_intervals() -> None:
     assert f"{counted[0]} times, those of effects alone {counted[1]}" in text
     rates = families["table"]["rates"]
     medium = [rates[f"exact, one medium effect, {noise}% noise"] for noise in (0, 1, 3)]
-    alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
-    summed = [{key: sum(rate[key] for rate in some) for key in ("hits", "of")} for some in (medium, alarms)]
     named = rates["names told as confirmed that are right, in all recordings"]
-    for rate in (*summed, named, rates["outside the catalogue: flagged"]):
+    for rate in (summed(medium), false_alarms(rates), named, rates["outside the catalogue: flagged"]):
         assert hits(rate) in text
     assert f"free runs err {families['held_out']['position: augmented / oracle']['median']:.2f} times" in text
 
@@ -206,9 +214,8 @@ def test_figures_of_the_second_vehicle_are_those_of_its_page() -> None:
     """Names, false alarms of both kinds, swinging forces and intervals."""
     rov, text = figures("trial_rov"), believed()[-1].partition(". [40 of a slender AUV]")[0]
     rates = rov["table"]["rates"]
-    alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
     assert f"right {hits(rates['names told as confirmed that are right, in all recordings'])}, false alarm" in text
-    assert f"false alarm {sum(each['hits'] for each in alarms)} of {sum(each['of'] for each in alarms)}," in text
+    assert f"false alarm {hits(false_alarms(rates))}," in text
     assert f"swinging forces flagged {hits(rates['outside the catalogue: flagged'])}" in text
     counted = [hits(rov["intervals"][name]) for name in ("coverage", "coverage_of_effects")]
     assert f"intervals hold {counted[0]}, those of effects alone {counted[1]}" in text
@@ -218,10 +225,9 @@ def test_figures_of_the_third_vehicle_are_those_of_its_page() -> None:
     """One effect, confirmed names, false alarms of both kinds and intervals."""
     slender, text = figures("trial_slender"), believed()[-1].partition(". [40 of a slender AUV]")[2]
     rates = slender["table"]["rates"]
-    alarms = [rates["false alarm, nothing concealed"], rates["false alarm, recalibration only"]]
     assert f"one effect {hits(rates['exact, one effect, all sizes'])}," in text
     assert f"*confirmed* {hits(rates['names told as confirmed that are right, in all recordings'])}," in text
-    assert f"false alarm {sum(each['hits'] for each in alarms)} of {sum(each['of'] for each in alarms)} " in text
+    assert f"false alarm {hits(false_alarms(rates))} " in text
     assert f"intervals {hits(slender['intervals']['coverage'])}." in text
 
 

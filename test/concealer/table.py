@@ -7,9 +7,10 @@ from typing import Any
 
 from concealer.cases import CATALOGUE_KINDS, Case
 from concealer.figures import percent, rate
+from concealer.six_degrees.makes import MAKES
 
 Scores = dict[str, Any]
-BY_THE_PRIOR = ("", "main", "families", "rov", "slender")  # parts of a trial in which nothing was asked for
+BY_THE_PRIOR = ("", "main", "families", *MAKES)  # parts of a trial in which nothing was asked for
 
 
 def of_kind(cases: Iterable[Case], *kinds: str) -> list[Case]:

@@ -196,7 +196,7 @@ def test_the_platform_file_is_the_vehicle_that_the_concealer_has(name: str) -> N
     for k, actuator in enumerate(told["actuators"]):
         assert actuator["position"]["value"] == pytest.approx(list(made.places[k]))
         assert actuator["direction"]["value"] == pytest.approx(list(made.directions[k]), abs=1e-6)
-        assert actuator["maximum"]["value"] == made.thrust * made.strengths[k]
+        assert actuator["maximum"]["value"] == made.thrust
         assert actuator.get("diameter", {"value": p[at.PROPELLER]})["value"] == p[at.PROPELLER]
 
 

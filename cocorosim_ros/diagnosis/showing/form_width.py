@@ -30,7 +30,7 @@ from cocorosim_ros.foundation.arrays import Flags, Floats, Integers
 from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.sensors.errors import ERRORS
 from cocorosim_ros.world.state.state import HEAVE, SURGE, YAW_RATE, X, Z
-from cocorosim_ros.world.terms.effect import Description
+from cocorosim_ros.world.terms.effect import Description, Number
 
 DESCRIBED: Mapping[str, Description] = {**EFFECTS, **ERRORS}
 
@@ -97,13 +97,12 @@ def spread_of_other_forms(unknown: Unknown, q: float) -> float:
     It is that for the effect itself, a share of what the number differs from that of no effect; what one robot has on
     top of others is of the same law. The gain of one thruster is told beside others, which are not quite alike.
     """
-    effect, _, name = unknown.column.partition(".")
     if unknown.column in OWN_GAINS and unknown.column != ALL_THRUSTERS:
         return FORM_WIDTH.thrusters / abs(unknown.scale)  # of a logarithm, as all gains are fitted
-    if effect not in DESCRIBED or unknown.on_top:
+    number = _number_of(unknown)
+    if number is None or unknown.on_top:
         return 0.0
-    share = {number.name: number.other_form for number in DESCRIBED[effect].numbers}.get(name, 0.0)
-    return abs(share * (unknown.value(q) - float(NEUTRAL[COLUMN[unknown.column]])) / unknown.slope(q))
+    return abs(number.other_form * (unknown.value(q) - float(NEUTRAL[COLUMN[unknown.column]])) / unknown.slope(q))
 
 
 def spreads_of_places(fit: Fit) -> Floats:
@@ -111,7 +110,8 @@ def spreads_of_places(fit: Fit) -> Floats:
 
     It is a share of the distance to the robots, as the file of the effect says: a direction is what errs.
     """
-    shares = np.array([_share_of_distance(unknown) for unknown in fit.unknowns])
+    numbers = [_number_of(unknown) for unknown in fit.unknowns]
+    shares = np.array([0.0 if number is None else number.other_place for number in numbers])
     if not shares.any():
         return np.zeros(len(shares))
     courses, filled = smoothed_tracks(fit), fit.filled
@@ -126,11 +126,11 @@ def spreads_of_places(fit: Fit) -> Floats:
     return shares
 
 
-def _share_of_distance(unknown: Unknown) -> float:
+def _number_of(unknown: Unknown) -> Number | None:
+    """Find what the file of an effect says of its number; None if the unknown is of no effect, or not in its file."""
     effect, _, name = unknown.column.partition(".")
-    if effect not in DESCRIBED:
-        return 0.0
-    return {number.name: number.other_place for number in DESCRIBED[effect].numbers}.get(name, 0.0)
+    numbers = DESCRIBED[effect].numbers if effect in DESCRIBED else ()
+    return next((number for number in numbers if number.name == name), None)
 
 
 def _divisions(tracks: Sequence[Track], courses: Sequence[Smoothed]) -> Iterator[list[Integers]]:

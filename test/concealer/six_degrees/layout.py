@@ -30,8 +30,7 @@ COUNT = 47  # of thrusters
 
 PLACES = 55  # of thrusters, three numbers each
 DIRECTIONS = PLACES + 3 * MOST
-STRENGTHS = DIRECTIONS + 3 * MOST  # full thrust of each over THRUST
-ALLOCATION = STRENGTHS + MOST  # levels of all for a demand of 1 in surge, sway, heave, yaw; of one over another
+ALLOCATION = DIRECTIONS + 3 * MOST  # levels of all for a demand of 1 in surge, sway, heave, yaw; of one over another
 DEMANDS = 5
 SIZE = ALLOCATION + DEMANDS * MOST
 

@@ -49,7 +49,6 @@ class Make:
     names: tuple[str, ...]
     places: Rows
     directions: Rows
-    strengths: tuple[float, ...]
     allocation: Rows
     full: tuple[float, float]  # N and N m, of which random forces are a fraction
     pilot: Pilot
@@ -64,7 +63,6 @@ class Make:
         p[[at.COUNT, at.PROPELLER]] = len(self.names), self.propeller
         for first, rows in ((at.PLACES, self.places), (at.DIRECTIONS, self.directions)):
             p[first : first + 3 * len(rows)] = np.ravel(rows)
-        p[at.STRENGTHS : at.STRENGTHS + len(self.strengths)] = self.strengths
         for number, row in enumerate(self.allocation):
             p[at.ALLOCATION + number * at.MOST :][: len(row)] = row
         for number, value in self.pilot.numbers.items():
@@ -90,7 +88,6 @@ ROV = Make(
         (0.12, -0.218, 0.0), (0.12, 0.218, 0.0), (-0.12, -0.218, 0.0), (-0.12, 0.218, 0.0),
     ),
     directions=((_H, _H, 0.0), (_H, -_H, 0.0), (_H, -_H, 0.0), (_H, _H, 0.0), *4 * ((0.0, 0.0, 1.0),)),
-    strengths=8 * (1.0,),
     allocation=(
         (1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0), (1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
         (0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0), (1.0, -1.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0),
@@ -116,7 +113,6 @@ SLENDER = Make(
         (-0.75, 0.0, 0.0), (-0.95, 0.0, 0.0), (0.4, 0.0, 0.0), (-0.4, 0.0, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.0, 0.0),
     ),
     directions=((1.0, 0.0, 0.0), (1.0, 0.0, 0.0), *2 * ((0.0, 1.0, 0.0),), *2 * ((0.0, 0.0, 1.0),)),
-    strengths=6 * (1.0,),
     allocation=(
         (1.0, 1.0, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0, 1.0, 0.0, 0.0),
         (0.0, 0.0, 0.0, 0.0, 1.0, 1.0), (0.0, 0.0, 1.0, -1.0, 0.0, 0.0), (1.0, -1.0, 0.0, 0.0, 0.0, 0.0),

@@ -154,7 +154,7 @@ def loads(p: FloatArray, s: FloatArray, push: FloatArray, t: float) -> tuple[Flo
     aside = 0.0
     left = p[at.THRUST] * (1.0 - p[at.BATTERY] * t / p[at.DURATION])
     for k in range(int(p[at.COUNT])):
-        thrust = left * p[at.STRENGTHS + k] * (1.0 - washed(p, s, k)) * s[at.LEVEL + k] * direction_of(p, k)
+        thrust = left * (1.0 - washed(p, s, k)) * s[at.LEVEL + k] * direction_of(p, k)
         force += thrust
         moment += cross(p[at.PLACES + 3 * k : at.PLACES + 3 * k + 3], thrust)
         aside += thrust[1]
