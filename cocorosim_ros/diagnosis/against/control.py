@@ -51,14 +51,17 @@ class Alike:
     def weighed(self, screened: Sequence[Screened]) -> tuple[Screened, ...]:
         """Divide the evidence of the best screened candidates by their spread, and order all of them anew."""
         best = [self._weighed(each) for each in screened[: ALIKE.weighed]]
-        return tuple(sorted((*best, *screened[ALIKE.weighed :]), key=lambda each: -each.nats))
+        parted = [_by_its_part(each, best) for each in best]
+        return tuple(sorted((*parted, *screened[ALIKE.weighed :]), key=lambda each: -each.nats))
 
     def all_weighed(self, screened: Sequence[Screened]) -> tuple[Screened, ...]:
         """Divide the evidence of all screened candidates by their spread, and keep their order.
 
         What is asked of the best is whether they may be named; what is asked of all is from what size on they would be.
         """
-        return tuple(each if each.candidate.spread > 1.0 else self._weighed(each) for each in screened)
+        known = [each if each.candidate.spread > 1.0 else self._weighed(each) for each in screened]
+        pairs = zip(known, screened, strict=True)
+        return tuple(each if each is before else _by_its_part(each, known) for each, before in pairs)
 
     def _weighed(self, screened: Screened) -> Screened:
         spread = self.spread(screened)
@@ -136,6 +139,22 @@ class Alike:
             -weighted_products(moved, passed.innovation[:, None], passed.variance).ravel() - absorbed.T @ known.score
         )
         return Told(0.5 * (matrix + matrix.T), score)
+
+
+def _by_its_part(weighed: Screened, others: Sequence[Screened]) -> Screened:
+    """Weigh what another candidate explains, of which this one is a wider form, by the spread of that other one.
+
+    Where alike recordings differ in their offsets, an offset is no less usual for being called a drift.
+    """
+    candidate = weighed.candidate
+    parts = [each for each in others if candidate.widens(each.candidate) and each.candidate.spread > candidate.spread]
+    whole = weighed.nats * candidate.spread
+    if not parts or not whole > 0.0:
+        return weighed
+    part = max(parts, key=lambda each: each.candidate.spread)
+    explained = min(max(part.nats * part.candidate.spread, 0.0), whole)
+    nats = explained / part.candidate.spread + (whole - explained) / candidate.spread
+    return replace(weighed, candidate=replace(candidate, spread=whole / nats), nats=nats)
 
 
 def overdispersion(told: Sequence[Told]) -> float:

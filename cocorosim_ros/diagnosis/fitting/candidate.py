@@ -53,6 +53,14 @@ class Candidate:
         """Identity of the candidate: effect, topic and robots."""
         return self.entry.id, self.entry.topic, self.robots
 
+    def widens(self, other: Candidate) -> bool:
+        """Tell whether the entry is another one, with all amplitudes of the other candidate's and more, on its robots.
+
+        A pressure sensor's drift begins with an offset, so that it widens the offset.
+        """
+        more, one = ({each.column for each in of.entry.amplitudes} for of in (self, other))
+        return one < more and self.entry.id != other.entry.id and self.robots == other.robots
+
     @property
     def everybody(self) -> tuple[int, ...]:
         """Numbers of all tracks on which the candidate acts."""

@@ -36,19 +36,9 @@ def _simplest_first(near: Sequence[Refined]) -> list[Refined]:
     """Put what is as good as another with more numbers before it: an offset before a drift that begins with it."""
     order: list[Refined] = []
     for each in near:
-        wider = (place for place, other in enumerate(order) if _has_more(other, each))
+        wider = (place for place, other in enumerate(order) if other.candidate.widens(each.candidate))
         order.insert(next(wider, len(order)), each)
     return order
-
-
-def _has_more(other: Refined, each: Refined) -> bool:
-    """Tell whether a candidate is of another entry, one that has all amplitudes of `each` and more, on its robots."""
-    one, more = ({amplitude.column for amplitude in of.candidate.entry.amplitudes} for of in (each, other))
-    return (
-        one < more
-        and each.candidate.entry.id != other.candidate.entry.id
-        and each.candidate.robots == other.candidate.robots
-    )
 
 
 def near_rivals(best: Refined, refined: Sequence[Refined], choice: Choice | None) -> list[NearRival]:

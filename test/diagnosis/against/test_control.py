@@ -10,7 +10,9 @@ import pytest
 from scipy.stats import chi2
 
 from cocorosim_ros.diagnosis.against.control import Alike, Told, overdispersion
+from cocorosim_ros.diagnosis.catalogue.catalogue import ENTRIES
 from cocorosim_ros.diagnosis.criteria.against import ALIKE
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.screening import Screened
 
 
@@ -54,3 +56,35 @@ def test_a_delay_of_which_alike_recordings_tell_nothing_may_be_a_step_by_chance(
     alike._fit, alike._over = cast("Any", SimpleNamespace(tracks=[track])), frozenset()
     q = np.array([steps * 0.02 / 0.15])
     assert alike.spread(Screened(late, {}, q, 20.0, np.zeros((1, 1)), q)) == pytest.approx(spread)
+
+
+@pytest.mark.parametrize(
+    ("offset", "drift", "spread"),
+    [
+        # The same evidence by either name: no less usual as a drift.
+        (16.0, 16.0, 4.0),
+        # 16 nats by the offset, 24 more by the rate: 16 / 4 + 24 / 2 of 40 nats.
+        (16.0, 40.0, 2.5),
+        # An offset that explains nothing takes nothing from a drift.
+        (0.0, 16.0, 2.0),
+    ],
+)
+def test_an_offset_is_no_less_usual_for_being_called_a_drift(
+    offset: float, drift: float, spread: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Alike recordings differ four times as much in offsets as their noise explains, and twice as much in drifts."""
+    of_entry = {each.id: each for each in ENTRIES if each.id in {"pressure_offset", "pressure_drift"}}
+    spreads = {"pressure_offset": 4.0, "pressure_drift": 2.0}
+    found = [
+        Screened(Candidate(of_entry[name], ("a",), ((0,),)), {}, np.zeros(2), nats, np.eye(2), np.zeros(2))
+        for name, nats in (("pressure_offset", offset), ("pressure_drift", drift))
+    ]
+    monkeypatch.setattr(Alike, "spread", lambda self, screened: spreads[screened.candidate.entry.id])
+    alike = Alike.__new__(Alike)
+    for weighed in (alike.weighed(found), alike.all_weighed(found)):
+        by_name = {each.candidate.entry.id: each for each in weighed}
+        assert by_name["pressure_offset"].candidate.spread == 4.0
+        assert by_name["pressure_drift"].candidate.spread == pytest.approx(spread)
+        assert by_name["pressure_drift"].nats == pytest.approx(drift / spread)
+    again = {each.candidate.entry.id: each for each in alike.all_weighed(alike.weighed(found))}
+    assert again["pressure_drift"].candidate.spread == pytest.approx(spread)
