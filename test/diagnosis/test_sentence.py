@@ -347,6 +347,13 @@ def test_a_doubtful_comparison_is_said() -> None:
     )
 
 
+def test_a_suspected_difference_is_not_told_as_sure() -> None:
+    """A confirmed one stands as it is, beside it."""
+    effects = [replace(NAMED[0], name="weed"), replace(NAMED[1], name="iron", tier="suspected")]
+    told = difference_sentence("mismatch", effects, [])
+    assert plain(told) == "Compared with when it was well, these differ: weed; and perhaps iron."
+
+
 def test_a_difference_of_no_known_size_is_said_as_that() -> None:
     """It is neither named as an effect nor called something outside the catalogue."""
     told = difference_sentence("mismatch", [], [], "", ["thruster_gain:right"])

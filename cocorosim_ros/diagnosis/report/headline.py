@@ -85,7 +85,8 @@ def difference_sentence(
         return f"{_BEGIN}: these recordings do not excite the vehicle enough to tell what differs."
     if verdict == "consistent":
         return f"{_BEGIN}, nothing differs that these recordings could show."
-    names = [*_numbers(moved), *map(_name, effects), *([Name(_NAMELESS, "something")] if nameless else [])]
+    found = [_name(each, "perhaps " if each.tier == "suspected" else "") for each in effects]
+    names = [*_numbers(moved), *found, *([Name(_NAMELESS, "something")] if nameless else [])]
     names += [_unsure("most likely ", effect_words(each), ", by how much cannot be told", each) for each in vague]
     names += [_of_either(each) for each in either]
     return _named(list(dict.fromkeys(names)), lambda told: f"{_BEGIN}, these differ: {told}.", "findings")

@@ -166,6 +166,35 @@ def test_a_mixup_among_few_streams(
     assert found.topic == topic and words in found.wrong
 
 
+def north_east(values: Any) -> list[Any]:
+    """Poses with x to the north and y to the east, yaw clockwise from north, and z still up: a mirror image."""
+    return [values[1], values[0], values[2], np.pi / 2 - values[3]]
+
+
+@pytest.mark.parametrize(
+    ("topics", "fault", "rival"),
+    [
+        (("pose",), ("pose", north_east), "thruster_command"),
+        # Commands that are exchanged make the same of poses alone.
+        (("pose",), ("thruster_command", lambda v: [v[1], v[0], v[2]]), "thruster_command"),
+        (("imu",), ("imu", lambda v: [-v[0], v[1], v[2], v[3]]), "thruster_command"),
+        # A second stream that agrees with the commands decides.
+        (("pose", "compass"), ("pose", north_east), ""),
+        (("pose", "imu"), ("pose", north_east), ""),
+        # So do other axes than those that an exchange makes.
+        (("pose",), ("pose", lambda v: [v[1], v[0], v[2], v[3]]), ""),
+        (("pose",), ("pose", lambda v: [v[1], v[0], -v[2], np.pi / 2 - v[3]]), ""),
+        (("imu",), ("imu", lambda v: [-v[0], v[1], -v[2], -v[3]]), ""),
+    ],
+)
+def test_exchanged_commands_are_told_where_they_explain_as_much(
+    swum: Swum, swim: Any, lily_platform: Platform, topics: tuple[str, ...], fault: tuple[str, Any], rival: str
+) -> None:
+    """One stream and the commands tell that one of the two is mirrored, not which."""
+    (found,) = needed_corrections(mixed(swum(swim(seed=5, topics=topics)), *fault), lily_platform)
+    assert found.topic == topics[0] and found.rival == rival
+
+
 SUBSETS = [TOPICS, ("pose",), ("pose", "compass"), ("compass", "imu"), ("pressure", "imu"), ("pose", "imu", "velocity")]
 
 

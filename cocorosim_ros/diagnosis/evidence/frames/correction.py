@@ -32,7 +32,7 @@ class FrameCorrection:
     readings over the recorded ones, a cautious figure; infinite where the readings themselves leave no doubt.
     matrix (columns, columns) and offset (columns,): right = matrix @ value + offset; where `into_body`, the first two
     columns are turned from world into body axes before that. The columns of commands are the actuators. matrix is None
-    for a stream that no matrix corrects.
+    for a stream that no matrix corrects. rival: topic of another stream that may be the faulty one as well; "" if none.
     """
 
     topic: str
@@ -42,6 +42,7 @@ class FrameCorrection:
     matrix: Floats | None
     offset: Floats
     into_body: bool = False
+    rival: str = ""
 
 
 def corrected(log: RobotLog, corrections: Sequence[FrameCorrection]) -> RobotLog:

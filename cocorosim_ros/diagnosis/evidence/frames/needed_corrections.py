@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, Fault, F
 from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
 from cocorosim_ros.diagnosis.evidence.frames.mirrored_poses import mirrored_poses
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
-from cocorosim_ros.diagnosis.evidence.frames.orientation import Orientation, best_orientation
+from cocorosim_ros.diagnosis.evidence.frames.orientation import EXCHANGES, Orientation, best_orientation
 from cocorosim_ros.diagnosis.evidence.frames.turned import (
     SAME,
     SWAPPED,
@@ -58,7 +58,7 @@ def needed_corrections(
     if len([correction for correction in found if correction.nats < np.inf]) < 2:
         return tuple(found)
     # Several streams that contradict the commands in the same way are right, and the commands are not.
-    for turned in (Turned(1, 0), Turned(0, 2), Turned(1, 2)):
+    for turned in EXCHANGES:
         commands = _commands(Orientation(command=turned, nats=min(correction.nats for correction in found)), platform)
         rest = _corrections(_all_corrected(together, commands), platform, beside)
         if commands[0].matrix is not None and len(rest) + 1 < len(found):
@@ -102,9 +102,11 @@ def _axes(logs: Logs, platform: Platform, beside: Logs) -> Found:
     known = motion_together(beside, platform) if beside else None
     turned = best_orientation(motion, known, upside_down=down > AXES.margin)
     found = [*_pose(turned, down), *_compass(turned), *_commands(turned, platform)]
+    rival = COMMAND if turned.or_commands != SAME and _exchange_of(turned.or_commands, platform) is not None else ""
+    found = [replace(each, rival=rival) for each in found]
     motion = motion_together(_all_corrected(logs, found), platform)
     imu = inertial_axes(motion, gravity_of(logs, platform), _gyro_nats(turned))
-    return [*found, *([imu] if imu else [])]
+    return [*found, *([replace(imu, rival=rival if _is_gyro_alone(imu) else "")] if imu else [])]
 
 
 def _own_axes(logs: Logs, platform: Platform) -> Found:
@@ -115,6 +117,11 @@ def _own_axes(logs: Logs, platform: Platform) -> Found:
         motion = motion_together(_all_corrected(logs, [poses]), platform)
     velocities = [velocity_axes(motion, topic, lift_upside_down(motion, topic)) for topic in VELOCITIES]
     return [correction for correction in (poses, *velocities) if correction]
+
+
+def _is_gyro_alone(imu: FrameCorrection) -> bool:
+    """Tell whether a correction of an IMU leaves its accelerometer as it is, so that gravity says nothing for it."""
+    return imu.matrix is not None and bool(np.array_equal(imu.matrix[1:, 1:], np.eye(3)))
 
 
 def _gyro_nats(turned: Orientation) -> float:
@@ -165,14 +172,15 @@ def _commands(turned: Orientation, platform: Platform) -> Found:
         return []
     parts = ["forwards and backwards are exchanged"] if backwards else []
     parts += ["left and right are exchanged"] if mirrored != backwards else []
-    exchange = _exchange(platform, forwards=backwards, turning=mirrored)
+    exchange = _exchange_of(turned.command, platform)
     because = "only so the robot moves as it is commanded"
     words = ", and ".join(parts) if parts else "the yaw moment is reversed"
     return [FrameCorrection(COMMAND, words, because, turned.nats, exchange, np.zeros(len(platform.actuators)))]
 
 
-def _exchange(platform: Platform, *, forwards: bool, turning: bool) -> Floats | None:
+def _exchange_of(command: Turned, platform: Platform) -> Floats | None:
     """Signed exchange of actuators that reverses surge or yaw moment and leaves the rest; None if no exchange does."""
+    forwards, turning = bool(command.quarters), bool(command.mirrored)
     wrenches = platform.actuator_wrenches() * platform.full_forces()[:, AHEAD]
     count = len(wrenches)
     matrix = np.zeros((count, count))

@@ -9,7 +9,7 @@ have one sign. All combinations are compared by the nats by which the relations 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple
 
@@ -31,13 +31,16 @@ from cocorosim_ros.foundation.arrays import Floats
 USUAL_POSITIONS: tuple[Turned, ...] = (SWAPPED, Turned(1, 0), Turned(1, 2))
 USUAL_ANGLES: tuple[Turned, ...] = (SWAPPED, Turned(1, 0), Turned(0, 1), Turned(0, 3), Turned(0, 2))
 USUAL_POSES: tuple[Turned, ...] = (SWAPPED, Turned(1, 0))
+EXCHANGES = (Turned(1, 0), Turned(0, 2), Turned(1, 2))
+"""Changes of commands: the yaw moment reversed, forwards and backwards exchanged, both."""
 
 
 @dataclass(frozen=True)
 class Orientation:
     """A change for each of the five sources; SAME and False for a source that is right.
 
-    nats: gain of all relations together by these changes, less the price of the changes.
+    nats: gain of all relations together by these changes, less the price of the changes. or_commands: change of
+    the commands that makes all agree as well in place of that of the one stream; SAME if none does.
     """
 
     position: Turned = SAME
@@ -46,6 +49,7 @@ class Orientation:
     gyro: bool = False
     command: Turned = SAME
     nats: float = 0.0
+    or_commands: Turned = SAME
 
 
 def best_orientation(motion: ShownMotion, beside: ShownMotion | None = None, *, upside_down: bool) -> Orientation:
@@ -66,7 +70,20 @@ def best_orientation(motion: ShownMotion, beside: ShownMotion | None = None, *, 
     gain = nothing - cost
     if gain < ORIENTATION.margin:
         return Orientation()
-    return Orientation(best.position, best.yaw, best.compass, best.gyro, best.command, gain)
+    return replace(best, nats=gain, or_commands=SAME if upside_down else _commands_instead(relations, best))
+
+
+def _commands_instead(relations: _Relations, best: Orientation) -> Turned:
+    """Find the change of the commands that explains as much as that of a single stream; SAME if none does.
+
+    Poses alone do not tell a mirrored world from thrusters that are exchanged.
+    """
+    streams = (best.position != SAME or best.yaw != SAME) + (best.compass != SAME) + best.gyro
+    if streams != 1 or best.command != SAME or not relations.has_command:
+        return SAME
+    exchange = min(EXCHANGES, key=lambda command: relations.nats(Orientation(command=command)))
+    reached = relations.nats(Orientation(command=exchange)) < relations.nats(best) + ORIENTATION.margin
+    return exchange if reached else SAME
 
 
 def _candidates(relations: _Relations) -> Iterator[Orientation]:
@@ -74,7 +91,7 @@ def _candidates(relations: _Relations) -> Iterator[Orientation]:
     yaw = ALL_TURNED if relations.has_yaw else (SAME,)
     compass = ALL_TURNED if relations.has_compass else (SAME,)
     gyro = (False, True) if relations.has_gyro else (False,)
-    command = (SAME, Turned(1, 0), Turned(0, 2), Turned(1, 2)) if relations.has_command else (SAME,)
+    command = (SAME, *EXCHANGES) if relations.has_command else (SAME,)
     for chosen in product(position, yaw, compass, gyro, command):
         yield Orientation(*chosen)
 
