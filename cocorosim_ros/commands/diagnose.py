@@ -50,8 +50,11 @@ class _WithSeveral(click.Command):
     """Lets --against take several recordings, all up to the next option."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Write the option before each of its recordings."""
+        """Write the option before each of its recordings. Raises CocorosimError if it has none."""
         spread: list[str] = []
+        for word, following_word in zip(args, [*args[1:], "--"], strict=True):
+            if word == _AGAINST and following_word.startswith("-"):
+                raise CocorosimError(f"{_AGAINST} names no recording; give one or more of the sound vehicle after it.")
         following = False
         for word in args:
             if following and spread[-1] != _AGAINST and not word.startswith("-"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +38,7 @@ from cocorosim_ros.diagnosis.naming.named_effect import Naming
 from cocorosim_ros.diagnosis.naming.naming import name_effects
 from cocorosim_ros.diagnosis.naming.searched_again import better_foretelling
 from cocorosim_ros.diagnosis.naming.single_thrusters import thruster_names, turned_remarks
-from cocorosim_ros.diagnosis.report.headline import sentence_of, unable_sentence
+from cocorosim_ros.diagnosis.report.headline import not_followed_headline, sentence_of, unable_sentence
 from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import channels_beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
@@ -58,6 +59,7 @@ from cocorosim_ros.diagnosis.showing.harm import (
 )
 from cocorosim_ros.diagnosis.showing.lasting_errors import memory_remarks, wander_remarks
 from cocorosim_ros.diagnosis.showing.location import locate
+from cocorosim_ros.diagnosis.showing.lost import lost_robots
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.other_forms import TakenBack, told_at_last, without_other_forms
 from cocorosim_ros.diagnosis.showing.regimes import unlike_regimes
@@ -115,6 +117,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     final_courses = smoothed_tracks(naming.fit)
     declared = evidence.platform.drag_form is not None
     case = Case(naming.fit, naming.named, effects, final_courses, table, naming.base, declared)
+    if lost := lost_robots(case):
+        return not_followed(evidence, lost)
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
     beyond = channels_beyond_the_floor(case)
@@ -308,6 +312,15 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
         remarks=evidence.remarks,
         reasons=tuple(reasons),
     )
+
+
+def not_followed(evidence: Evidence, lost: Sequence[str], *, against: bool = False) -> Diagnosis:
+    """The diagnosis of evidence that the model does not follow, or not that of --against; no manoeuvre helps.
+
+    lost: sentences on that.
+    """
+    headline = not_followed_headline(evidence.platform.name, against=against)
+    return replace(abstained(evidence, lost), sentence=headline, manoeuvres=())
 
 
 def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], *, missing: bool, blind: bool) -> Verdict:

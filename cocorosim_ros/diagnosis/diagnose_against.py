@@ -24,7 +24,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
-from cocorosim_ros.diagnosis.diagnose import abstained
+from cocorosim_ros.diagnosis.diagnose import abstained, not_followed
 from cocorosim_ros.diagnosis.evidence.cleaning import is_noteworthy
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
@@ -49,12 +49,18 @@ from cocorosim_ros.diagnosis.showing.actuators import with_actuators
 from cocorosim_ros.diagnosis.showing.beside_a_law import beside_nameless
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.course_velocity import course_velocities
-from cocorosim_ros.diagnosis.showing.differing import as_asymmetries, differing_effects, differing_numbers
+from cocorosim_ros.diagnosis.showing.differing import (
+    as_asymmetries,
+    differing_effects,
+    differing_numbers,
+    with_spread_between,
+)
 from cocorosim_ros.diagnosis.showing.estimates import fitted, recalibrated
 from cocorosim_ros.diagnosis.showing.framing import mixed_up, unexplained
 from cocorosim_ros.diagnosis.showing.gathered_evidence import gathered_evidence
 from cocorosim_ros.diagnosis.showing.hard_stops import objections, stopped
-from cocorosim_ros.diagnosis.showing.learned_vehicle import objection_to_learned
+from cocorosim_ros.diagnosis.showing.learned_vehicle import case_of_learned, objection_to_learned
+from cocorosim_ros.diagnosis.showing.lost import lost_robots
 from cocorosim_ros.diagnosis.showing.noise_levels import noise_levels
 from cocorosim_ros.diagnosis.showing.other_vehicle import Unlike, other_vehicle_sentence, other_vehicles, under_a_load
 from cocorosim_ros.diagnosis.showing.residual_force import residual_forces
@@ -82,6 +88,8 @@ def _compared(bad: Evidence, good: Evidence, progress: Progress) -> Diagnosis:
         return _with_files(abstained(bad, (*_of_good(well.reasons), *intake.reasons)), well)
     progress("learning the vehicle", 0.05)
     once = learned_once(well.evidence, lambda words, share: progress(words, 0.1 + 0.25 * share))
+    if lost := lost_robots(case_of_learned(once.vehicle)):
+        return _with_files(not_followed(bad, _of_good(lost), against=True), well)
     if not reports_act(track.log for track in once.vehicle.tracks):
         intake = replace(intake, evidence=as_ordered(intake.evidence))
     progress("fitting both together", 0.4)
@@ -183,7 +191,7 @@ def _told(
 
     clocks: differences of clocks. to_learned: objections to the learned vehicle.
     """
-    numbers = fitted(naming.fit)
+    numbers = with_spread_between(fitted(naming.fit), naming, judged.alike)
     moved, vague = _clearly_moved(differing_numbers(naming, numbers))
     effects: tuple[FoundEffect, ...] = (*mixed_up(intake), *clocks, *differing_effects(naming, numbers))
     if against.control:
@@ -198,6 +206,8 @@ def _told(
     table, runs, _ = held_out_free_runs(foreseeable_parts(base), final)
     courses = smoothed_tracks(base), smoothed_tracks(final)
     case = Case(final, naming.named, effects, courses[1], table)
+    if lost := lost_robots(case):
+        return replace(not_followed(intake.evidence, lost), against=against)
     of_vehicles = (*to_learned, *under_a_load(moved, effects), *undone(case, base))
     stops = (*of_vehicles, *unexplained(intake), *objections(case), *beside_nameless(case, naming.nameless))
     effects = as_asymmetries(stopped(effects, stops), thruster_names(base.tracks[0].vehicle))

@@ -125,3 +125,13 @@ def test_recordings_of_another_hull_are_refused(
     made_with = "'wide' (0.13 x 0.2 x 0.07 m, 0.44 kg, actuators left, right, buoyancy) as lily_01"
     assert f"--against has {good}, made with {made_with}" in " ".join(done.err.split())
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("after", [("--platform", "lily", "--out", "found"), ()])
+def test_an_against_without_recordings_is_said(cocorosim: Command, bags: list[Path], after: tuple[str, ...]) -> None:
+    """It had been taken for the option's own value, and the platform for missing."""
+    done = cocorosim("diagnose", bags[0], "--against", *after)
+    assert done.status == 2
+    assert (
+        done.err.strip() == "cocorosim: --against names no recording; give one or more of the sound vehicle after it."
+    )

@@ -20,6 +20,7 @@ from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_an
 from cocorosim_ros.diagnosis.showing.case import Case, Objection
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.hard_stops import STOPS, objections, stopped
+from cocorosim_ros.diagnosis.showing.lost import lost_robots
 
 
 @pytest.fixture(scope="module")
@@ -94,6 +95,20 @@ def test_a_number_at_the_end_of_its_range(sound: Case) -> None:
         unknowns[place], q[place] = bias, value
         own = replace(sound, final=replace(sound.final, unknowns=tuple(unknowns), q=q.copy()))
         assert len(sentences(hard_stops.number_at_a_bound, own)) == said
+
+
+@pytest.mark.parametrize(("end", "said"), [(-1.0, True), (1.0, False)])
+def test_a_torque_that_is_as_small_as_may_be_hints_at_exchanged_commands(sound: Case, end: float, said: bool) -> None:
+    """Left and right that are exchanged turn the model the other way; a large torque says no such thing."""
+    unknowns, q = list(sound.final.unknowns), sound.final.q.copy()
+    place = next(n for n, each in enumerate(unknowns) if each.owner.parameter == "drag")
+    owner = replace(unknowns[place].owner, parameter="yaw_torque_gain", unit="1")
+    unknowns[place] = replace(unknowns[place], owner=owner, bounds=(-1.0, 1.0))
+    q[place] = end
+    (told,) = sentences(
+        hard_stops.number_at_a_bound, replace(sound, final=replace(sound.final, unknowns=tuple(unknowns), q=q))
+    )
+    assert told.endswith(", or columns or signs of the commands are exchanged in the map.") is said
 
 
 def _asked(sentence: str) -> float:
@@ -256,6 +271,27 @@ def test_predictions_that_err_to_one_side(sound: Case) -> None:
     assert len(sentences(coloured_innovations, case(3.0 * rng.standard_normal(count)))) == 1
 
 
+@pytest.mark.parametrize(
+    ("column", "off", "words"),
+    [
+        # Poses are exact to 2 mm and 0.01 rad, and a Lily is 0.13 m long.
+        (0, 0.3, "the pose along x by "),
+        (0, 0.12, ""),
+        (3, 1.5, "the heading of the pose by "),
+        (3, 0.25, ""),
+    ],
+)
+def test_a_course_that_follows_nothing(sound: Case, column: int, off: float, words: str) -> None:
+    """A hundred times the noise, and more than the hull is long or 17 degrees: then the model is another vehicle's."""
+    mean = sound.courses[0].mean.copy()
+    mean[:, column] += off
+    said = lost_robots(replace(sound, courses=(replace(sound.courses[0], mean=mean),)))
+    begin = "The model does not follow the readings of lily_01: its most likely course leaves "
+    assert len(said) == (1 if words else 0)
+    assert all(words in each and each.startswith(begin) for each in said)
+    assert lost_robots(sound) == ()
+
+
 def test_a_random_force_that_grows_with_speed(sound: Case) -> None:
     """Innovations twice as large at speed are said of an effect by which free runs do not clearly gain, by how much."""
     (track,), (passed,), (course,) = sound.final.tracks, sound.final.passes, sound.courses
@@ -408,9 +444,9 @@ def test_an_effect_beside_what_is_left_without_a_name(sound: Case, law: str, sai
     assert list(beside_nameless(compass, law)) == []
 
 
-@pytest.mark.parametrize(("level", "said"), [(2, 0), (4, 1)])
+@pytest.mark.parametrize(("level", "said"), [(1, 0), (2, 1), (4, 1)])
 def test_an_angle_of_all_thrusters_of_many(sound: Case, level: int, said: int) -> None:
-    """Of a pair it is said as it is; of four in the level plane one alone may be turned."""
+    """Of a single one in the level plane it is said as it is; of more one alone may be turned."""
     case = named(sound, "thruster_misalignment", angle=1.5)
     (track,) = case.final.tracks
     wrench = np.zeros((level + 1, 4))

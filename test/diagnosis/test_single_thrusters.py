@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import boats
@@ -17,6 +18,7 @@ from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.report.changed_vehicle import as_platform
 from cocorosim_ros.diagnosis.report.model_file import Origin, model_yaml
 from cocorosim_ros.diagnosis.report.words import check_words
+from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key
 from cocorosim_ros.scenario.parts.platform import Platform, load_platform
 from cocorosim_ros.scenario.parts.steering import Azimuth
 
@@ -66,7 +68,7 @@ def test_one_weak_thruster_of_four_that_follow_three_wishes(tmp_path: Path, monk
 
 
 def test_thrusters_that_push_alike_are_not_told_apart(tmp_path: Path) -> None:
-    """Two in one place that push the same way with the same command, beside two that do not."""
+    """Two in one place that push the same way with the same command, beside two that do not: one stands for both."""
     from cocorosim_ros.diagnosis.fitting.recalibration import first_fit
     from cocorosim_ros.diagnosis.naming.single_thrusters import looked_for_alone
 
@@ -79,7 +81,7 @@ def test_thrusters_that_push_alike_are_not_told_apart(tmp_path: Path) -> None:
     command = log.command[:, [0, 0, 2, 3]]
     evidence = replace(evidence, recordings=(replace(recording, robots=(replace(log, command=command),)),))
     told = [each.id for each in looked_for_alone(first_fit(evidence).tracks)]
-    assert told == [f"thruster_gain:{name}" for name in boats.NAMES[2:]]
+    assert told == [f"thruster_gain:{name}" for name in (boats.NAMES[0], *boats.NAMES[2:])]
 
 
 def test_a_vehicle_without_thrusters_has_no_entry() -> None:
@@ -131,3 +133,27 @@ def test_thrusters_that_turn_are_not_looked_for_alone(tmp_path: Path) -> None:
     (said,) = turned_remarks(tracks[0].vehicle)
     assert f"Whether one of {boats.NAMES[0]} is weak is not looked for" in said
     assert turned_remarks(first_fit(drive(boat, 1)).tracks[0].vehicle) == ()
+
+
+def test_of_thrusters_that_push_alike_the_first_stands_for_all() -> None:
+    """Two vertical thrusters under one command: their sum is all that shows, so that each is the other's rival.
+
+    Level ones that are commanded alike push another way each, and are told.
+    """
+    from cocorosim_ros.diagnosis.naming.single_thrusters import alike_of, looked_for_alone
+
+    names = ("front", "rear", "left_up", "right_up")
+    rng = np.random.default_rng(1)
+    level, up = rng.uniform(-1.0, 1.0, (2, 200))
+    wrench = np.array([[1.0, 0.0, 0.0, 0.2], [1.0, 0.0, 0.0, -0.2], [0.0, 0.0, 2.0, 0.0], [0.0, 0.0, 1.0, 0.0]])
+    own = {gain_key(name): SimpleNamespace(column=f"own_gain.{number}") for number, name in enumerate(names, 1)}
+    vehicle = SimpleNamespace(
+        is_thruster=np.ones(4, dtype=bool), actuator_wrench=wrench, hull=0.4, own=own, actuator_curve=np.zeros((4, 0))
+    )
+    tracks: Any = [
+        SimpleNamespace(vehicle=vehicle, log=SimpleNamespace(command=np.column_stack([level, level, up, up])))
+    ]
+    assert [each.id for each in looked_for_alone(tracks)] == [f"thruster_gain:{name}" for name in names[:3]]
+    assert alike_of(tracks) == {"front": (), "rear": (), "left_up": ("right_up",), "right_up": ("left_up",)}
+    tracks[0].log.command[100:, 3] = -up[100:]
+    assert [each.id for each in looked_for_alone(tracks)] == [f"thruster_gain:{name}" for name in names]

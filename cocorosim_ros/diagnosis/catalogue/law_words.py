@@ -88,4 +88,4 @@ def _factor_words(factor: Factor) -> str:
     words = f"{begin} {meaning}" if begin else f"the power {factor.power:g} of {meaning}"
     if factor.signed == odd:
         return words
-    return f"{words}, with its sign" if factor.signed else f"{words}, without its sign"
+    return words.replace("the ", "the signed ", 1) if factor.signed else f"the amount of {words}"

@@ -333,6 +333,8 @@ class PolishingCriteria:
     """[standard deviations] of a number for its slope. Chosen, not measured."""
     least_curvature: float = 1e-6
     """[1] of a number of which the recordings tell nothing. Chosen, not measured."""
+    least_width: float = 1e-6
+    """[of q] that is taken as the width of a number, which rounding hides below that. Chosen, not measured."""
     largest_step: float = 1.0
     """[of q] in one step: farther away the curvature says little. Chosen, not measured."""
 

@@ -23,11 +23,18 @@ from cocorosim_ros.foundation.arrays import Floats
 
 
 def polished(fit: Fit) -> Fit:
-    """Step to the maximum of the objective until a step promises or gains too little, or none gains."""
+    """Step to the maximum of the objective until a step promises or gains too little, or none gains.
+
+    A fit whose slopes or curvature are not finite, as of a model that runs away from its readings, stays as it is.
+    """
     curvature = _curvature(fit)
+    if not np.isfinite(curvature).all():
+        return fit
     before: _Place | None = None
     for _ in range(POLISHING.most_steps):
         place = _Place(_numbers(fit), _slope(fit, curvature))
+        if not np.isfinite(place.slope).all():
+            return fit
         curvature = curvature if before is None else _updated(curvature, before, place)
         if place.slope @ step_within(curvature, place.slope, _all(fit), place.q) < 2.0 * POLISHING.worth:
             return fit
@@ -69,7 +76,7 @@ def _slope(fit: Fit, curvature: Floats) -> Floats:
     """Slope (n,) of the objective, by passes of the filter with each number a small part of its width off."""
     unknowns, q, filled = _all(fit), _numbers(fit), fit.filled
     widths = 1.0 / np.sqrt(np.maximum(np.diag(curvature), POLISHING.least_curvature))
-    wanted = POLISHING.difference * np.minimum(widths, 1.0)
+    wanted = POLISHING.difference * np.clip(widths, POLISHING.least_width, 1.0)
     steps = np.array([unknown.inward_step(*at) for unknown, *at in zip(unknowns, q, wanted, strict=True)])
 
     def of_track(number: int) -> Floats:

@@ -67,6 +67,11 @@ class Gain(NamedTuple):
         """Tell whether unseen data are foretold worse, and rather not by chance."""
         return self.mean < -max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.doubt * self.spread)
 
+    @property
+    def is_sure_loss(self) -> bool:
+        """Tell whether unseen data are foretold worse, and not by chance."""
+        return self.mean < -max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.sure * self.spread)
+
 
 def gain(before: Floats, after: Floats, floor: Floats) -> Gain:
     """Gain from mean squared errors `before` (windows, channels) to `after`; floor (channels,): of the noise floor.

@@ -58,10 +58,14 @@ WITHOUT_MEMORY = (*WATER_RANDOM, *READING_NOISE)
 
 
 class PassedOver(NamedTuple):
-    """Candidates of a round that explain something: too small to be believed, or contradicted by free runs."""
+    """Candidates of a round that explain something: too small to be believed, or contradicted by free runs.
+
+    rests: those that explain more than the ones that come after them, and may be rests of effects that the model has.
+    """
 
     negligible: list[Candidate]
     harmful: list[Candidate]
+    rests: list[Refined]
 
 
 def name_effects(base: Fit, progress: Progress, unseen: Unseen | None = None) -> Naming:
@@ -178,13 +182,24 @@ def _best_by_slopes(
     if not begun:
         return None
     base_evidence = log_evidence(screen.fit)
-    passed_over = PassedOver([], [])
+    passed_over = PassedOver([], [], [])
     for promising in _by_promise(begun, choice):
         refined = [_refined(screen.fit, each, base_evidence) for each in promising]
         found = _first_believed(Stage(screen.fit, named), refined, passed_over, choice)
         if found is not None:
             return found
+        passed_over.rests.extend(_believed_rests(refined, passed_over))
     return None
+
+
+def _believed_rests(refined: Sequence[Refined], passed_over: PassedOver) -> list[Refined]:
+    """List candidates with evidence enough for a name, if it could not be left over by effects that the model has."""
+    without_name = (*passed_over.negligible, *passed_over.harmful)
+    return [
+        each
+        for each in refined
+        if standing(each) >= NAMING.threshold and not any(each.candidate is other for other in without_name)
+    ]
 
 
 def _begun(fit: Fit, scene: Scene, tested: Sequence[Screened], wanted: Sequence[Screened]) -> list[Begun]:
@@ -241,7 +256,7 @@ def _first_believed(
         if own is None:
             continue
         if choice is None or not moves(leader.candidate):
-            return _addition(leader, near_rivals(leader, refined, choice), own)
+            return _addition(leader, near_rivals(leader, (*passed_over.rests, *refined), choice), own)
         others = (
             (each, _held_out_if_nameable(each, stage, passed_over, choice))
             for each in choice.better(leader, refined[place + 1 :])
@@ -249,7 +264,7 @@ def _first_believed(
         best, held_out = next(((each, found) for each, found in others if found is not None), (leader, own))
         gain = choice.gain(best)
         if not choice.refuses(best.candidate, gain) and (gain.is_likely or not passed_over.harmful):
-            return _addition(best, near_rivals(best, refined, choice), held_out, gain)
+            return _addition(best, near_rivals(best, (*passed_over.rests, *refined), choice), held_out, gain)
         passed_over.harmful.append(best.candidate)
         choice.refused.append(Refused(*_addition(best, (), held_out, gain)))
     return None

@@ -13,6 +13,7 @@ from cocorosim_ros.diagnosis.tracks.columns import MOST_THRUSTERS, OWN_GAINS
 from cocorosim_ros.diagnosis.tracks.own_numbers import gain_key
 from cocorosim_ros.diagnosis.tracks.track import Track
 from cocorosim_ros.diagnosis.tracks.vehicle_model import VehicleModel
+from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.world.terms.curve import AZIMUTH, FORM, NUMBER
 from cocorosim_ros.world.terms.groups import TURN
 
@@ -110,21 +111,54 @@ def number_words(identifier: str) -> str:
     return f"thrust of {thruster}" if thruster else identifier.replace("_", " ")
 
 
+def alike_of(tracks: Sequence[Track]) -> dict[str, tuple[str, ...]]:
+    """Map names of thrusters to the names of those that push the vehicle as they do, at all times.
+
+    Of two vertical thrusters that are always commanded alike, either may be the weak one: their sum is all that shows.
+    """
+    names = thruster_names(tracks[0].vehicle)
+    pushes = _pushes(tracks)
+    return {
+        name: tuple(names[other] for other in _alike(pushes, number) if other != number)
+        for number, name in enumerate(names)
+    }
+
+
 def _pushes_alone(tracks: Sequence[Track]) -> list[bool]:
     """Tell for each thruster whether it pushes and turns the vehicle as no sum of the other thrusters does.
 
-    Commands of four level thrusters that give three wishes are sums of each other; but each pushes another way.
+    Commands of four level thrusters that give three wishes are sums of each other; but each pushes another way. Of
+    thrusters that push alike the first is told from all that do not.
     """
+    pushes = _pushes(tracks)
+    found = []
+    for number in range(pushes.shape[1]):
+        alike = _alike(pushes, number)
+        others = np.delete(pushes, alike, axis=1)
+        found.append(number == alike[0] and others.shape[1] > 0 and _share_left(pushes[:, number], others) > 0.0)
+    return found
+
+
+def _pushes(tracks: Sequence[Track]) -> Floats:
+    """Pushes (4 n, thrusters) at n commands, of one axis after the other, each by a share of its full push."""
     vehicle = tracks[0].vehicle
     thrusters = vehicle.is_thruster
     commands = np.concatenate([track.log.command[:, thrusters] for track in tracks])
     commands = np.where(np.isfinite(commands), commands, 0.0)
     per_command = vehicle.actuator_wrench[thrusters] / [1.0, 1.0, 1.0, vehicle.hull]
-    pushes = np.concatenate([commands * along for along in per_command.T])  # of one axis after the other
-    found = []
-    for number in range(pushes.shape[1]):
-        own, others = pushes[:, number], np.delete(pushes, number, axis=1)
-        left = own - others @ np.linalg.lstsq(others, own, rcond=None)[0] if others.shape[1] else 0.0 * own
-        size = float(np.sqrt(np.mean(own**2)))
-        found.append(bool(size > 0.0 and np.sqrt(np.mean(left**2)) > FACTORS.alone * size))
-    return found
+    return np.concatenate([commands * along for along in per_command.T])
+
+
+def _alike(pushes: Floats, number: int) -> list[int]:
+    """Numbers of the thrusters that push as one does, its own among them."""
+    own = pushes[:, number]
+    others = (each for each in range(pushes.shape[1]) if each != number)
+    return sorted([number, *(each for each in others if own.any() and not _share_left(own, pushes[:, [each]]))])
+
+
+def _share_left(own: Floats, others: Floats) -> float:
+    """Share of a push (n,) that no sum of others (n, m) makes; 0 if it is hardly any, or of what never pushes."""
+    left = own - others @ np.linalg.lstsq(others, own, rcond=None)[0]
+    size = float(np.sqrt(np.mean(own**2)))
+    share = float(np.sqrt(np.mean(left**2))) / size if size > 0.0 else 0.0
+    return share if share > FACTORS.alone else 0.0

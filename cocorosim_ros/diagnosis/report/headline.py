@@ -103,6 +103,17 @@ def other_vehicle_headline(robot: str, factors: Mapping[str, float]) -> str:
     return _short_enough((*most, "These recordings do not look like those of the same vehicle; nothing is named."))
 
 
+def not_followed_headline(platform: str, *, against: bool = False) -> str:
+    """The headline where a model does not follow its recordings, or those of --against."""
+    which = "the recordings of --against" if against else "these recordings"
+    return _short_enough(
+        (
+            f"The model of {platform} does not follow {which}; nothing is named.",
+            f"The model does not follow {which}; nothing is named.",
+        )
+    )
+
+
 def unable_sentence(reasons: Sequence[str]) -> str:
     """The headline where nothing could be tested: the reason, if it is a single short one."""
     return _short_enough((*reasons[: len(reasons) == 1], _UNABLE))

@@ -6,6 +6,7 @@ import os
 import shutil
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from tempfile import TemporaryFile
 
 from cocorosim_ros.foundation.errors import ArgumentError
 
@@ -20,7 +21,7 @@ def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
     """Check that the files of a diagnosis can be written into a folder.
 
     argument: which one named the folder. Raises CocorosimError if that is a file, holds a diagnosis already (without
-    `force`), or holds other people's files and no diagnosis.
+    `force`), holds other people's files and no diagnosis, or cannot be made or written.
     """
     if folder.exists() and not folder.is_dir():
         raise ArgumentError(f"{folder} is a file; give a folder with '{argument}'.", argument)
@@ -35,6 +36,25 @@ def check_folder(folder: Path, *, force: bool, argument: str = "out") -> None:
             f"'force'; give another folder with '{argument}'."
         )
         raise ArgumentError(told, argument, "force")
+    _check_writing(folder, argument)
+
+
+def _check_writing(folder: Path, argument: str) -> None:
+    """Make the folder, and take it away again: what cannot be written is said before a diagnosis, not after it."""
+    made = _missing(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise _unwritable(folder, error, argument) from error
+    finally:
+        _take_away({}, folder / _UNFINISHED, made)
+
+
+def _unwritable(folder: Path, error: OSError, argument: str) -> ArgumentError:
+    told = f"The folder {folder} cannot be written: {error.strerror}; give another one with '{argument}'."
+    return ArgumentError(told, argument)
 
 
 def write_folder(
@@ -62,8 +82,7 @@ def write_folder(
         _exchange(folder, partial, unfinished if overlay is not None else None)
     except OSError as error:
         _take_away(partial, folder / _UNFINISHED, made)
-        told = f"The folder {folder} cannot be written: {error.strerror}; give another one with '{argument}'."
-        raise ArgumentError(told, argument) from error
+        raise _unwritable(folder, error, argument) from error
     except BaseException:
         _take_away(partial, folder / _UNFINISHED, made)
         raise

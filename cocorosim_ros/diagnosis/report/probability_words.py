@@ -44,8 +44,8 @@ def told_probabilities(diagnosis: Diagnosis) -> str:
     if not diagnosis.effects:
         return _of_silence(diagnosis, found.told)
     limit = ""
-    if any(each.because for each in diagnosis.effects):
-        limit = " (what speaks against this fit keeps a name at even odds, whatever its evidence)"
+    if diagnosis.against is None and any(each.because for each in diagnosis.effects):
+        limit = " (reasons for doubt, told in the warnings or beside a name, leave it no more than even odds)"
     return f"{_by_itself(diagnosis.effects, found)}{limit}; taken together {probability_words(found.grouped)}"
 
 

@@ -191,15 +191,15 @@ def weighed_words(diagnosis: Diagnosis) -> str:
     """Sentence on what the probabilities were learned from, and where they are no more than a guess."""
     if not (diagnosis.effects or diagnosis.screened):
         return "Nothing was learned from this recording: this is what is believed without it."
-    weighed = "Weighed as made recordings of Lilys have taught, where about so much of it comes true"
+    weighed = "By simulated recordings of Lilys, of which about this share of such statements was right"
     if diagnosis.against is not None and not diagnosis.effects:
         return (
-            f"{weighed}; of these two in three lacked something, which is too many for recordings of the same vehicle: "
+            f"{weighed}; two in three of them lacked something, which is too many for recordings of the same vehicle: "
             "nothing is more probable here than this says."
         )
     if diagnosis.verdict in ("consistent", "recalibrate") and not collapsed_channels(diagnosis.fit):
         return (
-            f"{weighed}; of these two in three lacked something. So what would not show is here what was believed "
+            f"{weighed}; two in three of them lacked something. So what would not show is here what was believed "
             "before the recording was seen; nothing in it speaks for that."
         )
     return f"{weighed}; of another vehicle it is a guess."

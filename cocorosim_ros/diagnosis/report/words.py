@@ -81,4 +81,7 @@ def odds_words(nats: float) -> str:
     if not math.isfinite(nats):
         return "\u2013"
     factor = math.exp(min(nats, REPORT.most_told_nats))
-    return f"{factor:.2g} times less likely" if factor < REPORT.told_odds else "much less likely"
+    told = f"{factor:.2g}"
+    if told == "1":
+        return "as likely"
+    return f"{told} times less likely" if factor < REPORT.told_odds else "much less likely"

@@ -52,15 +52,17 @@ def _sentence(robot: str, tracks: Sequence[Track], coloured: dict[int, list[Colo
     for each in (each for kinds in coloured.values() for each in kinds):
         if each.kind not in worst or each.scale > worst[each.kind].scale:
             worst[each.kind] = each
-    told = "; ".join(
-        f"{READING_WORDS[kind]} by {worst[kind].scale:.2g} times what the filter expects, correlation "
-        f"{worst[kind].related:.2f}"
-        for kind in KIND_NAMES
-        if kind in worst
-    )
+    told = "; ".join(_words(worst[kind]) for kind in KIND_NAMES if kind in worst)
     where = f", in {len(coloured)} of its {len(tracks)} recordings" if len(tracks) > 1 else ""
     most = ", at most" if len(coloured) > 1 else ""
-    return f"What the model foretells of {robot} errs not at random{where}{most}: {told}."
+    return f"What the model foretells of {robot} errs not at random{where}{most}: {told}; something is still missing."
+
+
+def _words(each: Coloured) -> str:
+    words = f"{READING_WORDS[each.kind]} by {each.scale:.2g} times what the filter expects"
+    if each.related > HARD_STOPS.correlated:
+        words += f", mostly to the same side as just before (correlation {each.related:.2f})"
+    return words
 
 
 def _coloured(tracks: Sequence[Track], passes: Sequence[Pass]) -> Iterator[Coloured]:

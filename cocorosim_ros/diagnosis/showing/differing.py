@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
+from cocorosim_ros.diagnosis.against.between_recordings import added_variances
+from cocorosim_ros.diagnosis.against.control import Alike
 from cocorosim_ros.diagnosis.against.numbers import THRUST
 from cocorosim_ros.diagnosis.catalogue.meaning import between
 from cocorosim_ros.diagnosis.findings import Estimate, FoundEffect, Recalibrated
@@ -16,6 +20,21 @@ from cocorosim_ros.diagnosis.showing.estimates import Fitted, found_effects
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN
 
 _COLUMN_OF = {name: (column, unit) for column, (name, unit) in RECALIBRATED.items()}
+
+
+def with_spread_between(numbers: Sequence[Fitted], naming: Naming, alike: Alike) -> tuple[Fitted, ...]:
+    """Copy fitted numbers, those of differences with the spread between recordings that are alike.
+
+    alike: recordings of the sound vehicle.
+    """
+    variances = np.zeros(len(numbers))
+    for effect in naming.named:
+        added = added_variances(effect.candidate, naming.fit, alike)
+        for place, number in enumerate(numbers):
+            if effect.candidate.owns(number.unknown):
+                variances[place] = added.get(number.unknown.column, 0.0)
+    spread = np.hypot([number.spread for number in numbers], np.sqrt(variances)).tolist()
+    return tuple(replace(number, spread=wider) for number, wider in zip(numbers, spread, strict=True))
 
 
 def differing_numbers(naming: Naming, numbers: Sequence[Fitted]) -> tuple[Recalibrated, ...]:

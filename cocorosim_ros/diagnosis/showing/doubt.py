@@ -93,8 +93,8 @@ def refused_effects(naming: Naming) -> tuple[PassedOver, ...]:
     """List the effect of most evidence that free runs refused a name, where something is missing all the same.
 
     Free runs are short and few, and of the many laws a name needs that they gain by it. Evidence that held-out readings
-    bear out, and that free runs do not contradict, says that something is missing, but not whether it is that. Beside
-    effects that were found before, such evidence is a rest of theirs (`rests_of_found`).
+    bear out, and that free runs do not surely contradict, says that something is missing, but not whether it is that.
+    Beside effects that were found before, such evidence is a rest of theirs (`rests_of_found`).
     """
     strongest = _strongest_refused(naming)
     if strongest is None or naming.may_be_rest(strongest.effect):
@@ -129,9 +129,16 @@ def _strongest_refused(naming: Naming) -> Refused | None:
         return None
     strongest = max(asked, key=lambda each: each.effect.nats)
     effect = strongest.effect
-    lost = effect.foretold is not None and effect.foretold.is_loss
+    lost = effect.foretold is not None and _speaks_against(
+        effect.foretold, is_law=effect.candidate.entry.law is not None
+    )
     weak = effect.nats < NAMING.nameless or effect.held_out.p >= ESTIMATES.held_out_p
     return None if lost or weak else strongest
+
+
+def _speaks_against(gain: Gain, *, is_law: bool) -> bool:
+    """Tell whether free runs say that an effect is not there; of the many laws outside the catalogue sooner."""
+    return gain.is_loss if is_law else gain.is_sure_loss
 
 
 def _weakest(naming: Naming) -> tuple[NamedEffect, tuple[str, ...]] | None:

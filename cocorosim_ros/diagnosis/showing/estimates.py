@@ -18,6 +18,7 @@ from cocorosim_ros.diagnosis.fitting.beside_noise import variances_beside_noise
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
+from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER, alike_of, thruster_of
 from cocorosim_ros.diagnosis.showing.form_width import variances_between_parts, variances_of_other_forms
 from cocorosim_ros.diagnosis.showing.several_tests import holm
 from cocorosim_ros.diagnosis.tracks.columns import COLUMN, NEUTRAL
@@ -130,6 +131,8 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         for rival in effect.rivals
         if rival.candidate.entry.id != entry.id
     )
+    if thruster := thruster_of(entry.id):
+        rivals += tuple(Rival(f"{ONE_THRUSTER}:{name}", 0.0) for name in alike_of(fit.tracks)[thruster])
     sure = (
         effect.nats >= NAMING.threshold + ESTIMATES.beyond_threshold
         and effect.held_out.p < ESTIMATES.held_out_p

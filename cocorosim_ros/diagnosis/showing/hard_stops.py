@@ -20,7 +20,6 @@ from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robot
 from cocorosim_ros.diagnosis.fitting.fit import Fit
 from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
-from cocorosim_ros.diagnosis.naming.single_thrusters import SIDES
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
 from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_an_error
 from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
@@ -65,10 +64,18 @@ def number_at_a_bound(case: Case) -> Iterator[Objection]:
             yield Objection(
                 f"The fit of {parameter_words(unknown.owner.parameter)} of {_listed(unknown.owner.robots)} "
                 f"stands at the end of its range, {said_quantity(unknown.value(q), unknown.owner.unit)}; the "
-                f"recordings ask for {asked} that the platform's file leaves out.",
+                f"recordings ask for {asked} that the platform's file leaves out{_or_exchanged(unknown, q)}.",
                 unknown.owner.robots,
                 spared=level if _is_upright(unknown, case.final.tracks) else (),
             )
+
+
+def _or_exchanged(unknown: Unknown, q: float) -> str:
+    """Words for what else makes a torque as small as may be: commands whose sign is the other one turn the model."""
+    low, _ = unknown.at_ends(q)
+    if not low or unknown.owner.parameter != "yaw_torque_gain":
+        return ""
+    return ", or columns or signs of the commands are exchanged in the map"
 
 
 def _asked_beyond(fit: Fit, place: int) -> str:
@@ -109,7 +116,9 @@ def interval_holds_zero(case: Case) -> Iterator[Objection]:
     for found, named in effects_of(case):
         if named.candidate.entry.may_be_nothing(found.parameters):
             yield Objection(
-                "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds zero.", effect=found
+                "Its size may as well be nothing: the 95 % interval of each of its amplitudes holds the value at which "
+                "it does nothing.",
+                effect=found,
             )
 
 
@@ -247,9 +256,9 @@ def one_side_alone(case: Case) -> Iterator[Objection]:
 
 
 def all_askew(case: Case) -> Iterator[Objection]:
-    """Object to the one angle of all thrusters of a vehicle that has more than two in the level plane."""
+    """Object to the one angle of all thrusters of a vehicle that has several in the level plane."""
     for found, _ in effects_of(case):
-        if found.id == ASKEW and any(_level_thrusters(track) > SIDES for track in _tracks_of(case, found)):
+        if found.id == ASKEW and any(_level_thrusters(track) > 1 for track in _tracks_of(case, found)):
             yield Objection(
                 "It turns all thrusters by the same angle, as a frame that is put in askew does. One of them alone, "
                 "turned further, explains much of the same: look along each.",

@@ -7,6 +7,7 @@ stays, and is not sure.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from cocorosim_ros.diagnosis.against.halves import Changed
 from cocorosim_ros.diagnosis.evidence.intake import Intake
@@ -44,8 +45,13 @@ def objection_to_learned(learned: Fit, well: Intake, changed: Sequence[Changed])
     have no names, so that stops against single effects have nothing to object to.
     """
     table = held_out_free_runs(whole_tracks(learned), learned).table
-    case = Case(learned, (), (), smoothed_tracks(learned), table)
+    case = replace(case_of_learned(learned), table=table)
     return in_one([_of_halves(changed), unexplained(well), *(tuple(stop(case)) for stop in OF_LEARNED)])
+
+
+def case_of_learned(learned: Fit) -> Case:
+    """Make a case of a learned vehicle, without free runs."""
+    return Case(learned, (), (), smoothed_tracks(learned), {})
 
 
 def _of_halves(changed: Sequence[Changed]) -> tuple[Objection, ...]:

@@ -97,7 +97,8 @@ class TrackFilter:
         sound = (variance > 0.0) & np.isfinite(variance) & np.isfinite(innovation)
         if not sound.all():  # numbers under which the model cannot be run
             innovation, variance = np.where(sound, innovation, 0.0), np.where(sound, variance, 1.0)
-        squared = innovation**2 / variance
+        with np.errstate(over="ignore"):  # a model that is far off has no likelihood, and that is no surprise
+            squared = innovation**2 / variance
         likelihood = -0.5 * float(np.sum(squared + np.log(2.0 * math.pi * variance))) if sound.all() else -math.inf
         return Pass(innovation, variance, gain, squared < GATE * GATE * (1.0 - FILTER.rounding), likelihood)
 

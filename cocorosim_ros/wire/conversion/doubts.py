@@ -1,4 +1,4 @@
-"""Units of a map that its log makes doubtful: angles that look like degrees, and readings that are minutes apart."""
+"""Units of a map that its log makes doubtful: angles that look like degrees, and times that no vehicle records."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from cocorosim_ros.wire.conversion.conversion_map import ColumnValue, Value
 from cocorosim_ros.wire.conversion.rows import Stamps
 
 MINUTES_NS = 60_000_000_000  # between readings, median; gliders at sea report every 10 s or so
+FAST_NS = 240_000  # the same; 4 kHz is the fastest usual rate, of inertial sensors
 _DEGREES = (-180.5, 360.5)  # headings in degrees lie between, whichever way they are wrapped
 _WRAP = 300.0  # a step of so much is a turn of less than 60 degrees through north
 _FEW = 0.05  # share of the readings that may be faulty
@@ -51,12 +52,20 @@ def doubtful_angles(place: str, values: Mapping[str, Value], columns: Mapping[st
 
 
 def doubtful_times(stamps: Mapping[str, Sequence[Stamps]]) -> list[str]:
-    """A sentence on topics, by name with the stamps [ns] of their messages, whose readings are minutes apart."""
-    apart = {name: np.median(np.diff(np.unique(np.concatenate(parts)))) for name, parts in stamps.items()
-             if sum(map(len, parts)) > 2}  # fmt: skip
+    """Sentences on topics whose readings are minutes apart, or fractions of a millisecond, or all at one moment.
+
+    stamps: by name of the topic, of its messages [ns].
+    """
+    moments = {name: np.unique(np.concatenate(parts)) for name, parts in stamps.items() if sum(map(len, parts)) > 2}
+    apart = {name: float(np.median(np.diff(each))) for name, each in moments.items() if len(each) > 1}
+    found = []
+    if still := [name for name, each in moments.items() if len(each) == 1]:
+        found.append(f"All readings of {listed(still, 'and')} have one time; check the column of 'time' in the map.")
     slow = [name for name, interval in apart.items() if interval > MINUTES_NS]
-    if not slow:
-        return []
-    seconds = max(apart[name] for name in slow) / 1e9
-    apart_by = f"Readings of {listed(slow, 'and')} are {seconds:.4g} s apart"
-    return [f"{apart_by}; check the unit of 'time' in the map."]
+    fast = [name for name, interval in apart.items() if interval < FAST_NS]
+    for many in (slow, fast):
+        if many:
+            seconds = max(apart[name] for name in many) / 1e9
+            told = f"Readings of {listed(many, 'and')} are {seconds:.4g} s apart"
+            found.append(f"{told}; check the unit of 'time' in the map.")
+    return found

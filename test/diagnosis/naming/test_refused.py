@@ -10,7 +10,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.fitting.held_out import HeldOutGain
 from cocorosim_ros.diagnosis.foretelling.gains import Gain
-from cocorosim_ros.diagnosis.naming import naming
+from cocorosim_ros.diagnosis.naming import naming, ranking
 from cocorosim_ros.diagnosis.naming.contest import Refined
 
 
@@ -28,6 +28,41 @@ def test_what_free_runs_refuse_is_noted(monkeypatch: pytest.MonkeyPatch, refuses
         refuses=lambda best, gain: refuses,
         refused=[],
     )
-    found = naming._first_believed(stage, [Refined(candidate, fit, 50.0)], naming.PassedOver([], []), choice)
+    found = naming._first_believed(stage, [Refined(candidate, fit, 50.0)], naming.PassedOver([], [], []), choice)
     kept = [each.effect.candidate for each in choice.refused]
     assert (found is None, kept) == ((True, [candidate]) if refuses else (False, []))
+
+
+@pytest.mark.parametrize(("nats", "rivals"), [(150.0, ["advance_loss"]), (6.0, [])])
+def test_what_explains_more_but_may_be_a_rest_is_a_rival(
+    monkeypatch: pytest.MonkeyPatch, nats: float, rivals: list[str]
+) -> None:
+    """A loss of thrust that the file's own drag may have left over, ahead of the drag that is named in its place.
+
+    Of less than a name needs it is none.
+    """
+
+    def candidate(name: str) -> Any:
+        entry = SimpleNamespace(id=name, law=None, channel="surge", topic=None, amplitudes=())
+        return SimpleNamespace(
+            entry=entry, spread=1.0, key=(name, None, ("a",)), robots=("a",), widens=lambda other: False
+        )
+
+    fit: Any = SimpleNamespace(unknowns=())
+    loss, drag = Refined(candidate("advance_loss"), fit, nats), Refined(candidate("anisotropic_drag"), fit, 70.0)
+    begun: Any = [SimpleNamespace(candidate=each.candidate, gain=each.nats) for each in (loss, drag)]
+    needed = {"advance_loss": 190.0, "anisotropic_drag": 8.0}
+    monkeypatch.setattr(naming, "_worth_refining", lambda tested: [])
+    monkeypatch.setattr(naming, "_begun", lambda *_: begun)
+    monkeypatch.setattr(naming, "_by_promise", lambda *_: (begun[:1], begun[1:]))
+    monkeypatch.setattr(naming, "log_evidence", lambda fit: 0.0)
+    monkeypatch.setattr(naming, "_refined", lambda fit, each, base: loss if each is begun[0] else drag)
+    monkeypatch.setattr(naming, "by_rank", lambda refined, stage: list(refined))
+    monkeypatch.setattr(naming, "needed_nats", lambda named, each, fit: needed[each.entry.id])
+    monkeypatch.setattr(naming, "_held_out_if_nameable", lambda *_: HeldOutGain(np.ones(3), 0.01))
+    for limit in ("is_beyond_instrument", "is_at_its_limit"):
+        monkeypatch.setattr(ranking, limit, lambda *_: False)
+    screen: Any = SimpleNamespace(fit=fit, scene=None)
+    found = naming._best_by_slopes((), screen, (), (), None)
+    assert found is not None and found[1].candidate is drag.candidate
+    assert [each.candidate.entry.id for each in found[1].rivals] == rivals

@@ -20,6 +20,15 @@ def test_files_are_written_into_a_folder_that_is_made(tmp_path: Path) -> None:
     assert {path.name: path.read_text("utf-8") for path in folder.iterdir()} == TEXTS
 
 
+def test_a_folder_that_cannot_be_made_is_said_before(tmp_path: Path) -> None:
+    """Below a file nothing can be made; one that can is not left behind by the question."""
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(CocorosimError, match=r"cannot be written: Not a directory; give another one with 'out'"):
+        check_folder(tmp_path / "file" / "below", force=False)
+    check_folder(tmp_path / "a" / "b", force=False)
+    assert [each.name for each in tmp_path.iterdir()] == ["file"]
+
+
 def test_an_older_diagnosis_needs_force(tmp_path: Path) -> None:
     """Without it the sentence names the file and 'force'; what has come beside it since is no hindrance."""
     check_folder(tmp_path, force=False)

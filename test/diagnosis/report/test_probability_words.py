@@ -84,7 +84,7 @@ def test_each_name_has_its_own_probability(example: Example) -> None:
     own, together = line.split("; taken together ")
     assert own.startswith("added mass 98 %, linear drag 50 %") and "each whatever is there beside it" in own
     assert "sensor latency of pose 50 %, sensor latency of stream of the inertial sensor 50 %" in own
-    assert "keeps a name at even odds" in own
+    assert "leave it no more than even odds" in own
     assert "% added mass and more" in together and "% something else" not in together
     assert "And more:" in meaning_words(replace(found, effects=(sure, *doubtful)))
     alone = told(replace(found, effects=(sure,)))

@@ -73,3 +73,16 @@ def test_milliseconds_in_a_map_that_says_seconds(convert_csv: Convert) -> None:
     """Ten readings a second would be 100 s apart."""
     found = convert_csv(MAP.format(time="s", yaw="{column: h, unit: deg}"), {"a.csv": log(100)}).findings
     assert found == ("Readings of /boat/pose and /boat/compass are 100 s apart; check the unit of 'time' in the map.",)
+
+
+@pytest.mark.parametrize(
+    ("apart", "sentence"),
+    [
+        (1e-4, "Readings of /boat/pose and /boat/compass are 0.0001 s apart; check the unit of 'time' in the map."),
+        (0.0, "All readings of /boat/pose and /boat/compass have one time; check the column of 'time' in the map."),
+    ],
+)
+def test_times_that_no_vehicle_records(convert_csv: Convert, apart: float, sentence: str) -> None:
+    """Seconds in a map that says milliseconds and more, and a column that stands still."""
+    found = convert_csv(MAP.format(time="s", yaw="{column: h, unit: deg}"), {"a.csv": log(apart)}).findings
+    assert sentence in found

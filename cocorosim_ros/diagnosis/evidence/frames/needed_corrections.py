@@ -13,7 +13,7 @@ from cocorosim_ros.diagnosis.evidence.frames.correction import COMMAND, Fault, F
 from cocorosim_ros.diagnosis.evidence.frames.inertial import inertial_axes
 from cocorosim_ros.diagnosis.evidence.frames.mirrored_poses import mirrored_poses
 from cocorosim_ros.diagnosis.evidence.frames.motion import motion_together
-from cocorosim_ros.diagnosis.evidence.frames.orientation import EXCHANGES, Orientation, best_orientation
+from cocorosim_ros.diagnosis.evidence.frames.orientation import EXCHANGED_COMMANDS, Orientation, best_orientation
 from cocorosim_ros.diagnosis.evidence.frames.turned import (
     SAME,
     SWAPPED,
@@ -31,7 +31,7 @@ from cocorosim_ros.diagnosis.evidence.frames.upright import (
 )
 from cocorosim_ros.diagnosis.evidence.frames.velocity_axes import velocity_axes
 from cocorosim_ros.diagnosis.evidence.streams.log import RobotLog
-from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, VELOCITIES, YAW, Z
+from cocorosim_ros.diagnosis.evidence.streams.stream_columns import PLANE, TURN_RATE, VELOCITIES, YAW, Z
 from cocorosim_ros.diagnosis.evidence.streams.vehicle_scales import AHEAD
 from cocorosim_ros.foundation.arrays import Floats
 from cocorosim_ros.scenario.parts.platform import Platform
@@ -58,7 +58,7 @@ def needed_corrections(
     if len([correction for correction in found if correction.nats < np.inf]) < 2:
         return tuple(found)
     # Several streams that contradict the commands in the same way are right, and the commands are not.
-    for turned in EXCHANGES:
+    for turned in EXCHANGED_COMMANDS:
         commands = _commands(Orientation(command=turned, nats=min(correction.nats for correction in found)), platform)
         rest = _corrections(_all_corrected(together, commands), platform, beside)
         if commands[0].matrix is not None and len(rest) + 1 < len(found):
@@ -121,7 +121,11 @@ def _own_axes(logs: Logs, platform: Platform) -> Found:
 
 def _is_gyro_alone(imu: FrameCorrection) -> bool:
     """Tell whether a correction of an IMU leaves its accelerometer as it is, so that gravity says nothing for it."""
-    return imu.matrix is not None and bool(np.array_equal(imu.matrix[1:, 1:], np.eye(3)))
+    if imu.matrix is None:
+        return False
+    as_recorded = np.eye(len(imu.matrix))
+    as_recorded[TURN_RATE] = imu.matrix[TURN_RATE]
+    return bool(np.array_equal(imu.matrix, as_recorded))
 
 
 def _gyro_nats(turned: Orientation) -> float:

@@ -31,7 +31,7 @@ from cocorosim_ros.foundation.arrays import Floats
 USUAL_POSITIONS: tuple[Turned, ...] = (SWAPPED, Turned(1, 0), Turned(1, 2))
 USUAL_ANGLES: tuple[Turned, ...] = (SWAPPED, Turned(1, 0), Turned(0, 1), Turned(0, 3), Turned(0, 2))
 USUAL_POSES: tuple[Turned, ...] = (SWAPPED, Turned(1, 0))
-EXCHANGES = (Turned(1, 0), Turned(0, 2), Turned(1, 2))
+EXCHANGED_COMMANDS = (Turned(1, 0), Turned(0, 2), Turned(1, 2))
 """Changes of commands: the yaw moment reversed, forwards and backwards exchanged, both."""
 
 
@@ -81,7 +81,7 @@ def _commands_instead(relations: _Relations, best: Orientation) -> Turned:
     streams = (best.position != SAME or best.yaw != SAME) + (best.compass != SAME) + best.gyro
     if streams != 1 or best.command != SAME or not relations.has_command:
         return SAME
-    exchange = min(EXCHANGES, key=lambda command: relations.nats(Orientation(command=command)))
+    exchange = min(EXCHANGED_COMMANDS, key=lambda command: relations.nats(Orientation(command=command)))
     reached = relations.nats(Orientation(command=exchange)) < relations.nats(best) + ORIENTATION.margin
     return exchange if reached else SAME
 
@@ -91,7 +91,7 @@ def _candidates(relations: _Relations) -> Iterator[Orientation]:
     yaw = ALL_TURNED if relations.has_yaw else (SAME,)
     compass = ALL_TURNED if relations.has_compass else (SAME,)
     gyro = (False, True) if relations.has_gyro else (False,)
-    command = (SAME, *EXCHANGES) if relations.has_command else (SAME,)
+    command = (SAME, *EXCHANGED_COMMANDS) if relations.has_command else (SAME,)
     for chosen in product(position, yaw, compass, gyro, command):
         yield Orientation(*chosen)
 
