@@ -77,6 +77,15 @@ def rows_of(outcomes: Iterable[Outcome]) -> tuple[Row, ...]:
     return tuple(rows)
 
 
+def _tried_and_not_shown(tree: Mapping[str, Any]) -> tuple[str, ...]:
+    """List the effects that a recording could not have shown, without those that the vehicle cannot have.
+
+    tree: of diagnosis.json.
+    """
+    tried = {each["id"] for each in tree["screened"]}
+    return tuple(name for name in tree["not_shown_by_this_recording"] if name in tried or not tried)
+
+
 def _rows(outcome: Outcome) -> Iterator[Row]:
     if outcome.problem:
         yield Row(outcome.recording, problem=outcome.problem)
@@ -90,7 +99,7 @@ def _rows(outcome: Outcome) -> Iterator[Row]:
         duration=found["duration"],
         of_recording=tree["verdict"],
         sentence=found["sentence"],
-        not_shown=tuple(tree["not_shown_by_this_recording"]),
+        not_shown=_tried_and_not_shown(tree),
         cannot_be_told=tuple(tree["cannot_be_told"]),
         warnings=tuple(tree["warnings"]),
         remarks=tuple(found["remarks"]),

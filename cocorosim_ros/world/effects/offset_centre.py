@@ -59,5 +59,5 @@ OFFSET_CENTRE = Effect(
         ),
     ),
     search=Search(channel="yaw", manoeuvre="zig_zag"),
-    check="Balance the vehicle on an edge, flooded as in water: its centre of mass should be at its file's origin.",
+    check="Balance the vehicle on an edge, with any water that it carries: the file's origin should lie on it.",
 )

@@ -103,3 +103,13 @@ def test_a_recording_without_a_diagnosis_is_a_row_with_a_sentence(outcome: Make)
 def test_nothing_at_all() -> None:
     """A fleet of which nothing is there yet has an empty table."""
     assert read([]).num_rows == 0
+
+
+def test_what_the_vehicle_cannot_have_is_not_told_as_not_shown(outcome: Make) -> None:
+    """A Lily has no cable: no diagnosis looks for its drag, so that no better recording would show it."""
+    blind = {
+        "not_shown_by_this_recording": ["wind", "pump_lag"],
+        "screened": [{"id": "pump_lag"}, {"id": "wall_effect"}],
+    }
+    made = outcome("a", "lily_01", 1.0, {"drag": (0.1, 0.001)}, diagnosis=blind)
+    assert read([made]).to_pylist()[0]["not_shown"] == ["pump_lag"]
