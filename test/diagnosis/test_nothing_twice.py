@@ -11,9 +11,14 @@ import pytest
 from cocorosim_ros.world.terms.equations import EQUATION_CODE
 from cocorosim_ros.world.terms.regressors import REGRESSOR_CODE
 
-# Every second run of a day, from the first or the second on. In those of 2019-04-11 from the second on, the second
-# search finds other numbers of the yaw.
-HALVES = (("2019-04-11", 0), ("2019-04-16", 0), ("2019-04-16", 1))
+# Folder of a data set, what the names of its recordings have, and which of these. The hovercraft's drives of 2019-04-11
+# are no case: late commands and late poses explain them as well, so that rounding, which differs from one processor to
+# the next, decides which is named, and what is found once more.
+HALVES = (
+    ("hovercraft_epfl", "2019-04-16", slice(0, None, 2)),
+    ("hovercraft_epfl", "2019-04-16", slice(1, None, 2)),
+    ("haizhe_auv/reference", "", slice(0, 16, 2)),
+)
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 HIDDEN = {
     "several": {
@@ -64,9 +69,9 @@ def test_the_found_model_finds_nothing(swim: Any, tmp_path: Path, case: str) -> 
 
 
 @pytest.mark.skipif(not DATA.is_dir(), reason="the recordings of others are not on this machine")
-@pytest.mark.parametrize(("day", "first_run"), HALVES)
-def test_a_hovercraft_is_found_once(tmp_path: Path, day: str, first_run: int) -> None:
-    """Drives under motion capture, whose numbers lie far from those of the file: moved at first, and not again."""
+@pytest.mark.parametrize(("folder", "named", "chosen"), HALVES)
+def test_a_real_vehicle_is_found_once(tmp_path: Path, folder: str, named: str, chosen: slice) -> None:
+    """Drives of a hovercraft, dives of a small AUV, whose numbers lie far from those of the file: not found again."""
     from cocorosim_ros.diagnosis.diagnose import diagnose
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.library.diagnosis_result import DiagnosisResult
@@ -75,9 +80,10 @@ def test_a_hovercraft_is_found_once(tmp_path: Path, day: str, first_run: int) ->
     from cocorosim_ros.wire.conversion.conversion import convert
     from cocorosim_ros.wire.conversion.map_file import load_map
 
-    made = convert(load_map(find_config("maps", "hovercraft_epfl")), DATA / "hovercraft_epfl", tmp_path / "bags")
-    bags = sorted(each.folder for each in made if day in each.folder.name)[first_run::2]
-    evidence = gather_evidence(bags, load_platform("hovercraft_epfl"))
+    name = folder.partition("/")[0]
+    made = convert(load_map(find_config("maps", name)), DATA / folder, tmp_path / "bags")
+    bags = sorted(each.folder for each in made if named in each.folder.name)[chosen]
+    evidence = gather_evidence(bags, load_platform(name))
     first = DiagnosisResult(diagnose(evidence, lambda words, share: None), evidence)
     assert first.effects or first.recalibrated
     (tmp_path / "model.yaml").write_text(first.model_yaml, encoding="utf-8")

@@ -86,6 +86,23 @@ def test_a_found_effect_has_the_equation_of_what_was_shown() -> None:
     assert set(found.parameters) == {"surge", "sway"}
 
 
+@pytest.mark.parametrize(
+    ("known", "over", "other"), [((), (), False), (((0.03,),), (), True), (((0.03,),), ("linear_drag.surge",), False)]
+)
+def test_an_effect_that_the_file_has_is_told_as_another(known: Any, over: Any, other: bool) -> None:
+    """Its numbers are not those of the file; what differs from a learned vehicle is told as that alone."""
+    candidate = SimpleNamespace(
+        entry=entry_of("linear_drag"), sharers=[SimpleNamespace(names=("boat",))], owns=lambda unknown: True,
+        everybody=(0,), known=known, over=frozenset(over),
+    )  # fmt: skip
+    effect: Any = SimpleNamespace(
+        candidate=candidate, nats=50.0, rivals=(), held_out=SimpleNamespace(p=1e-4, total=20.0)
+    )
+    fit: Any = SimpleNamespace(rows=np.zeros((1, len(NAMES))))
+    (found,) = found_effects(fit, [effect], [fitted("sway", 2.0, 0.2)])
+    assert found.name.endswith(", other than in the platform's file") is other
+
+
 def fitted(name: str, q: float, spread: float) -> Fitted:
     """A number of linear drag, in units of 0.02 N s/m."""
     owner = Owner("linear_drag", ("boat",), name, "N s/m")

@@ -139,6 +139,8 @@ def _found(fit: Fit, effect: NamedEffect, robots: tuple[str, ...], numbers: Sequ
         and not rivals
     )
     name = entry.name_with({each.unknown.column: each.estimate.value for each in mine})
+    if effect.candidate.known and not effect.candidate.over:
+        name = f"{name}, other than in the platform's file"
     turning = {each.name for each in entry.shapes if each.periodic}
     every = {each.unknown.owner.parameter: each.estimate for each in mine}
     told = {name: within_half_a_turn(each) if name in turning else each for name, each in every.items()}

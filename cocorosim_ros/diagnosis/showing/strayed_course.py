@@ -132,7 +132,10 @@ def _noise(track: Track, kind: int, row: Floats) -> float:
 
 
 def _noise_of_one(track: Track, kind: int) -> float:
-    """Noise of single readings of a kind, by their differences; infinite where these do not tell it."""
+    """Noise of single readings of a kind, by their differences, and never less than the filter's steps err by.
+
+    Infinite where differences do not tell it.
+    """
     topic = next(name for name, kinds in KINDS_OF_STREAM.items() if kind in kinds)
     single = float(track.log.streams[topic].noise[KINDS_OF_STREAM[topic].index(kind)])
-    return single if np.isfinite(single) else math.inf
+    return max(single, KINDS[KIND_NAMES[kind]].least_noise) if np.isfinite(single) else math.inf

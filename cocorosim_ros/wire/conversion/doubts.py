@@ -16,6 +16,7 @@ MINUTES_NS = 60_000_000_000  # between readings, median; gliders at sea report e
 FAST_NS = 240_000  # the same; 4 kHz is the fastest usual rate, of inertial sensors
 _DEGREES = (-180.5, 360.5)  # headings in degrees lie between, whichever way they are wrapped
 _WRAP = 300.0  # a step of so much is a turn of less than 60 degrees through north
+_MANY = 20  # readings, from which their rate is told
 _FEW = 0.05  # share of the readings that may be faulty
 
 
@@ -58,11 +59,13 @@ def doubtful_times(stamps: Mapping[str, Sequence[Stamps]]) -> list[str]:
     """
     moments = {name: np.unique(np.concatenate(parts)) for name, parts in stamps.items() if sum(map(len, parts)) > 2}
     apart = {name: float(np.median(np.diff(each))) for name, each in moments.items() if len(each) > 1}
+    # Four thrusters may be reported within nanoseconds, and not again for a second.
+    usual = {name: float(np.ptp(each)) / (len(each) - 1) for name, each in moments.items() if len(each) >= _MANY}
     found = []
     if still := [name for name, each in moments.items() if len(each) == 1]:
         found.append(f"All readings of {listed(still, 'and')} have one time; check the column of 'time' in the map.")
     slow = [name for name, interval in apart.items() if interval > MINUTES_NS]
-    fast = [name for name, interval in apart.items() if interval < FAST_NS]
+    fast = [name for name, interval in usual.items() if interval < FAST_NS]
     for many in (slow, fast):
         if many:
             seconds = max(apart[name] for name in many) / 1e9

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
+from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.naming.choice import Choice
 from cocorosim_ros.diagnosis.naming.contest import Refined
 from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
@@ -14,11 +15,19 @@ from cocorosim_ros.diagnosis.naming.ranking import by_rank, near_rivals
 STAGE: Any = SimpleNamespace(named=())
 
 
+class Named(SimpleNamespace):
+    """A candidate as the ranking looks at it."""
+
+    def widens(self, other: Any) -> bool:
+        """As candidates do."""
+        return Candidate.widens(cast("Any", self), other)
+
+
 def refined(name: str, nats: float, usual: float = 0.0, numbers: tuple[str, ...] = ()) -> Refined:
     """A candidate with evidence beyond the usual, and the usual that was taken off."""
     amplitudes = [SimpleNamespace(column=column) for column in numbers]
     entry = SimpleNamespace(id=name, law=None, channel="surge", topic=None, amplitudes=amplitudes)
-    candidate: Any = SimpleNamespace(entry=entry, spread=(nats + usual) / nats, key=(name, None, ("a",)), robots=("a",))
+    candidate: Any = Named(entry=entry, spread=(nats + usual) / nats, key=(name, None, ("a",)), robots=("a",))
     fit: Any = SimpleNamespace(unknowns=())
     return Refined(candidate, fit, nats, usual)
 
