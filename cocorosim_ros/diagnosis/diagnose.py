@@ -118,7 +118,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     declared = evidence.platform.drag_form is not None
     case = Case(naming.fit, naming.named, effects, final_courses, table, naming.base, declared)
     if lost := lost_robots(case):
-        return not_followed(evidence, lost)
+        return not_followed(intake.evidence, lost)
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
     beyond = channels_beyond_the_floor(case)

@@ -85,7 +85,7 @@ class HardStopCriteria:
     Chosen, not measured."""
     lost: float = 100.0
     """[noise of the readings] by which a course leaves readings that it does not follow at all. Chosen; measured: right
-    models of eight real vehicles leave theirs by 5 at most, and those of another vehicle by 1400 to 3200."""
+    models of eight real vehicles leave theirs by 7 at most, and those of another vehicle by 1400 to 3200."""
     lost_angle: float = 0.3
     """[rad] beside that, of headings; positions by the length of the hull. Chosen, not measured."""
     pascals_per_metre: float = 9.8e3

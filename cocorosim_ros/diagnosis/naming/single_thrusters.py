@@ -119,7 +119,7 @@ def alike_of(tracks: Sequence[Track]) -> dict[str, tuple[str, ...]]:
     names = thruster_names(tracks[0].vehicle)
     pushes = _pushes(tracks)
     return {
-        name: tuple(names[other] for other in _alike(pushes, number) if other != number)
+        name: tuple(names[other] for other in _alike(pushes, number) if other != number and other < len(names))
         for number, name in enumerate(names)
     }
 

@@ -191,7 +191,7 @@ def weighed_words(diagnosis: Diagnosis) -> str:
     """Sentence on what the probabilities were learned from, and where they are no more than a guess."""
     if not (diagnosis.effects or diagnosis.screened):
         return "Nothing was learned from this recording: this is what is believed without it."
-    weighed = "By simulated recordings of Lilys, of which about this share of such statements was right"
+    weighed = "Learned from simulated recordings of Lilys, in which about this share of such statements was right"
     if diagnosis.against is not None and not diagnosis.effects:
         return (
             f"{weighed}; two in three of them lacked something, which is too many for recordings of the same vehicle: "

@@ -2,7 +2,7 @@
 
 The platform's file of another vehicle makes that, whatever numbers are fitted, and so do columns that are none of the
 readings that they are taken for. No number and no name of such a fit means anything. The courses of right models of
-real vehicles leave their readings by 5 times their noise at most.
+real vehicles leave their readings by 7 times their noise at most.
 """
 
 from __future__ import annotations

@@ -49,7 +49,7 @@ def strayed_mostly(case: Case) -> Iterator[Objection]:
 
 
 def readings_left(case: Case, numbers: Sequence[int]) -> Mapping[int, Sequence[Left]]:
-    """Map numbers of tracks to readings that are left, ; only of tracks where there are any."""
+    """Map numbers of tracks to readings that are left; only of tracks where there are any."""
     found = {k: list(_left(case.final.tracks[k], case.courses[k], case.final.filled[k])) for k in numbers}
     return {k: left for k, left in found.items() if left}
 

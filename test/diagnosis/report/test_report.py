@@ -335,7 +335,7 @@ def test_probabilities_stand_once_and_in_words(example: Example) -> None:
     """Whole percents that add up to 100, without underscores; where names are told, what is meant by the others."""
     for verdict in ("mismatch", "recalibrate", "consistent", "insufficient"):
         text = page(example(verdict))[1].text
-        told = re.findall(r"How probable: (.*?)\. (?:Nothing|By simulated recordings)", text)
+        told = re.findall(r"How probable: (.*?)\. (?:Nothing|Learned from simulated)", text)
         assert len(told) == 1 and "_" not in told[0] and text.count("How probable") == 1
         sets = told[0].rpartition("; taken together ")[2]
         assert sum(map(int, re.findall(r"(\d+) %", sets))) == 100
