@@ -315,12 +315,13 @@ def abstained(evidence: Evidence, reasons: Sequence[str]) -> Diagnosis:
 
 
 def not_followed(evidence: Evidence, lost: Sequence[str], *, against: bool = False) -> Diagnosis:
-    """The diagnosis of evidence that the model does not follow, or not that of --against; no manoeuvre helps.
+    """The diagnosis of evidence that the model does not follow, or not that of --against; lost: sentences on that."""
+    return of_another_vehicle(evidence, lost, not_followed_headline(evidence.platform.name, against=against))
 
-    lost: sentences on that.
-    """
-    headline = not_followed_headline(evidence.platform.name, against=against)
-    return replace(abstained(evidence, lost), sentence=headline, manoeuvres=())
+
+def of_another_vehicle(evidence: Evidence, reasons: Sequence[str], headline: str) -> Diagnosis:
+    """The diagnosis of evidence that is none of the vehicle that is asked about: no manoeuvre helps."""
+    return replace(abstained(evidence, reasons), sentence=headline, manoeuvres=())
 
 
 def _verdict(effects: Sequence[FoundEffect], moved: Sequence[Recalibrated], *, missing: bool, blind: bool) -> Verdict:

@@ -24,7 +24,7 @@ from cocorosim_ros.diagnosis.catalogue.catalogue import IDS
 from cocorosim_ros.diagnosis.catalogue.manoeuvres import advised
 from cocorosim_ros.diagnosis.criteria.against import COMPARISON
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
-from cocorosim_ros.diagnosis.diagnose import abstained, not_followed
+from cocorosim_ros.diagnosis.diagnose import abstained, not_followed, of_another_vehicle
 from cocorosim_ros.diagnosis.evidence.cleaning import is_noteworthy
 from cocorosim_ros.diagnosis.evidence.intake import Intake
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence
@@ -266,10 +266,9 @@ def _of_another(
     """The diagnosis of recordings that do not look like the same vehicle: nothing is named, and no manoeuvre helps."""
     robots = tuple(each.robot for each in unlike)
     reasons = (*map(other_vehicle_sentence, unlike), *(each.sentence for each in to_learned))
+    headline = other_vehicle_headline(unlike[0].robot, unlike[0].factors)
     return replace(
-        abstained(evidence, reasons),
-        sentence=other_vehicle_headline(unlike[0].robot, unlike[0].factors),
-        manoeuvres=(),
+        of_another_vehicle(evidence, reasons, headline),
         remarks=(*evidence.remarks, *_of_taken_back(against.taken_back), *against.remarks),
         against=replace(against, unlike=robots),
     )

@@ -135,7 +135,7 @@ def _pushes_alone(tracks: Sequence[Track]) -> list[bool]:
     for number in range(pushes.shape[1]):
         alike = _alike(pushes, number)
         others = np.delete(pushes, alike, axis=1)
-        found.append(number == alike[0] and others.shape[1] > 0 and _share_left(pushes[:, number], others) > 0.0)
+        found.append(number == alike[0] and others.shape[1] > 0 and _is_no_sum(pushes[:, number], others))
     return found
 
 
@@ -153,12 +153,11 @@ def _alike(pushes: Floats, number: int) -> list[int]:
     """Numbers of the thrusters that push as one does, its own among them."""
     own = pushes[:, number]
     others = (each for each in range(pushes.shape[1]) if each != number)
-    return sorted([number, *(each for each in others if own.any() and not _share_left(own, pushes[:, [each]]))])
+    return sorted([number, *(each for each in others if own.any() and not _is_no_sum(own, pushes[:, [each]]))])
 
 
-def _share_left(own: Floats, others: Floats) -> float:
-    """Share of a push (n,) that no sum of others (n, m) makes; 0 if it is hardly any, or of what never pushes."""
+def _is_no_sum(own: Floats, others: Floats) -> bool:
+    """Tell whether no sum of others (n, m) makes nearly all of a push (n,); one that never pushes is a sum."""
     left = own - others @ np.linalg.lstsq(others, own, rcond=None)[0]
     size = float(np.sqrt(np.mean(own**2)))
-    share = float(np.sqrt(np.mean(left**2))) / size if size > 0.0 else 0.0
-    return share if share > FACTORS.alone else 0.0
+    return bool(size > 0.0 and np.sqrt(np.mean(left**2)) > FACTORS.alone * size)

@@ -64,11 +64,11 @@ def doubtful_times(stamps: Mapping[str, Sequence[Stamps]]) -> list[str]:
     found = []
     if still := [name for name, each in moments.items() if len(each) == 1]:
         found.append(f"All readings of {listed(still, 'and')} have one time; check the column of 'time' in the map.")
-    slow = [name for name, interval in apart.items() if interval > MINUTES_NS]
-    fast = [name for name, interval in usual.items() if interval < FAST_NS]
+    slow = {name: interval for name, interval in apart.items() if interval > MINUTES_NS}
+    fast = {name: interval for name, interval in usual.items() if interval < FAST_NS}
     for many in (slow, fast):
         if many:
-            seconds = max(apart[name] for name in many) / 1e9
-            told = f"Readings of {listed(many, 'and')} are {seconds:.4g} s apart"
+            seconds = max(many.values()) / 1e9
+            told = f"Readings of {listed(list(many), 'and')} are {seconds:.4g} s apart"
             found.append(f"{told}; check the unit of 'time' in the map.")
     return found
