@@ -82,7 +82,7 @@ def _tried_and_not_shown(tree: Mapping[str, Any]) -> tuple[str, ...]:
 
     tree: of diagnosis.json.
     """
-    tried = {each["id"] for each in tree["screened"]}
+    tried = tree["screened"].keys()
     return tuple(name for name in tree["not_shown_by_this_recording"] if name in tried or not tried)
 
 

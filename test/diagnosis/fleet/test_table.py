@@ -109,7 +109,7 @@ def test_what_the_vehicle_cannot_have_is_not_told_as_not_shown(outcome: Make) ->
     """A Lily has no cable: no diagnosis looks for its drag, so that no better recording would show it."""
     blind = {
         "not_shown_by_this_recording": ["wind", "pump_lag"],
-        "screened": [{"id": "pump_lag"}, {"id": "wall_effect"}],
+        "screened": {"pump_lag": {}, "wall_effect": {}},
     }
     made = outcome("a", "lily_01", 1.0, {"drag": (0.1, 0.001)}, diagnosis=blind)
     assert read([made]).to_pylist()[0]["not_shown"] == ["pump_lag"]
