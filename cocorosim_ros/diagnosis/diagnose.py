@@ -109,7 +109,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
     missing = any(each.stands for each in passed)
-    blind = bool(steady.held) or (is_blind(silent, base.tracks) and not shows_known(naming))
+    unknowable = bool(steady.held or collapsed_channels(table))
+    blind = unknowable or (is_blind(silent, base.tracks) and not shows_known(naming))
     verdict = _verdict(effects, moved, missing=missing, blind=blind)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
@@ -130,7 +131,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
             effects,
             moved,
             passed,
-            collapsed=bool(steady.held or collapsed_channels(table)),
+            collapsed=unknowable,
             beyond_floor=beyond,
         ),
         moved,

@@ -50,6 +50,7 @@ def diagnosis_tree(diagnosis: Diagnosis) -> dict[str, Any]:
         "cannot_be_told": list(diagnosis.untold),
         "fit": {"held_out": {channel: _held_out(each) for channel, each in diagnosis.fit.items()}},
         "passed_over": [_passed_over(each) for each in diagnosis.passed_over],
+        "missing_in": list(diagnosis.beyond_floor),
         "screened": {each.id: _screened(each) for each in diagnosis.screened},
         **({"reasons": list(diagnosis.reasons)} if diagnosis.reasons else {}),
         **_against(diagnosis.against),

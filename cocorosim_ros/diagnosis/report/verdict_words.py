@@ -41,6 +41,16 @@ RECALIBRATE = Words(
     "numbers of model.yaml the simulation follows the recording.",
     _FINDS_NOTHING,
 )
+NOTHING_NAMED = Words(
+    "Nothing is named, and something is missing",
+    "No number of the platform has moved and no effect of the catalogue explains anything, but free runs err by more "
+    "than noise does: the warnings say where.",
+)
+SHIFTED_AND_MORE = Words(
+    "Recalibrate, and something is missing",
+    "Numbers of the platform differ from its file. With those of model.yaml, too, free runs err by more than noise "
+    "does, and no effect of the catalogue explains that: the warnings say where.",
+)
 INSUFFICIENT = Words(
     "This recording cannot tell",
     "The file can be read, but it does not hold the information that a diagnosis needs; nothing is said for or against "
@@ -139,7 +149,14 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
         return INSUFFICIENT
     if diagnosis.verdict == "mismatch":
         return _of_mismatch(diagnosis) if diagnosis.effects else WITHOUT_NAME
-    return CONSISTENT if diagnosis.verdict == "consistent" else RECALIBRATE
+    return _of_silence(diagnosis)
+
+
+def _of_silence(diagnosis: Diagnosis) -> Words:
+    """Words where nothing is named; free runs may say all the same that something is missing."""
+    if diagnosis.verdict == "consistent":
+        return NOTHING_NAMED if diagnosis.beyond_floor else CONSISTENT
+    return SHIFTED_AND_MORE if diagnosis.beyond_floor else RECALIBRATE
 
 
 def is_of_instruments(found: FoundEffect) -> bool:

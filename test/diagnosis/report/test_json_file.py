@@ -57,6 +57,7 @@ FORM: Any = {
             "because": [TEXT], "missing": (int,),
         }
     ],
+    "missing_in": [TEXT],
     "screened": {"*": {"nats": NUMBER, "seen_from": NUMBER}},
 }  # fmt: skip
 OPTIONAL = {"topic": TEXT, "against": TEXT, "may_be_nothing": (bool,)}

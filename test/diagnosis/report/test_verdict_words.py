@@ -182,3 +182,13 @@ def test_shared_reasons_stand_once(example: Example) -> None:
     assert all(page.count(f"Its {each.id} is odd.") == 1 for each in effects)
     alone = told(replace(found, effects=effects[:1], warnings=general[:1]))
     assert alone.count("at the top of this page</a>.") == 1 and alone.count(general[1]) == 1
+
+
+@pytest.mark.parametrize(("verdict", "without"), [("consistent", "Nothing was found"), ("recalibrate", "Recalibrate")])
+def test_what_has_no_name_is_no_silence(example: Example, verdict: str, without: str) -> None:
+    """Where free runs lack what nothing stands for, neither is all well nor do the numbers explain all."""
+    found = example(verdict)
+    assert (verdict_words(found).heading, found.verdicts) == (without, {verdict})
+    lacking = replace(found, beyond_floor=("position",))
+    assert "something is missing" in verdict_words(lacking).heading and not verdict_words(lacking).next
+    assert lacking.verdicts == {verdict, "mismatch"}
