@@ -216,11 +216,27 @@ def test_an_interval_that_holds_zero(sound: Case) -> None:
     assert len(sentences(hard_stops.interval_holds_zero, named(sound, "steady_current", x=0.1, y=-0.9))) == 1
 
 
-@pytest.mark.parametrize(("mean", "said"), [(-0.001, 1), (0.001, 0), (None, 0)])
-def test_an_effect_that_foretells_nothing(sound: Case, mean: float | None, said: int) -> None:
-    """Free runs that are no better with it are said; an error of readings, which they do not judge, is not."""
+@pytest.mark.parametrize(("x", "said"), [(0.9, 0), (1.05, 1), (1.2, 0)])
+def test_one_clear_amplitude_of_several_is_chance(sound: Case, x: float, said: int) -> None:
+    """Each is known to one at 95 %: of two, 2.241 / 1.960 = 1.144 is needed by the normal distribution.
+
+    Below one the other stop speaks, and of a single amplitude one is enough.
+    """
+    current = named(sound, "steady_current", x=x, y=0.1)
+    assert len(sentences(hard_stops.no_amplitude_is_clear, current)) == said
+    assert sentences(hard_stops.no_amplitude_is_clear, named(sound, "torque_bias", torque=x)) == []
+
+
+@pytest.mark.parametrize(
+    ("mean", "windows", "said"), [(-0.001, 8, 1), (0.009, 8, 1), (0.011, 8, 0), (0.009, 2, 0), (None, 8, 0)]
+)
+def test_an_effect_that_foretells_nothing(sound: Case, mean: float | None, windows: int, said: int) -> None:
+    """Free runs that gain nothing by it, or less than they scatter, are said; an error of readings is not judged.
+
+    Two windows do not tell how they scatter.
+    """
     case = named(sound, "torque_bias", torque=1.5)
-    told = None if mean is None else Gain(mean, 0.01, 8)
+    told = None if mean is None else Gain(mean, 0.01, windows)
     case = replace(case, named=tuple(replace(each, foretold=told) for each in case.named))
     assert len(sentences(hard_stops.foretells_nothing, case)) == said
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.stats import norm
 
 from cocorosim_ros.diagnosis.against.numbers import DELAY
 from cocorosim_ros.diagnosis.against.twins import LATE_READINGS, streams_of
@@ -18,7 +19,7 @@ from cocorosim_ros.diagnosis.criteria.showing import HARD_STOPS
 from cocorosim_ros.diagnosis.findings import FoundEffect
 from cocorosim_ros.diagnosis.fitting.coloured_readings import memories_of, robots_of
 from cocorosim_ros.diagnosis.fitting.fit import Fit
-from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Unknown
+from cocorosim_ros.diagnosis.fitting.unknowns import PLATFORM, Z95, Unknown
 from cocorosim_ros.diagnosis.foretelling.collapse import collapsed_channels
 from cocorosim_ros.diagnosis.naming.steering_trims import pushes_upwards
 from cocorosim_ros.diagnosis.showing.beside_a_law import beside_a_law, beside_an_error
@@ -49,6 +50,10 @@ ALL_THRUST, ONE_SIDE = "battery_sag", "thruster_asymmetry"
 ASKEW = "thruster_misalignment"
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
+
+FORETELLS_BY_CHANCE = (
+    "Free runs through data that no fit saw gain less by it than they differ among each other: it may be chance."
+)
 
 
 def number_at_a_bound(case: Case) -> Iterator[Objection]:
@@ -122,11 +127,31 @@ def interval_holds_zero(case: Case) -> Iterator[Objection]:
             )
 
 
+def no_amplitude_is_clear(case: Case) -> Iterator[Objection]:
+    """Object to effects of several amplitudes of which one is clear by itself, and none at 95 % for all together.
+
+    Of six numbers that are nothing one in four times one is clear by itself. Bonferroni's bound holds for all together.
+    """
+    for found, named in effects_of(case):
+        entry = named.candidate.entry
+        count = len(entry.doubts(found.parameters))
+        if count < 2 or entry.may_be_nothing(found.parameters):
+            continue
+        times = float(norm.isf(0.5 * HARD_STOPS.chance / count)) / Z95
+        if entry.may_be_nothing({name: each.wider(times) for name, each in found.parameters.items()}):
+            yield Objection(
+                f"Of its {count} amplitudes each may as well be nothing, at 95 % for all of them together.",
+                effect=found,
+            )
+
+
 def foretells_nothing(case: Case) -> Iterator[Objection]:
-    """Object to effects by which free runs on unseen data gain nothing."""
+    """Object to effects by which free runs on unseen data gain nothing, or less than they scatter."""
     for found, named in effects_of(case):
         if named.foretold is not None and named.foretold.mean <= 0.0:
             yield Objection(FORETELLS_NOTHING, effect=found)
+        elif named.foretold is not None and named.foretold.may_be_chance:
+            yield Objection(FORETELLS_BY_CHANCE, effect=found)
 
 
 def uneven_pushes(case: Case) -> Iterator[Objection]:
@@ -289,6 +314,7 @@ STOPS: tuple[Stop, ...] = (
     number_at_a_bound,
     effect_at_a_bound,
     interval_holds_zero,
+    no_amplitude_is_clear,
     foretells_nothing,
     foretold_no_better,
     uneven_pushes,
