@@ -51,6 +51,32 @@ def test_what_is_hidden_is_named(swim: Any, effect: str, numbers: dict[str, floa
     assert said
 
 
+CURVED: dict[str, dict[str, float]] = {
+    "thrust_curve": {"exponent": 1.5},
+    "linear_drag": {"surge": 0.02, "sway": 0.02, "heave": 0.02, "yaw": 3e-5},
+}
+
+
+def test_an_early_wrong_name_is_thrown_out(swim: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A curve of the thrust passes for a dead band as long as the drag beside it is not known; then it has to go."""
+    from cocorosim_ros.diagnosis.naming import naming
+
+    taken: list[tuple[set[str], set[str]]] = []
+    prune = naming.pruned
+
+    def watched(stage: Any, *rest: Any, **more: Any) -> Any:
+        left = prune(stage, *rest, **more)
+        taken.append(tuple({each.candidate.entry.id for each in one.named} for one in (stage, left)))
+        return left
+
+    monkeypatch.setattr(naming, "pruned", watched)
+    diagnosis, _ = diagnosed(swim, CURVED, seed=51)
+    assert {"thruster_deadband"} in [before - after for before, after in taken]
+    assert {part.id for part in diagnosis.effects} == set(CURVED)
+    exponent = diagnosis.effects[0].parameters["exponent"]
+    assert exponent.low < CURVED["thrust_curve"]["exponent"] < exponent.high
+
+
 FIVE: dict[str, dict[str, float]] = {
     "linear_drag": {"surge": 0.02, "sway": 0.02, "heave": 0.02, "yaw": 0.0},
     "thruster_lag": {"time_constant": 0.6},

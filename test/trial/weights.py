@@ -60,6 +60,7 @@ def of_trial(out: Path) -> list[Opened]:
 def _found(tree: dict[str, Any]) -> Diagnosis:
     """What probabilities are made of, back from the file of a diagnosis."""
     from cocorosim_ros.diagnosis.findings import Diagnosis, FoundEffect, Rival, ScreenedEffect
+    from cocorosim_ros.diagnosis.report.words import reasons_of
 
     def number(value: float | None) -> float:
         return math.inf if value is None else value
@@ -68,10 +69,14 @@ def _found(tree: dict[str, Any]) -> Diagnosis:
         FoundEffect(
             each["id"], each["name"], "", tuple(each["robots"]), each["tier"], {}, number(each["nats"]),
             tuple(Rival(rival["id"], number(rival["nats_behind"])) for rival in each["ambiguous_with"]),
-            because=tuple(each["because"]),
         )
         for each in tree["effects"]
     ]  # fmt: skip
+    # A sentence that rivals or held-out data alone give is no objection to the fit.
+    told = [tuple(each["because"]) for each in tree["effects"]]
+    effects = [
+        each if why == reasons_of(each) else replace(each, because=why) for each, why in zip(effects, told, strict=True)
+    ]
     screened = [
         ScreenedEffect(name, -math.inf if each["nats"] is None else each["nats"], {}, number(each["seen_from"]))
         for name, each in tree["screened"].items()

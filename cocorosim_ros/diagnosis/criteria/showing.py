@@ -69,8 +69,8 @@ class HardStopCriteria:
     """Signs of a fit that has gone wrong, under which nothing is more than suspected (`showing.hard_stops`)."""
 
     chance: float = 0.05
-    """[1] by which one of the amplitudes of an effect that is not there is called clear, by all of them together. Chosen,
-    not measured: as of the 95 % intervals that are told."""
+    """[1] by which one of the amplitudes of an effect that is not there is called clear, by all of them together.
+    Chosen, not measured: as of the 95 % intervals that are told."""
     worse: float = 1.1
     """[of the error of the platform as given] a recalibrated model that errs more has collapsed. Chosen, not measured,
     as VERDICT.worse is."""

@@ -24,6 +24,7 @@ from cocorosim_ros.diagnosis.report.advice import manoeuvre_words, where_words
 from cocorosim_ros.diagnosis.report.marks import limit_words
 from cocorosim_ros.diagnosis.report.not_shown import not_looked_for_words
 from cocorosim_ros.diagnosis.report.significance import doubtful_numbers
+from cocorosim_ros.diagnosis.report.words import reasons_of
 from cocorosim_ros.diagnosis.showing.probability import probabilities_of
 
 
@@ -130,7 +131,7 @@ def _not_looked_for(each: NotLookedFor) -> dict[str, Any]:
 
 
 def _effect(found: FoundEffect, probability: float) -> dict[str, Any]:
-    because = list(found.because)
+    because = list(reasons_of(found))
     return _named(found) | {"tier": found.tier, "because": because, "probability": probability}
 
 

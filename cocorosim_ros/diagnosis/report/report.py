@@ -48,14 +48,13 @@ from cocorosim_ros.diagnosis.report.verdict_words import (
     weighed_words,
 )
 from cocorosim_ros.diagnosis.report.words import (
-    BECAUSE,
     CHANNEL_WORDS,
     NOISES,
-    TIERS,
     check_words,
     control_words,
     effect_words,
     odds_words,
+    tier_words,
 )
 from cocorosim_ros.diagnosis.showing.doubt import SIZE_MAY_BE_NOTHING
 from cocorosim_ros.foundation.units.quantity_text import NONE, handy_scale, plain_number, quantity_words
@@ -235,7 +234,7 @@ def _effect(found: FoundEffect) -> Context:
         "correction": found.correction,
         "robots": ", ".join(found.robots),
         "tier": found.tier,
-        "tier_words": BECAUSE if found.because else TIERS[found.tier],
+        "tier_words": tier_words(found),
         "nats": plain_number(found.nats),
         "held_out_nats": plain_number(found.held_out_nats) if math.isfinite(found.held_out_nats) else "",
         "check": check_words(found.id),

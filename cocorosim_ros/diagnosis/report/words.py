@@ -6,7 +6,7 @@ import math
 
 from cocorosim_ros.diagnosis.catalogue.law_words import identifier_words, short_words
 from cocorosim_ros.diagnosis.criteria.report import REPORT
-from cocorosim_ros.diagnosis.findings import Comparison
+from cocorosim_ros.diagnosis.findings import Comparison, FoundEffect
 from cocorosim_ros.diagnosis.naming.single_thrusters import ONE_THRUSTER
 from cocorosim_ros.diagnosis.naming.steering_trims import STEERING_TRIM
 from cocorosim_ros.diagnosis.tracks.columns import NOISE_WORDS
@@ -14,10 +14,7 @@ from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law
 from cocorosim_ros.world.sensors.errors import ERRORS, units_of
 
-TIERS = {
-    "confirmed": "confirmed: it also improves data that its fit did not see",
-    "suspected": "suspected: the evidence is there, but data that its fit did not see are not improved beyond doubt",
-}
+CONFIRMED = "confirmed: it also improves data that its fit did not see"
 BECAUSE = "suspected, and no more than that, for these reasons"
 CHANNEL_WORDS = {"position": "position, horizontal"}
 
@@ -45,6 +42,28 @@ CHECKS = {
 def effect_words(identifier: str) -> str:
     """An identifier of the catalogue, with a stream or a number after a colon, or of a law outside it, as words."""
     return identifier_words(identifier) if is_law(identifier) else short_words(identifier)
+
+
+def tier_words(found: FoundEffect) -> str:
+    """Words for how sure an effect is, with the reason where it has no sentences on that."""
+    if found.because:
+        return BECAUSE
+    return CONFIRMED if found.tier == "confirmed" else f"suspected: {_doubt(found)}"
+
+
+def reasons_of(found: FoundEffect) -> tuple[str, ...]:
+    """Sentences on why an effect is only suspected; () for a confirmed one."""
+    if found.because or found.tier == "confirmed":
+        return found.because
+    doubt = _doubt(found)
+    return (f"{doubt[0].upper()}{doubt[1:]}.",)
+
+
+def _doubt(found: FoundEffect) -> str:
+    """Words for why an effect is only suspected although no sentence speaks against it."""
+    if rivals := [effect_words(each.id) for each in found.ambiguous_with]:
+        return f"{', '.join(rivals)} would explain the recordings as well, or nearly"
+    return "the evidence is there, but data that its fit did not see are not improved beyond doubt"
 
 
 def check_words(identifier: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate, FoundEffect
+from cocorosim_ros.diagnosis.findings import ActuatorReport, Diagnosis, Estimate, FoundEffect, Rival
 from cocorosim_ros.diagnosis.report.json_file import diagnosis_json
 
 Example = Callable[[str], Diagnosis]
@@ -171,6 +171,24 @@ def test_each_number_that_may_be_nothing_is_marked(example: Example) -> None:
         (told,) = read(replace(example("mismatch"), effects=(effect,)))["effects"]
         assert {name for name, each in told["parameters"].items() if each.get("may_be_nothing") is True} == marked
         assert all("may_be_nothing" not in each for name, each in told["parameters"].items() if name not in marked)
+
+
+def test_what_is_suspected_says_why(example: Example) -> None:
+    """Its reasons; without any its rivals, by their names; without these the data that its fit did not see."""
+    (munk, *_) = example("mismatch").effects
+    plain = replace(munk, tier="suspected", because=(), ambiguous_with=())
+    rivals = (Rival("thruster_lag", 1.0), Rival("pump_lag", 2.0))
+
+    def reasons(effect: FoundEffect) -> list[str]:
+        (told,) = read(replace(example("mismatch"), effects=(effect,)))["effects"]
+        return list(told["because"])
+
+    assert reasons(replace(plain, because=("It is chance.",))) == ["It is chance."]
+    (rivalled,) = reasons(replace(plain, ambiguous_with=rivals))
+    assert rivalled.startswith("Thruster lag, pump lag would explain the recordings as well")
+    (unseen,) = reasons(plain)
+    assert unseen.startswith("The evidence is there, but data that its fit did not see")
+    assert reasons(replace(plain, tier="confirmed")) == []
 
 
 REPORTED = ActuatorReport(
