@@ -63,11 +63,6 @@ class Gain(NamedTuple):
         return self.windows > 1 and self.mean > max(FREE_RUN_GAINS.material, doubt)
 
     @property
-    def may_be_chance(self) -> bool:
-        """Tell whether a gain is smaller than what it is known to, where the windows are enough to tell."""
-        return self.windows >= FREE_RUN_GAINS.fewest and 0.0 < self.mean <= FREE_RUN_GAINS.doubt * self.spread
-
-    @property
     def is_loss(self) -> bool:
         """Tell whether unseen data are foretold worse, and rather not by chance."""
         return self.mean < -max(FREE_RUN_GAINS.material, FREE_RUN_GAINS.doubt * self.spread)

@@ -14,7 +14,7 @@ from cocorosim_ros.world.effects import EFFECTS
 from cocorosim_ros.world.laws.law import is_law
 from cocorosim_ros.world.sensors.errors import ERRORS, units_of
 
-CONFIRMED = "confirmed: it also improves data that its fit did not see"
+BORNE_OUT = "confirmed: it also improves data that its fit did not see"
 BECAUSE = "suspected, and no more than that, for these reasons"
 CHANNEL_WORDS = {"position": "position, horizontal"}
 
@@ -48,7 +48,7 @@ def tier_words(found: FoundEffect) -> str:
     """Words for how sure an effect is, with the reason where it has no sentences on that."""
     if found.because:
         return BECAUSE
-    return CONFIRMED if found.tier == "confirmed" else f"suspected: {_doubt(found)}"
+    return BORNE_OUT if found.tier == "confirmed" else f"suspected: {_doubt(found)}"
 
 
 def reasons_of(found: FoundEffect) -> tuple[str, ...]:

@@ -27,6 +27,7 @@ from cocorosim_ros.diagnosis.showing.beyond_a_bound import beyond_a_bound
 from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
+from cocorosim_ros.diagnosis.showing.drag_but_ahead import drag_but_ahead
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
@@ -50,10 +51,6 @@ ALL_THRUST, ONE_SIDE = "battery_sag", "thruster_asymmetry"
 ASKEW = "thruster_misalignment"
 
 FORETELLS_NOTHING = "Free runs through data that no fit saw err no less with it than without it."
-
-FORETELLS_BY_CHANCE = (
-    "Free runs through data that no fit saw gain less by it than they differ among each other: it may be chance."
-)
 
 
 def number_at_a_bound(case: Case) -> Iterator[Objection]:
@@ -146,12 +143,10 @@ def no_amplitude_is_clear(case: Case) -> Iterator[Objection]:
 
 
 def foretells_nothing(case: Case) -> Iterator[Objection]:
-    """Object to effects by which free runs on unseen data gain nothing, or less than they scatter."""
+    """Object to effects by which free runs on unseen data gain nothing."""
     for found, named in effects_of(case):
         if named.foretold is not None and named.foretold.mean <= 0.0:
             yield Objection(FORETELLS_NOTHING, effect=found)
-        elif named.foretold is not None and named.foretold.may_be_chance:
-            yield Objection(FORETELLS_BY_CHANCE, effect=found)
 
 
 def uneven_pushes(case: Case) -> Iterator[Objection]:
@@ -329,6 +324,7 @@ STOPS: tuple[Stop, ...] = (
     untold_distortion,
     untold_turn,
     untold_form,
+    drag_but_ahead,
     untold_advance,
     slow_steering,
     one_side_alone,
