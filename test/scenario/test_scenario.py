@@ -294,3 +294,12 @@ def test_robots_that_differ_swim_as_they_are() -> None:
     platform = replace(group.platform, robots={"lily_02": replace(group.platform, mass=0.5)})
     robots = replace(scenario, swarm=(replace(group, platform=platform),)).robots
     assert {robot.name: robot.platform.mass for robot in robots if robot.platform.mass != 0.44} == {"lily_02": 0.5}
+
+
+def test_a_platform_is_no_scenario() -> None:
+    """A platform's file in the place of a scenario is named as what it is, with the way to use it."""
+    lily = Path("config") / "platforms" / "lily.yaml"
+    words = "describes a platform, as 'actuators' shows, and no scenario"
+    with pytest.raises(CocorosimError, match=words) as raised:
+        load_scenario(Path(__file__).parents[2] / lily)
+    assert str(lily) in str(raised.value)

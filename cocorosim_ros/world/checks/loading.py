@@ -13,6 +13,8 @@ from cocorosim_ros.scenario.reading.yaml_file import load_yaml, parse_yaml
 from cocorosim_ros.scenario.scenario import Scenario
 from cocorosim_ros.world.checks.controlled import with_controller, with_external_named
 
+_OF_PLATFORM = {"actuators", "based_on", "hull", "mass"}  # keys by which a platform's file is known
+
 
 def load_scenario(
     name_or_path: str | Path,
@@ -47,7 +49,12 @@ def parse_scenario(yaml: str, origin: str) -> Scenario:
 
 
 def read_scenario(entry: Entry) -> Scenario:
-    """The checked scenario that a mapping describes."""
+    """The checked scenario that a mapping describes. Raises CocorosimError, also where it describes a platform."""
+    if of_platform := sorted(_OF_PLATFORM & entry.mapping().keys()):
+        raise entry.problem(
+            f"describes a platform, as '{of_platform[0]}' shows, and no scenario; name it in the swarm of a scenario, "
+            f"as 'platform: {entry.file}'."
+        )
     scenario, sections = replace(read_record(Scenario, entry), origin=entry.file), entry.mapping()
     if scenario.external:
         scenario = with_external_named(scenario, sections["external"])
