@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from mcap.reader import make_reader
 
+import cocorosim_ros as cocorosim
 from cocorosim_ros.diagnosis.diagnose import diagnose
 from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
 from cocorosim_ros.diagnosis.evidence.streams.log import Evidence, RobotLog
@@ -68,6 +69,15 @@ def test_nothing_is_missing(damaged: Callable[[RobotLog], RobotLog], count: int)
     diagnosis = diagnose(of_robots(damaged, count), lambda words, share: None)
     assert (diagnosis.effects, diagnosis.recalibrated) == ((), ())
     assert diagnosis.verdict == "consistent"
+
+
+def test_nothing_is_missing_of_the_eleven_of_the_demo(tmp_path: Path) -> None:
+    """The swarm of `make demo` through the file of its recording, for a minute."""
+    demo = cocorosim.load_scenario("eleven_lilys", duration="60 s")
+    recording = cocorosim.record(demo, tmp_path / "demo")
+    assert len(recording.tracks) == 11
+    found = cocorosim.diagnose(tmp_path / "demo", "lily").diagnosis
+    assert (found.verdict, found.effects, found.recalibrated, found.beyond_floor) == ("consistent", (), (), ())
 
 
 def test_a_damaged_file_lacks_what_the_cut_takes_out(tmp_path: Path) -> None:
