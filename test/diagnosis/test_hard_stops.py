@@ -476,6 +476,16 @@ def test_a_linear_drag_that_does_not_brake_ahead(sound: Case, surge: float, sway
     assert sentences(hard_stops.drag_but_ahead, named(sound, "anisotropic_drag", sway_ratio=3.0)) == []
 
 
+@pytest.mark.parametrize(("loss", "said"), [(3.0, 1), (4.5, 1), (6.0, 0), (0.5, 0)])
+def test_a_loss_that_takes_back_a_gain(sound: Case, loss: float, said: int) -> None:
+    """Thrust that falls by 3 s/m rises by as much against the motion, each known to one; alone the loss is a loss."""
+    against = named(sound, "crashback_loss", slope=loss)
+    both = named(against, "advance_loss", slope=3.0)
+    case = replace(both, found=(*against.found, *both.found), named=(*against.named, *both.named))
+    assert len(sentences(hard_stops.gain_taken_back, case)) == said
+    assert sentences(hard_stops.gain_taken_back, against) == []
+
+
 def test_noise_that_is_a_guess(sound: Case) -> None:
     """A stream whose readings were interpolated is said, with its columns."""
     (track,) = sound.final.tracks

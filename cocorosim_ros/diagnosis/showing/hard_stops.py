@@ -28,6 +28,7 @@ from cocorosim_ros.diagnosis.showing.beyond_the_floor import beyond_the_floor
 from cocorosim_ros.diagnosis.showing.case import Case, Objection, Stop, effects_of
 from cocorosim_ros.diagnosis.showing.coloured_innovations import coloured_innovations
 from cocorosim_ros.diagnosis.showing.drag_but_ahead import drag_but_ahead
+from cocorosim_ros.diagnosis.showing.gain_taken_back import gain_taken_back
 from cocorosim_ros.diagnosis.showing.remainder import remainder
 from cocorosim_ros.diagnosis.showing.slow_steering import slow_steering
 from cocorosim_ros.diagnosis.showing.strayed_course import strayed_course
@@ -325,6 +326,7 @@ STOPS: tuple[Stop, ...] = (
     untold_turn,
     untold_form,
     drag_but_ahead,
+    gain_taken_back,
     untold_advance,
     slow_steering,
     one_side_alone,
