@@ -108,10 +108,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = moved or (_strongest(every) if _shifted(base) else ())
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
-    missing = any(each.stands for each in passed)
     unknowable = bool(steady.held or collapsed_channels(table))
     blind = unknowable or (is_blind(silent, base.tracks) and not shows_known(naming))
-    verdict = _verdict(effects, moved, missing=missing, blind=blind)
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
     manoeuvres = advised(effects, [name for name in silent if name in tried], evidence.platform)
@@ -123,6 +121,8 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
     beyond = channels_beyond_the_floor(case)
+    missing = any(each.stands for each in passed) or (bool(beyond) and not blind)
+    verdict = _verdict(effects, moved, missing=missing, blind=blind)
     unlike, nothing_shown = unlike_regimes(found.unseen), unrecorded(base.tracks)
     return Diagnosis(
         verdict,

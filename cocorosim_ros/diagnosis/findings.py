@@ -359,9 +359,3 @@ class Diagnosis:
     actuators: tuple[ActuatorReport, ...] = ()  # what these report of themselves
     not_looked_for: tuple[NotLookedFor, ...] = ()  # for want of numbers in the platform's file
     held: tuple[str, ...] = ()  # numbers kept as the platform's file gives them: fitted, they foretell worse
-
-    @property
-    def verdicts(self) -> frozenset[Verdict]:
-        """The verdict, and 'mismatch' beside it where free runs lack something that has no name."""
-        lacks = self.verdict in ("consistent", "recalibrate") and self.beyond_floor
-        return frozenset((self.verdict, "mismatch") if lacks else (self.verdict,))

@@ -8,7 +8,6 @@ import re
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -221,23 +220,6 @@ def test_summaries_for_machines(
     before = {name: file.read_bytes() for name, file in files.items()}
     assert cocorosim(*arguments).status == 2
     assert before == {name: file.read_bytes() for name, file in files.items()}
-
-
-def test_what_has_no_name_fails_as_a_mismatch(
-    cocorosim: Command, diagnose: Any, run_of_20_seconds: SimpleNamespace, tmp_path: Path
-) -> None:
-    """The verdict is `consistent`, since nothing is named, but free runs err by far more than noise does."""
-    unnamed = Diagnosis("consistent", SENTENCE, (), (), (), (), (), {}, beyond_floor=("position",))
-    diagnose(lambda evidence: unnamed)
-    options = ("--out", tmp_path / "out", "--fail-on", "mismatch", "--junit", tmp_path / "suite.xml")
-    done = cocorosim("diagnose", run_of_20_seconds.bag, "--platform", "lily", *options)
-    assert (done.status, done.err) == (3, "")
-    assert "status 3: --fail-on names mismatch, and something is missing" in done.out
-    suite = ElementTree.parse(tmp_path / "suite.xml").getroot()
-    assert (suite.get("tests"), suite.get("failures")) == ("1", "1")
-    assert json.loads((tmp_path / "out" / "diagnosis.json").read_text())["missing_in"] == ["position"]
-    diagnose(lambda evidence: replace(unnamed, beyond_floor=()))
-    assert cocorosim("diagnose", run_of_20_seconds.bag, "--platform", "lily", *options, "--force").status == 0
 
 
 def test_a_recording_that_says_too_little_is_skipped() -> None:

@@ -204,10 +204,10 @@ def test_what_has_no_name_is_likened_to_something() -> None:
 def test_what_free_runs_lack_is_said_where_nothing_has_a_name() -> None:
     """With the channel, before the numbers that have shifted; nothing says then that nothing is missing."""
     shifted = [Recalibrated("drag", 1.0, Estimate(1.2, 1.1, 1.3, "1"), ("lily_01",))]
-    assert sentence_of("recalibrate", [], shifted, beyond_floor=["depth"]) == (
+    assert sentence_of("mismatch", [], shifted, beyond_floor=["depth"]) == (
         "Something without a name is missing in depth; the model's numbers have shifted: drag."
     )
-    told = sentence_of("consistent", [], [], beyond_floor=["position", "heading"])
+    told = sentence_of("mismatch", [], [], beyond_floor=["position", "heading"])
     assert told == "Something without a name is missing in position and heading."
 
 

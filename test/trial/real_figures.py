@@ -20,7 +20,7 @@ ONE, OTHER, AGAIN, HALVES = "one_half", "other_half", "same_again", "half_agains
 ENDINGS = {ONE: "", OTHER: "_held_out", AGAIN: "_by_model", HALVES: "_halves"}
 """Diagnoses of a group by what they are of, with the ends of their folders' names."""
 
-KEPT = ("verdict", "recalibrated", "passed_over", "warnings", "probabilities")
+KEPT = ("verdict", "recalibrated", "passed_over", "missing_in", "warnings", "probabilities")
 KEPT_OF_EFFECT = ("id", "topic", "robots", "parameters", "nats", "tier", "because", "ambiguous_with", "probability")
 
 

@@ -82,10 +82,18 @@ def halves_row(figures: Tree) -> Row:
     """Groups of this page whose halves, compared with one another, have anything named."""
     said = {name: diagnosis(group, HALVES) for name, group in figures["groups"].items()}
     told = {name: each for name, each in said.items() if each is not None}
-    named = [f"{name}: {', '.join(map(title, each['effects']))}" for name, each in told.items() if each["effects"]]
+    differing = {name: _differing(each) for name, each in told.items()}
+    named = [f"{name}: {', '.join(names)}" for name, names in differing.items() if names]
     asked = Asked("one half against the other, below: anything named", "at most 5 %", "2 %", most=0.05)
     silent = sum(each["verdict"] == "insufficient" for each in told.values())
-    return _share(asked, len(named), len(told), named, f"{{}}; in {silent} the recordings tell too little")
+    nameless = sum(each["verdict"] == "mismatch" and not differing[name] for name, each in told.items())
+    measured = f"{{}}; in {silent} the recordings tell too little, in {nameless} something differs without a name"
+    return _share(asked, len(named), len(told), named, measured)
+
+
+def _differing(said: Tree) -> list[str]:
+    """Names of effects and of numbers by which recordings differ."""
+    return [*map(title, said["effects"]), *(each["parameter"] for each in said.get("recalibrated", ()))]
 
 
 def kept_row(figures: Tree) -> Row:

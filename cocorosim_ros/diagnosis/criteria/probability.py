@@ -50,7 +50,8 @@ class ProbabilityCriteria:
     stopped_difference: float = 0.92
     """[probability] at most of a difference from recordings of --against that a hard stop or the control speaks
     against: what was altered in a vehicle's logs is told far better than what a platform's file lacks. Measured: 58 of
-    62 such names were what had been altered, with its number, one more of each added (docs/against.md)."""
+    62 such names of an earlier draw were what had been altered, with its number, one more of each added; of the last
+    draw 26 of 26 (docs/against.json)."""
     least_told: float = 0.005
     """[probability] of a set of suspects that is told: what would be no percent is not. Chosen, not measured."""
     most_told: int = 6

@@ -111,7 +111,9 @@ def _rows(outcome: Outcome) -> Iterator[Row]:
 
 
 def _misses_something(robot: str, tree: Mapping[str, Any]) -> bool:
-    """Tell whether a robot lacks something that has no name."""
+    """Tell whether a robot lacks something that has no name; which of several errs in free runs is not told."""
+    if tree["missing_in"] and tree["verdict"] == "mismatch" and not tree["effects"]:
+        return True
     return any(each["missing"] and robot in each["robots"] for each in tree.get("passed_over", ()))
 
 

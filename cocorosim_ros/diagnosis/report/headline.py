@@ -50,14 +50,12 @@ def sentence_of(
         return _of_collapsed(of_fit)
     if verdict == "insufficient":
         return _of_blind(moved)
-    lacking = f"Something without a name is missing in {' and '.join(beyond_floor)}" if beyond_floor else ""
     if verdict == "consistent":
-        return f"{lacking or 'The model explains the recordings: nothing is missing that they could show'}."
+        return "The model explains the recordings: nothing is missing that they could show."
     if verdict == "recalibrate":
-        begin = f"{lacking}; the model's numbers have shifted:" if lacking else _SHIFTED
-        return _named(_numbers(moved), lambda told: f"{begin} {told}.", "numbers")
+        return _named(_numbers(moved), lambda told: f"{_SHIFTED} {told}.", "numbers")
     if not effects:
-        return _short_enough(_without_name(passed))
+        return _of_nameless(passed, beyond_floor, moved)
     whose = whose_words(effects[0].robots) if len({each.robots for each in effects}) == 1 else ""
     certain, doubtful = ([each for each in effects if each.tier == tier] for tier in ("confirmed", "suspected"))
     names = [*map(_name, certain), *(_name(each, "perhaps " if certain else "") for each in doubtful)]
@@ -146,6 +144,15 @@ def _of_collapsed(effects: Sequence[FoundEffect]) -> str:
         return "The fit has collapsed: whether anything is missing from the model is not known."
     begin = "The fit has collapsed, so that nothing is sure; perhaps"
     return _named([_name(each) for each in effects], lambda told: f"{begin} {told}.", "effects")
+
+
+def _of_nameless(passed: Sequence[PassedOver], beyond_floor: Sequence[str], moved: Sequence[Recalibrated]) -> str:
+    """The headline where something is missing that has no name: by evidence for some effect, or by free runs alone."""
+    if any(each.stands for each in passed):
+        return _short_enough(_without_name(passed))
+    begin = f"Something without a name is missing in {' and '.join(beyond_floor)}"
+    shifted = f"{begin}; the model's numbers have shifted:"
+    return _named(_numbers(moved), lambda told: f"{shifted} {told}.", "numbers") if moved else f"{begin}."
 
 
 def _without_name(passed: Sequence[PassedOver]) -> Iterator[str]:

@@ -14,13 +14,12 @@ USUALLY_FAILING: frozenset[Verdict] = frozenset({"mismatch"})
 def junit_xml(diagnosis: Diagnosis, platform: str, failing: Collection[Verdict]) -> str:
     """The text of the file.
 
-    The test 'verdict' fails if one of the diagnosis' `verdicts` is `failing`, and is skipped if the recording says too
-    little. Each effect that was found fails a test of its own if 'mismatch' is failing, each moved number if
-    'recalibrate' is.
+    The test 'verdict' fails if the verdict is one of `failing`, and is skipped if the recording says too little. Each
+    effect that was found fails a test of its own if 'mismatch' is failing, each moved number if 'recalibrate' is.
     """
     suite = ElementTree.Element("testsuite", {"name": f"cocorosim diagnose {platform}"})
     told = " ".join(dict.fromkeys((diagnosis.sentence, *diagnosis.reasons)))
-    _case(suite, platform, "verdict", told, failed=bool(diagnosis.verdicts & set(failing)))
+    _case(suite, platform, "verdict", told, failed=diagnosis.verdict in failing)
     if diagnosis.verdict == "insufficient" and diagnosis.verdict not in failing:
         ElementTree.SubElement(suite[0], "skipped", {"message": told})
     for effect in diagnosis.effects:

@@ -95,7 +95,7 @@ def _of_silence(diagnosis: Diagnosis, told: Mapping[str, float]) -> str:
     near = [name for name in told if name not in (NO_EFFECT, SOMETHING_ELSE)]
     shares = [told[SOMETHING_ELSE], sum(told[name] for name in near), told[NO_EFFECT]]
     hidden, traces, nothing = percents(shares)
-    shown = "mismatch" in diagnosis.verdicts
+    shown = diagnosis.verdict == "mismatch"
     what = "that has no name" if shown else "which these recordings would not show"
     names = ", ".join(map(_set_words, near))
     said = [

@@ -42,12 +42,12 @@ RECALIBRATE = Words(
     _FINDS_NOTHING,
 )
 NOTHING_NAMED = Words(
-    "Nothing is named, and something is missing",
+    "Something is missing, and nothing is named",
     "No number of the platform has moved and no effect of the catalogue explains anything, but free runs err by more "
     "than noise does: the warnings say where.",
 )
 SHIFTED_AND_MORE = Words(
-    "Recalibrate, and something is missing",
+    "Something is missing, and numbers have shifted",
     "Numbers of the platform differ from its file. With those of model.yaml, too, free runs err by more than noise "
     "does, and no effect of the catalogue explains that: the warnings say where.",
 )
@@ -148,15 +148,15 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
     if diagnosis.verdict == "insufficient":
         return INSUFFICIENT
     if diagnosis.verdict == "mismatch":
-        return _of_mismatch(diagnosis) if diagnosis.effects else WITHOUT_NAME
-    return _of_silence(diagnosis)
+        return _of_mismatch(diagnosis) if diagnosis.effects else _of_nameless(diagnosis)
+    return CONSISTENT if diagnosis.verdict == "consistent" else RECALIBRATE
 
 
-def _of_silence(diagnosis: Diagnosis) -> Words:
-    """Words where nothing is named; free runs may say all the same that something is missing."""
-    if diagnosis.verdict == "consistent":
-        return NOTHING_NAMED if diagnosis.beyond_floor else CONSISTENT
-    return SHIFTED_AND_MORE if diagnosis.beyond_floor else RECALIBRATE
+def _of_nameless(diagnosis: Diagnosis) -> Words:
+    """Words where something is missing that has no name: by evidence for some effect, or by free runs alone."""
+    if any(each.stands for each in diagnosis.passed_over):
+        return WITHOUT_NAME
+    return SHIFTED_AND_MORE if diagnosis.recalibrated else NOTHING_NAMED
 
 
 def is_of_instruments(found: FoundEffect) -> bool:

@@ -46,7 +46,7 @@ def outcome() -> Callable[..., Outcome]:
         diagnosis = {
             "verdict": "mismatch" if effects else "recalibrate" if moved else "consistent",
             "recalibrated": moved, "effects": list(effects), "not_shown_by_this_recording": ["tether"],
-            "cannot_be_told": [], "warnings": [], "screened": {},
+            "cannot_be_told": [], "warnings": [], "screened": {}, "missing_in": [],
         } | more.pop("diagnosis", {})  # fmt: skip
         found = {
             "robots": [robot], "start_ns": None if day is None else START_NS + int(day * DAY_NS),

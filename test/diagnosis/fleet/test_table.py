@@ -113,3 +113,11 @@ def test_what_the_vehicle_cannot_have_is_not_told_as_not_shown(outcome: Make) ->
     }
     made = outcome("a", "lily_01", 1.0, {"drag": (0.1, 0.001)}, diagnosis=blind)
     assert read([made]).to_pylist()[0]["not_shown"] == ["pump_lag"]
+
+
+@pytest.mark.parametrize(("verdict", "told"), [("mismatch", "mismatch"), ("insufficient", "insufficient")])
+def test_what_free_runs_alone_lack_is_a_mismatch_of_the_robot(outcome: Make, verdict: str, told: str) -> None:
+    """As it is of the recording, though nothing has a name; of a fit that cannot tell it says nothing."""
+    lacking = {"verdict": verdict, "missing_in": ["position"]}
+    made = outcome("a", "lily_01", 1.0, {"drag": (0.0, 0.1)}, diagnosis=lacking)
+    assert read([made]).to_pylist()[0]["verdict"] == told

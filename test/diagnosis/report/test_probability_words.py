@@ -66,7 +66,7 @@ def test_silence_is_not_called_something_else(example: Example, verdict: str) ->
 def test_what_has_no_name_is_there_all_the_same(example: Example) -> None:
     """A mismatch without a name is not hidden: the recordings show it."""
     assert told(example("nameless")).startswith("50 % that something is missing that has no name")
-    short_of = replace(example("recalibrate"), beyond_floor=("depth",))
+    short_of = replace(example("recalibrate"), verdict="mismatch", beyond_floor=("depth",))
     assert told(short_of) == "50 % that something is missing that has no name, 50 % that nothing is missing"
 
 

@@ -158,7 +158,7 @@ def test_silence_is_mostly_nothing() -> None:
 
 def test_what_free_runs_lack_may_well_be_there() -> None:
     """Far above the noise floor, without a name: at even odds."""
-    found = probabilities_of(diagnosis(verdict="recalibrate", beyond_floor=("depth",)))
+    found = probabilities_of(diagnosis(verdict="mismatch", beyond_floor=("depth",)))
     assert found.told == pytest.approx({"something else": 0.5, "nothing": 0.5})
 
 
