@@ -108,7 +108,9 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     moved = moved or (_strongest(every) if _shifted(base) else ())
     moved = () if is_exact(table) else moved
     silent = tuple(name for name in not_shown(naming.screened) if name not in {effect.id for effect in effects})
-    unknowable = bool(steady.held or collapsed_channels(table))
+    # A fit none of whose numbers has clearly moved leaves the platform as given, which then foretells well.
+    nameless = any(each.stands for each in passed)
+    unknowable = bool(steady.held or (collapsed_channels(table) and (moved or effects or nameless)))
     blind = unknowable or (is_blind(silent, base.tracks) and not shows_known(naming))
     # What needs a topic that was not recorded, or a second robot, no manoeuvre shows.
     tried = {each.candidate.entry.id for each in naming.screened}
@@ -121,7 +123,7 @@ def _diagnosed(evidence: Evidence, progress: Progress) -> Diagnosis:
     against = (*unexplained(intake), *map(Objection, steady.sentences), *objections(case))
     effects = as_asymmetries(stopped(effects, against), thruster_names(base.tracks[0].vehicle))
     beyond = channels_beyond_the_floor(case)
-    missing = any(each.stands for each in passed) or (bool(beyond) and not blind)
+    missing = nameless or (bool(beyond) and not blind)
     verdict = _verdict(effects, moved, missing=missing, blind=blind)
     unlike, nothing_shown = unlike_regimes(found.unseen), unrecorded(base.tracks)
     return Diagnosis(

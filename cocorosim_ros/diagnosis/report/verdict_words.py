@@ -142,7 +142,7 @@ def verdict_words(diagnosis: Diagnosis) -> Words:
         return _of_difference(diagnosis)
     if diagnosis.held:
         return KEPT_AS_GIVEN
-    if collapsed_channels(diagnosis.fit):
+    if collapsed_channels(diagnosis.fit) and diagnosis.verdict != "consistent":
         # The model file of recordings that cannot tell is the platform as given.
         return COLLAPSED if diagnosis.verdict != "insufficient" else COLLAPSED._replace(next="")
     if diagnosis.verdict == "insufficient":

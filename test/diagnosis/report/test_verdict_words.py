@@ -93,7 +93,14 @@ def test_a_name_that_is_less_probable_than_another_cause_is_said_as_that(example
     assert "effects below do." not in told(doubtful) and "should find nothing" not in told(doubtful)
 
 
-@pytest.mark.parametrize("verdict", ["mismatch", "nameless", "recalibrate", "consistent"])
+def test_a_collapsed_fit_of_which_nothing_is_taken_is_none(example: Example) -> None:
+    """No number has clearly moved and nothing is named: what is left is the platform as given, which foretells well."""
+    found = example("consistent")
+    collapsed = replace(found, fit={**found.fit, "position": WORSE})
+    assert verdict_words(collapsed) == verdict_words(found)
+
+
+@pytest.mark.parametrize("verdict", ["mismatch", "nameless", "recalibrate"])
 def test_a_collapsed_fit_is_said_first(example: Example, verdict: str) -> None:
     """Whatever it has found: nothing is known, and its model is not to be used; a fit that is as good says nothing."""
     found = example(verdict)
