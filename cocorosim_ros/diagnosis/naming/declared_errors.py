@@ -1,9 +1,11 @@
-"""Nats of a candidate that errors of numbers of the platform's file may explain as well.
+"""Share of a candidate's nats that errors of numbers of the platform's file may explain as well.
 
 Added mass has one form, so that of an effect of inertia in the file only its numbers may be off. A candidate that acts
 much as they do then explains their errors. With the numbers free beside all unknowns, within the tolerance of published
 ones, a Gauss-Newton step tells where the candidate goes, and the inverse of the information how well it is known there.
-What it is worth there, half the square of its amplitudes over their variance, is left to it.
+What it is worth there, half the square of its amplitudes over their variance, is left to it, as a share of what it is
+worth without them. A share, since where a candidate leaves hardly any random force over, its amplitudes are known far
+better than its nats say: these grow with the logarithm of the force that it takes away.
 """
 
 from __future__ import annotations
@@ -21,8 +23,8 @@ from cocorosim_ros.diagnosis.fitting.unknowns import Unknown
 from cocorosim_ros.foundation.arrays import Floats
 
 
-def nats_of_declared_errors(fit: Fit, candidate: Candidate, declared: Candidate) -> float:
-    """Nats of a candidate that a fit has which errors of a declared effect may explain; the fit holds its numbers."""
+def share_of_declared_errors(fit: Fit, candidate: Candidate, declared: Candidate) -> float:
+    """Share (0 to 1) of the nats of a candidate of a fit that errors of a declared effect, which it holds, explain."""
     known, matrix_score = information(fit), _with_declared(fit, declared)
     if matrix_score is None:
         return 0.0
@@ -30,7 +32,8 @@ def nats_of_declared_errors(fit: Fit, candidate: Candidate, declared: Candidate)
     names = {amplitude.name for amplitude in candidate.entry.amplitudes}
     places = [place for place in candidate.places_among(fit.unknowns) if fit.unknowns[place].owner.parameter in names]
     moved = fit.q + solve(matrix, score)[: len(fit.q)]
-    return max(0.0, _worth(known.matrix, fit.q, places) - _worth(matrix, moved, places))
+    alone, beside = _worth(known.matrix, fit.q, places), _worth(matrix, moved, places)
+    return float(np.clip(1.0 - beside / alone, 0.0, 1.0)) if alone > 0.0 else 0.0
 
 
 def _worth(matrix: Floats, q: Floats, places: list[int]) -> float:

@@ -11,7 +11,7 @@ from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.fitting.candidate import Candidate
 from cocorosim_ros.diagnosis.fitting.fit import Fit, information
 from cocorosim_ros.diagnosis.naming.contest import Refined
-from cocorosim_ros.diagnosis.naming.declared_errors import nats_of_declared_errors, products_of_held
+from cocorosim_ros.diagnosis.naming.declared_errors import products_of_held, share_of_declared_errors
 from cocorosim_ros.diagnosis.naming.named_effect import NamedEffect
 from cocorosim_ros.diagnosis.naming.quiet_pump import quiet_gain
 from cocorosim_ros.foundation.arrays import Floats
@@ -116,7 +116,8 @@ def _rest_of(fit: Fit, candidate: Candidate, named: NamedEffect) -> float:
     """Nats that a candidate on the same side as a named effect may explain without being there."""
     most = _share_left_over(candidate, named) * named.nats
     if most > NAMING.threshold and _may_be_off_alone(named, fit):
-        return min(most, NAMING.threshold + nats_of_declared_errors(fit, candidate, named.candidate))
+        left = 1.0 - share_of_declared_errors(fit, candidate, named.candidate)
+        return min(most, NAMING.threshold / left) if left > 0.0 else most
     law = candidate.entry.law is not None
     if most <= NAMING.threshold or named.found_before or (law and not _swings(candidate)):
         return most

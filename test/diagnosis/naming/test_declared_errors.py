@@ -1,4 +1,4 @@
-"""Nats that errors of declared numbers may explain, against least squares of two regressors written out."""
+"""Share of nats that errors of declared numbers may explain, against least squares of two regressors written out."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 from cocorosim_ros.diagnosis.criteria.naming import NAMING
 from cocorosim_ros.diagnosis.naming import declared_errors
-from cocorosim_ros.diagnosis.naming.declared_errors import nats_of_declared_errors
+from cocorosim_ros.diagnosis.naming.declared_errors import share_of_declared_errors
 
 READINGS, SPREAD = 4000, 0.5
 
@@ -39,7 +39,8 @@ def asked(
     known = SimpleNamespace(matrix=np.array([[information]]), score=np.zeros(1), slopes=(-mine[:, None],))
     monkeypatch.setattr(declared_errors, "information", lambda _: known)
     monkeypatch.setattr(declared_errors, "slopes", lambda *_: (-its[:, None],))
-    return nats_of_declared_errors(fit, candidate, other), 0.5 * q**2 * information
+    own = 0.5 * q**2 * information
+    return own * share_of_declared_errors(fit, candidate, other), own
 
 
 def regressors(likeness: float) -> tuple[Any, Any, Any]:

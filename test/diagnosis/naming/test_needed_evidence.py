@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
@@ -56,6 +57,23 @@ def test_what_may_be_a_rest_of_a_known_effect_needs_more(asked: Any, of_found: f
     fit: Any = SimpleNamespace(unknowns=())
     for known, share in ((declared, of_declared), (replace(declared, found_before=True), of_found)):
         assert needed_nats((known,), asked, fit) == pytest.approx(max(NAMING.threshold, share * LARGE))
+
+
+@pytest.mark.parametrize(("explained", "times"), [(0.0, 1.0), (0.5, 2.0), (0.9, 10.0), (1.0, math.inf)])
+def test_beside_declared_inertia_the_threshold_is_left_of_the_evidence(
+    monkeypatch: pytest.MonkeyPatch, explained: float, times: float
+) -> None:
+    """What errors of the file's added mass leave of the nats has to be enough, however large that mass' own are.
+
+    A force of 5.4 N that swings, of 1,924 nats of which they explain a twelfth, had been asked for 25,000. All explained
+    is a rest of the added mass as of any effect.
+    """
+    monkeypatch.setattr(needed_evidence, "share_of_declared_errors", lambda fit, candidate, other: explained)
+    mass = NamedEffect(candidate("added_mass", None, "sway"), LARGE, (), HeldOutGain(np.zeros(0), 1.0))
+    swings: Any = candidate("unknown:sway~sin_t", None, "sway", "sway")
+    fit: Any = SimpleNamespace(unknowns=())
+    most = NAMING.law_rest * LARGE
+    assert needed_nats((mass,), swings, fit) == pytest.approx(min(times * NAMING.threshold, most))
 
 
 def test_an_entry_of_the_same_group_needs_more_than_another(monkeypatch: pytest.MonkeyPatch) -> None:
