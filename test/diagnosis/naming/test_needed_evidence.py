@@ -65,7 +65,7 @@ def test_beside_declared_inertia_the_threshold_is_left_of_the_evidence(
 ) -> None:
     """What errors of the file's added mass leave of the nats has to be enough, however large that mass' own are.
 
-    A force of 5.4 N that swings, of 1,924 nats of which they explain a twelfth, had been asked for 25,000. All explained
+    A force of 5.4 N that swings, of 1,924 nats of which they explain a twelfth, was asked for 25,000. All explained
     is a rest of the added mass as of any effect.
     """
     monkeypatch.setattr(needed_evidence, "share_of_declared_errors", lambda fit, candidate, other: explained)
