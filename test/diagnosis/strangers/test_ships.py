@@ -13,7 +13,7 @@ LEFT, AT_RANDOM = "leaves its readings by more than their noise", "errs not at r
 
 
 def test_two_minutes_of_a_ferry(data: Path, found_once: FoundOnce, tmp_path: Path) -> None:
-    """Its fitted numbers turn it wrongly; what is named beside them is a suspicion."""
+    """Its fitted numbers turn it wrongly; what is named beside them is only suspected."""
     found_once("milliampere_ferry", crossings(data, tmp_path / "bags", *NLP1)[:1], (COLLAPSED,))
 
 
