@@ -22,17 +22,17 @@ def data() -> Path:
 
 @pytest.fixture
 def found_once(tmp_path: Path) -> FoundOnce:
-    """Diagnose recordings with a platform, and again with the found model: function of (platform, bags, stops).
+    """Diagnose recordings with a platform, and again with the found model: function of (platform, bags, stops, again).
 
     stops: words of the sentences, in the first diagnosis' warnings, for which nothing is more than suspected; () where
-    nothing speaks against what is named. Gives both diagnoses.
+    nothing speaks against what is named. again: the verdict with the found model. Gives both diagnoses.
     """
     from cocorosim_ros.diagnosis.diagnose import diagnose
     from cocorosim_ros.diagnosis.evidence.gather import gather_evidence
     from cocorosim_ros.library.diagnosis_result import DiagnosisResult
     from cocorosim_ros.scenario.parts.platform import load_platform
 
-    def found(platform: str, bags: Sequence[Path], stops: Sequence[str]) -> tuple[Any, Any]:
+    def found(platform: str, bags: Sequence[Path], stops: Sequence[str], again: str = "consistent") -> tuple[Any, Any]:
         evidence = gather_evidence(bags, load_platform(platform))
         first = DiagnosisResult(diagnose(evidence, lambda words, share: None), evidence)
         assert first.effects or first.recalibrated
@@ -41,9 +41,9 @@ def found_once(tmp_path: Path) -> FoundOnce:
         lacking = [words for words in stops if not any(words in each for each in first.diagnosis.warnings)]
         assert lacking == []
         (tmp_path / "model.yaml").write_text(first.model_yaml, encoding="utf-8")
-        again = gather_evidence(bags, load_platform(tmp_path / "model.yaml"))
-        second = diagnose(again, lambda words, share: None)
-        assert (second.verdict, second.effects, second.recalibrated) == ("consistent", (), ())
+        same = gather_evidence(bags, load_platform(tmp_path / "model.yaml"))
+        second = diagnose(same, lambda words, share: None)
+        assert (second.verdict, second.effects, second.recalibrated) == (again, (), ())
         return first.diagnosis, second
 
     return found

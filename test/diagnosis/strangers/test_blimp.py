@@ -12,6 +12,9 @@ STOPS = ("stands at the end of its range", "errs not at random", "times as much 
 
 
 def test_four_flights_of_a_blimp(data: Path, found_once: FoundOnce, tmp_path: Path) -> None:
-    """Its wings have a law that the catalogue lacks: that something is missing stays said when nothing is named."""
-    _, second = found_once("rgblimp", flights(data, tmp_path / "bags")[0:8:2], STOPS)
-    assert second.beyond_floor == ("position",) and "mismatch" in second.verdicts
+    """Its wings have a law that the catalogue lacks: nothing more is named, and that something is missing stays said.
+
+    Half of all flights are `consistent` with their found model: docs/real.md.
+    """
+    first, second = found_once("rgblimp", flights(data, tmp_path / "bags")[0:8:2], STOPS, "mismatch")
+    assert first.beyond_floor == second.beyond_floor == ("position",)
