@@ -15,10 +15,9 @@ def gain_taken_back(case: Case) -> Iterator[Objection]:
     A thrust F (1 - slope u) is larger than at rest where the vehicle moves against it. A loss of the same slope there
     leaves F: what is missing is a thrust that falls along the motion alone, and nothing is lost against it.
     """
-    falling = [found for found, _ in effects_of(case) if found.id == FALLS_WITH_SPEED]
-    for found, _ in effects_of(case):
-        if found.id != AGAINST_MOTION:
-            continue
+    felt = [found for found, _ in effects_of(case) if "slope" in found.parameters]
+    falling = [found for found in felt if found.id == FALLS_WITH_SPEED]
+    for found in (each for each in felt if each.id == AGAINST_MOTION):
         loss = found.parameters["slope"]
         slopes = [each.parameters["slope"] for each in falling if not set(each.robots).isdisjoint(found.robots)]
         if any(slope.low <= loss.high and loss.low <= slope.high for slope in slopes):
