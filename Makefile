@@ -47,8 +47,8 @@ WHOLE_DIAGNOSES := against/test_named_differences against/test_strangers test_no
 	against/test_good_that_is_not_well against/test_curves_of_thrusters against/test_lengths_of_the_vehicle \
 	foretelling/test_restraint test_similarity test_offset_centre against/test_axes foretelling/test_starts_and_levers \
 	showing/test_untold_form test_single_thrusters test_thrust_curve test_coloured_errors test_wind_and_pods \
-	test_recalibration report/test_medium against/test_halves test_waves fitting/test_growing_force test_real_stops \
-	strangers/test_underwater strangers/test_ships strangers/test_blimp
+	test_recalibration report/test_medium against/test_halves test_waves fitting/test_growing_force \
+	strangers/test_real_stops strangers/test_underwater strangers/test_ships strangers/test_blimp
 ROS_TESTS := architecture benchmark build commands documentation examples graph trial_tests
 PYTEST_JOBS ?= 2
 ON_ALL_CORES = -n $(PYTEST_JOBS) --dist loadfile

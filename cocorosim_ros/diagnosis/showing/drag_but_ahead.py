@@ -19,7 +19,7 @@ def drag_but_ahead(case: Case) -> Iterator[Objection]:
         ahead = found.parameters.get("surge") if found.id == "linear_drag" else None
         if ahead is not None and ahead.holds(0.0):
             across = [found.parameters[name] for name in _ACROSS if name in found.parameters]
-            if any(each.low > max(0.0, ahead.high) for each in across):
+            if any(each.low > ahead.high for each in across):
                 yield Objection(
                     "It brakes across the hull and, as far as can be told, not ahead: drag that differs between axes, "
                     "by another law of the speed than the catalogue's, looks the same.",
